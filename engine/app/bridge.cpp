@@ -1,0 +1,95 @@
+#include "engine/app/bridge.h"
+
+#include <cmath>
+#include <string>
+
+#include "haptics/safety/faults.h"
+
+namespace fulcrum::app {
+namespace {
+
+Vec3 to_eigen(const glm::vec3& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+render::MarkerState marker_state(const scenario::TaskState& task, std::size_t i) {
+  using Show = render::MarkerState::Show;
+  if (i < task.step) return {Show::done, 1.0F};
+  if (i > task.step) return {Show::hidden, 0.0F};
+  return {task.inside ? Show::dwelling : Show::next, static_cast<float>(task.dwell_progress)};
+}
+
+std::string stop_reason(std::uint32_t faults) {
+  for (const FaultName& fault : fault_names()) {
+    if ((fault.bit & kStoppingFaults & faults) != 0) return fault.sentence;
+  }
+  return {};
+}
+
+}  // namespace
+
+glm::mat4 to_glm(const Pose& X) {
+  const Eigen::Matrix3f R = X.q.toRotationMatrix().cast<float>();
+  const Eigen::Vector3f p = X.p.cast<float>();
+  glm::mat4 M(1.0F);
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) M[column][row] = R(row, column);
+  }
+  for (int row = 0; row < 3; ++row) M[3][row] = p[row];
+  return M;
+}
+
+FrameBridge::FrameBridge(const render::VisualDesc& desc) : markers_(desc.markers.size()) {
+  for (const render::Instance& instance : desc.instances) {
+    if (instance.movable) X_WM_.push_back(instance.X_WM);
+  }
+  marker_states_.resize(markers_);
+}
+
+render::FrameState FrameBridge::frame(const Pose& X_WT, const scenario::TaskState& task,
+                                      const render::Camera& camera, double time) {
+  for (glm::mat4& X_WM : X_WM_) X_WM = to_glm(X_WT);
+  for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
+  render::FrameState state;
+  state.X_WM = X_WM_;
+  state.markers = marker_states_;
+  state.camera = camera;
+  state.time_s = time;
+  return state;
+}
+
+input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
+  const Vec3 eye = to_eigen(camera.eye);
+  input::ViewAxes axes;
+  axes.forward_W = (to_eigen(camera.target) - eye).normalized();
+  axes.right_W = axes.forward_W.cross(Vec3::UnitY()).normalized();
+  axes.up_W = axes.right_W.cross(axes.forward_W);
+  const double distance = std::max((p_W - eye).dot(axes.forward_W), 0.05);
+  axes.height = 2 * distance * std::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
+  return axes;
+}
+
+ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
+                               const scenario::TaskState& task) {
+  ui::OverlayState state;
+  state.time_s = static_cast<double>(record.tick) * scene.tick_s;
+  state.scenario = prepared.scenario.title;
+  state.device = scene.device.name;
+  if (scene.device.renders_force) {
+    state.force_N = {record.device_F_H_D.force.norm(), scene.device.max_force};
+  } else {
+    // No motors: what the hand would feel, so that a push can be seen.
+    state.force_N = {record.coupling_F_T_W.force.norm(), scene.coupling.max_force};
+  }
+  state.torque_Nm = {record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
+  for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
+    state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
+  if (record.stopped)
+    state.force = ui::Force::stopped;
+  else if (record.force_gain < 1)
+    state.force = ui::Force::returning;
+  state.stop_reason = stop_reason(record.faults);
+  return state;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,41 @@
+#pragma once
+// From what ticks to what is drawn: the only place where both are seen. Eigen's types become GLM's here.
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/app/prepare.h"
+#include "engine/input/tool_mouse.h"
+#include "engine/render/frame_state.h"
+#include "engine/scenario/task_judge.h"
+#include "engine/ui/overlay_state.h"
+#include "haptics/world/tick_record.h"
+
+namespace fulcrum::app {
+
+glm::mat4 to_glm(const Pose& X);
+
+// The storage that a FrameState looks into.
+class FrameBridge {
+public:
+  explicit FrameBridge(const render::VisualDesc& desc);
+
+  // The tool at X_WT, the markers as the task stands.
+  render::FrameState frame(const Pose& X_WT, const scenario::TaskState& task, const render::Camera& camera,
+                           double time);
+
+private:
+  std::size_t markers_;
+  std::vector<glm::mat4> X_WM_;
+  std::vector<render::MarkerState> marker_states_;
+};
+
+// The trainee's view of the picture plane at p_W.
+input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W);
+
+// Gauges, checkpoints and stop banner as of one tick.
+ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
+                               const scenario::TaskState& task);
+
+}  // namespace fulcrum::app

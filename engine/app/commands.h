@@ -1,0 +1,20 @@
+#pragma once
+// The subcommands. Each returns the program's exit code.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/app/run_options.h"
+
+namespace fulcrum::app {
+
+int list_command(bool json);
+int run_command(const RunOptions& options);
+int replay_command(const std::filesystem::path& tape, const RunOptions& options);
+int check_command(const std::vector<std::string>& files, bool json);
+int explain_command(const std::string& scenario, const std::vector<std::string>& overrides, bool json);
+int devices_command(bool json);
+int schema_command(const std::string& of);  // scenario, hand or device
+
+}  // namespace fulcrum::app

@@ -1,0 +1,41 @@
+#include "engine/app/inventory.h"
+
+namespace fulcrum::app {
+namespace {
+
+void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vector<InventoryItem>& out) {
+  const SceneDesc& scene = world.desc();
+  const auto add = [&out](const char* name, const std::string& why) {
+    out.push_back({name, "haptics", 0, 0, why});
+  };
+  const VelocityEstimatorKind kind = scene.velocity.kind;
+  if (kind != VelocityEstimatorKind::difference) add("estimator difference", "the scenario names another");
+  if (kind != VelocityEstimatorKind::low_pass) add("estimator low_pass", "the scenario names another");
+  if (kind != VelocityEstimatorKind::adaptive_window)
+    add("estimator adaptive_window", "the scenario names another");
+  if (!scene.device.renders_torque) add("torque motors", "the device '" + scene.device.name + "' has none");
+  if (!scene.device.renders_force) add("force motors", "the device '" + scene.device.name + "' has none");
+  if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
+  if (!scene.tool.weight) add("tool weight", "tool.weight is off");
+  if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");
+}
+
+}  // namespace
+
+Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan) {
+  Inventory result;
+  for (const BuiltPart& part : world.parts())
+    result.built.push_back({part.name, "haptics", part.bytes, 0, part.what});
+  leave_out_of_haptics(world, prepared, result.left_out);
+  if (plan == nullptr) {
+    result.left_out.push_back({"renderer", "picture", 0, 0, "nothing is drawn"});
+    return result;
+  }
+  for (const render::BuildItem& item : plan->built)
+    result.built.push_back({item.name, item.kind, item.bytes, 0, item.note});
+  for (const render::BuildItem& item : plan->left_out)
+    result.left_out.push_back({item.name, item.kind, 0, 0, item.note});
+  return result;
+}
+
+}  // namespace fulcrum::app

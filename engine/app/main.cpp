@@ -1,0 +1,125 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "engine/app/commands.h"
+#include "engine/app/exit_code.h"
+#include "engine/app/terminal.h"
+#include "engine/app/version.h"
+
+namespace fulcrum::app {
+namespace {
+
+// "WxH", each 16 to 16384 pixels.
+std::string read_size(const std::string& text, render::Extent& size) {
+  unsigned width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &rest) != 2 || width < 16 || height < 16 ||
+      width > 16384 || height > 16384)
+    return "'" + text + "' is no size: give WIDTHxHEIGHT in pixels, such as 1280x720, each from 16 to 16384";
+  size = {width, height};
+  return {};
+}
+
+void add_out(CLI::App* command, RunOptions& options) {
+  command
+      ->add_option("--out", options.out,
+                   "Folder for the results (default: a new one under the data directory)")
+      ->type_name("DIR");
+  command->add_flag("--force", options.force, "Replace the results that lie in that folder");
+}
+
+void add_set(CLI::App* command, std::vector<std::string>& overrides) {
+  command->add_option("--set", overrides, "Replace a value of the scenario, such as contact.stiffness=10000")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+CLI::App* add_run(CLI::App& program, RunOptions& options, std::string& size) {
+  CLI::App* run = program.add_subcommand("run", "Run a scenario, in a window or headless");
+  run->add_option("scenario", options.scenario, "Its name (fulcrum list) or file")
+      ->required()
+      ->type_name("NAME|FILE");
+  run->add_flag("--headless", options.headless, "No window: as fast as it goes, one picture at the end");
+  run->add_option("--hand", options.hand,
+                  "The simulated hand: expert, clumsy, still, or another of the scenario's")
+      ->type_name("HAND");
+  run->add_option("--device", options.device, "simulated, mouse or replay:FILE (fulcrum devices)")
+      ->type_name("DEVICE");
+  run->add_flag("--realtime", options.realtime, "Headless, but by the clock, in the haptic thread");
+  run->add_option("--seconds", options.seconds, "End after this much simulated time")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  run->add_option_function<std::int64_t>(
+         "--seed",
+         [&options](std::int64_t seed) { options.overrides.push_back("seed=" + std::to_string(seed)); },
+         "Seed of what is random, such as the hand's tremor")
+      ->type_name("N");
+  add_set(run, options.overrides);
+  run->add_option("--size", size, "Of the picture or the window, in pixels (default 1280x720)")
+      ->type_name("WxH")
+      ->check([&options](const std::string& text) { return read_size(text, options.size); });
+  run->add_option("--gpu", options.gpu, "Which GPU draws: its number, a part of its name, or 'list'")
+      ->type_name("GPU");
+  add_out(run, options);
+  run->add_flag("--json", options.json, "Print the summary as JSON");
+  return run;
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App program("Fulcrum, a haptic training simulator.", "fulcrum");
+  program.set_version_flag("--version", std::string("fulcrum ") + kVersion);
+  program.require_subcommand(1);
+  bool json = false;
+  RunOptions options;
+  std::string size, tape, scenario, schema_of = "scenario";
+  std::vector<std::string> files;
+
+  CLI::App* list = program.add_subcommand("list", "The scenarios, a line each");
+  list->add_flag("--json", json, "As JSON");
+  CLI::App* run = add_run(program, options, size);
+  CLI::App* replay = program.add_subcommand("replay", "Repeat a run from its tape and compare every tick");
+  replay->add_option("tape", tape, "The tape of a run")->required()->type_name("TAPE");
+  add_out(replay, options);
+  CLI::App* check = program.add_subcommand("check", "Say what is wrong with scenarios");
+  check->add_option("files", files, "Scenario files or names")->required()->type_name("FILE");
+  check->add_flag("--json", json, "As JSON");
+  CLI::App* explain =
+      program.add_subcommand("explain", "What a scenario builds, what that costs, what it leaves out");
+  explain->add_option("scenario", scenario, "Its name or file")->required()->type_name("NAME|FILE");
+  add_set(explain, options.overrides);
+  explain->add_flag("--json", json, "As JSON");
+  CLI::App* devices = program.add_subcommand("devices", "Which devices are there, and why others are not");
+  devices->add_flag("--json", json, "As JSON");
+  CLI::App* schema = program.add_subcommand("schema", "The JSON Schema of a file, for an editor");
+  schema->add_option("of", schema_of, "scenario (default), hand or device")
+      ->check(CLI::IsMember({"scenario", "hand", "device"}));
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kCompleted : kUsage;
+  }
+  if (*list) return list_command(json);
+  if (*run) return run_command(options);
+  if (*replay) return replay_command(tape, options);
+  if (*check) return check_command(files, json);
+  if (*explain) return explain_command(scenario, options.overrides, json);
+  if (*devices) return devices_command(json);
+  return schema_command(schema_of);
+}
+
+}  // namespace
+}  // namespace fulcrum::app
+
+int main(int argc, char** argv) {
+  // A file that may not grow becomes an error that is said, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return fulcrum::app::dispatch(argc, argv);
+  } catch (const std::exception& error) {
+    fulcrum::app::complain(std::string("this should not have happened: ") + error.what());
+    return fulcrum::app::kError;
+  }
+}

@@ -1,0 +1,29 @@
+#pragma once
+// A picture of a scene, drawn without a window.
+
+#include <filesystem>
+#include <string>
+
+#include "engine/app/bridge.h"
+#include "engine/app/run_options.h"
+#include "engine/render/plan.h"
+
+namespace fulcrum::app {
+
+struct Moment {
+  TickRecord record;
+  scenario::TaskState task;
+  render::Camera camera;
+};
+
+// Draws one moment into a PNG. `plan`, if given, receives what was built. Errors: no Vulkan, no such GPU, a
+// file that cannot be written.
+Result<std::filesystem::path> draw_picture(const Prepared& prepared, const SceneDesc& scene,
+                                           const scenario::VisualAssembly& visual, const Moment& moment,
+                                           const RunOptions& options, const std::filesystem::path& file,
+                                           render::RenderPlan* plan);
+
+// The table of --gpu list, or why there is no Vulkan.
+std::string describe_gpus();
+
+}  // namespace fulcrum::app

@@ -1,0 +1,118 @@
+#include "engine/app/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "drivers/mouse/mouse_device.h"
+#include "engine/app/terminal.h"
+#include "engine/record/motion.h"
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr double kGravity = 9.80665;  // m/s^2
+
+Error no_hand(const Prepared& prepared, const std::string& hand) {
+  std::string known = "still";
+  for (const scenario::HandScript& script : prepared.haptic.hands) {
+    if (script.name != "still") known += ", " + script.name;
+  }
+  return {"The scenario '" + prepared.name + "' has no hand '" + hand + "'; it has " + known + "."};
+}
+
+// How far the coupling yields under the tool's weight: a person aims so much higher.
+double sag(const SceneDesc& scene) {
+  if (!scene.tool.weight) return 0;
+  const double weight = std::min(scene.tool.mass * kGravity, 0.95 * scene.coupling.max_force);
+  return -scene.coupling.max_force / scene.coupling.stiffness *
+         std::log1p(-weight / scene.coupling.max_force);
+}
+
+}  // namespace
+
+std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides) {
+  const Result<std::filesystem::path> file = scenario::find_scenario(name_or_file);
+  if (!file) {
+    complain(file.error().sentence);
+    return std::nullopt;
+  }
+  scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario(*file, overrides);
+  if (!loaded) {
+    complain("the scenario '" + name_or_file + "' cannot be used:\n" + scenario::to_text(loaded.faults()));
+    return std::nullopt;
+  }
+  return prepare(name_or_file, std::move(*loaded));
+}
+
+std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario) {
+  Result<scenario::LoadedModels> models = scenario::load_models(scenario);
+  if (!models) {
+    complain(models.error().sentence);
+    return std::nullopt;
+  }
+  ProgressBar bar;
+  Result<scenario::HapticAssembly> haptic = scenario::assemble_haptic(
+      scenario, *models, BakeCache(), [&bar](std::string_view what, double fraction) {
+        bar.show("Baking the " + std::string(what), fraction);
+      });
+  bar.clear();
+  if (!haptic) {
+    complain(haptic.error().sentence);
+    return std::nullopt;
+  }
+  return Prepared{name, std::move(scenario), std::move(*models), std::move(*haptic)};
+}
+
+SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) {
+  SceneDesc scene = prepared.haptic.scene;
+  if (device == "mouse") {
+    scene.device = MouseDevice::mouse_desc();
+    scene.mapping = MappingDesc{};
+  }
+  return scene;
+}
+
+Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand) {
+  const SceneDesc& scene = prepared.haptic.scene;
+  const auto found =
+      std::find_if(prepared.haptic.hands.begin(), prepared.haptic.hands.end(),
+                   [&hand](const scenario::HandScript& script) { return script.name == hand; });
+  HandTask task{.path = HandPath({Waypoint{scene.tool.X_WT_start, 0, 0}}),
+                .hand = {.seed = static_cast<std::uint64_t>(prepared.scenario.seed)},
+                .X_HT = scene.tool.X_HT,
+                .mapping = scene.mapping};
+  if (found != prepared.haptic.hands.end()) {
+    task.path = HandPath(found->waypoints);
+    task.hand = found->desc;
+  } else if (hand != "still") {
+    return no_hand(prepared, hand);
+  }
+  task.sag_W = Vec3(0, sag(scene), 0);
+  if (scene.tool.weight) {
+    const Vec3 felt_W(0, -scene.tool.mass * kGravity, 0);
+    task.carried_D = -scene.mapping.wrench_in_device({felt_W, Vec3::Zero()}).force;
+  }
+  SimulatedDeviceDesc desc;
+  desc.device = scene.device;
+  desc.tick_s = scene.tick_s;
+  return std::make_unique<SimulatedDevice>(desc, std::move(task));
+}
+
+Result<std::unique_ptr<ReplayDevice>> replay_device(const Prepared& prepared, const std::string& file) {
+  Result<record::HandleMotion> motion = record::read_motion(file);
+  if (!motion) return motion.error();
+  const SceneDesc& scene = prepared.haptic.scene;
+  if (std::abs(motion->tick_s - scene.tick_s) > 1e-9)
+    return Error{"'" + file +
+                 "' was recorded at another tick rate than this scenario's: give --set tick_rate_Hz=" +
+                 std::to_string(std::lround(1.0 / motion->tick_s)) + "."};
+  if (motion->space == record::HandleMotion::Space::scene) {
+    for (DeviceSample& sample : motion->samples) sample.X_DH = scene.mapping.handle_in_device(sample.X_DH);
+  }
+  return std::make_unique<ReplayDevice>(scene.device, std::move(motion->samples));
+}
+
+}  // namespace fulcrum::app

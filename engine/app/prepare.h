@@ -1,0 +1,38 @@
+#pragma once
+// From a name on the command line to something that can run.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/replay/replay_device.h"
+#include "engine/scenario/assemble.h"
+#include "engine/scenario/fault.h"
+#include "engine/scenario/scenario.h"
+#include "haptics/device/simulated_device.h"
+#include "haptics/world/world.h"
+
+namespace fulcrum::app {
+
+struct Prepared {
+  std::string name;  // as it was asked for
+  scenario::Scenario scenario;
+  scenario::LoadedModels models;
+  scenario::HapticAssembly haptic;
+};
+
+// Every sentence that is wrong about it is written to stderr; then nothing is returned.
+std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides);
+std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario);
+
+// The scene as this device runs it: a mouse moves the handle itself and renders nothing.
+SceneDesc scene_for_device(const Prepared& prepared, const std::string& device);
+
+// The scenario's hand of that name; `still` is always there. The error names those that are.
+Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand);
+
+// A tape's or a trace's handle motion, for --device replay:FILE.
+Result<std::unique_ptr<ReplayDevice>> replay_device(const Prepared& prepared, const std::string& file);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,77 @@
+#include <cstdio>
+#include <filesystem>
+
+#include "engine/app/commands.h"
+#include "engine/app/exit_code.h"
+#include "engine/app/inventory.h"
+#include "engine/app/results.h"
+#include "engine/app/run_sink.h"
+#include "engine/app/tape_header.h"
+#include "engine/app/terminal.h"
+#include "engine/app/version.h"
+#include "engine/record/digest.h"
+#include "engine/record/replay_check.h"
+#include "engine/record/run_folder.h"
+#include "engine/record/tape_reader.h"
+#include "haptics/loop/run_tick.h"
+
+namespace fulcrum::app {
+
+int replay_command(const std::filesystem::path& file, const RunOptions& options) {
+  const Result<record::Tape> tape = record::read_tape(file);
+  if (!tape) {
+    complain(tape.error().sentence);
+    return kError;
+  }
+  if (!tape->complete)
+    complain("the tape ends early (the run was killed or the disk was full): replaying the " +
+             std::to_string(tape->entries.size()) + " ticks it holds.");
+  if (tape->header.program_version != kVersion)
+    complain("the tape was made by version " + tape->header.program_version + ", this is " + kVersion +
+             ": ticks may differ.");
+  const Result<Prepared> prepared = prepare_from_tape(*tape);
+  if (!prepared) {
+    complain(prepared.error().sentence);
+    return kError;
+  }
+  Result<World> world = World::build(scene_for_device(*prepared, tape->header.device));
+  if (!world) {
+    complain(world.error().sentence);
+    return kError;
+  }
+  const record::TraceColumns columns = trace_columns(world->desc());
+  Result<OpenResults> results = open_results(prepared->name, options, tape->header, columns);
+  if (!results) {
+    complain(results.error().sentence);
+    return kError;
+  }
+
+  const double duration = static_cast<double>(tape->entries.size()) * world->desc().tick_s;
+  RunSink sink(*prepared, std::move(results->recorder), duration);
+  record::ReplayCheck check;
+  ProgressBar bar;
+  for (const record::TapeEntry& entry : tape->entries) {
+    TickEvent event;
+    replay_tick(*world, entry.sample, entry.commands, event);
+    event.lost_before = entry.lost_before;
+    sink.take(event);
+    check.tick({event.record, static_cast<std::int32_t>(sink.task().step)}, entry.digest);
+    bar.show("Replaying", sink.time() / duration);
+  }
+  bar.clear();
+
+  RunSink::Outcome outcome = sink.finish();
+  outcome.summary.device = tape->header.device;
+  outcome.summary.hand = tape->header.hand;
+  const Inventory list = inventory(*world, *prepared, nullptr);
+  const bool written = write_results(results->folder, outcome, list);
+  std::printf("%s\n", results->folder.string().c_str());
+  if (!check.same()) {
+    complain(check.divergence(columns, file.parent_path() / record::kTraceName));
+    return kError;
+  }
+  std::printf("%lld ticks, the same as recorded, bit for bit.\n", static_cast<long long>(check.ticks()));
+  return written && outcome.recorded ? kCompleted : kError;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,52 @@
+#include "engine/app/results.h"
+
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+#include "engine/app/terminal.h"
+#include "engine/record/run_folder.h"
+
+namespace fulcrum::app {
+
+Result<OpenResults> open_results(const std::string& scenario, const RunOptions& options,
+                                 const record::TapeHeader& header, const record::TraceColumns& columns) {
+  Result<std::filesystem::path> folder =
+      options.out.empty() ? record::make_default_run_folder(std::filesystem::path(scenario).stem().string(),
+                                                            std::chrono::system_clock::now())
+                          : record::prepare_run_folder(options.out, options.force);
+  if (!folder) return folder.error();
+  Result<record::Recorder> recorder = record::Recorder::begin(*folder, header, columns);
+  if (!recorder) return recorder.error();
+  return OpenResults{std::move(*folder), std::move(*recorder)};
+}
+
+bool write_results(const std::filesystem::path& folder, RunSink::Outcome& outcome,
+                   const Inventory& inventory) {
+  for (const InventoryItem& item : inventory.built) outcome.summary.built.push_back(item.name);
+  for (const InventoryItem& item : inventory.left_out) outcome.summary.left_out.push_back(item.name);
+  const Result<std::filesystem::path> written = record::write_summary(folder, outcome.summary);
+  if (written) return true;
+  complain(written.error().sentence);
+  return false;
+}
+
+void print_outcome(const std::filesystem::path& folder, const record::Summary& summary) {
+  if (summary.completed)
+    std::printf("%s in %.1f s.\n", bold("Completed").c_str(), summary.completion_time_s.value_or(0));
+  else
+    std::printf("%s after %.1f s.\n", bold("Not completed").c_str(),
+                static_cast<double>(summary.ticks) * summary.tick_s);
+  for (const record::CheckpointResult& checkpoint : summary.checkpoints) {
+    if (checkpoint.reached_s)
+      std::printf("  %-24s %6.1f s\n", checkpoint.name.c_str(), *checkpoint.reached_s);
+    else
+      std::printf("  %-24s %s\n", checkpoint.name.c_str(), dim("not reached").c_str());
+  }
+  std::printf("  peak force %.2f N, deepest penetration %.3f mm\n", summary.peak_force_N,
+              1e3 * summary.max_penetration_m.value_or(0));
+  for (const record::FaultCount& fault : summary.faults) std::printf("  %s\n", fault.sentence.c_str());
+  std::printf("Picture, trace and summary lie in %s\n", bold(folder.string()).c_str());
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "drivers/mouse/mouse_device.h"
+#include "engine/app/commands.h"
+#include "engine/app/exit_code.h"
+#include "engine/app/headless_run.h"
+#include "engine/app/interrupt.h"
+#include "engine/app/picture.h"
+#include "engine/app/results.h"
+#include "engine/app/tape_header.h"
+#include "engine/app/terminal.h"
+#include "engine/app/training_window.h"
+#include "engine/record/run_folder.h"
+
+namespace fulcrum::app {
+namespace {
+
+Result<std::unique_ptr<Device>> make_device(const Prepared& prepared, const SceneDesc& scene,
+                                            const RunOptions& options) {
+  constexpr std::string_view replay = "replay:";
+  if (options.device == "mouse" && !options.headless)
+    return std::unique_ptr<Device>(
+        std::make_unique<MouseDevice>(scene.tool.X_WT_start * scene.tool.X_HT.inverse(), scene.tick_s));
+  if (options.device.starts_with(replay)) {
+    auto device = replay_device(prepared, options.device.substr(replay.size()));
+    if (!device) return device.error();
+    return std::unique_ptr<Device>(std::move(*device));
+  }
+  if (options.device == "simulated") {
+    auto device = simulated_device(prepared, options.hand);
+    if (!device) return device.error();
+    return std::unique_ptr<Device>(std::move(*device));
+  }
+  if (options.device == "mouse")
+    return Error{"The mouse needs a window: leave out --headless, or use --device simulated or replay:FILE."};
+  return Error{"There is no device '" + options.device +
+               "'; there are simulated, mouse and replay:FILE. "
+               "`fulcrum devices` says what is there and what is not."};
+}
+
+// One attempt, from opened files to closed ones.
+class Attempt {
+public:
+  // What is wrong is on stderr.
+  static std::unique_ptr<Attempt> begin(const Prepared& prepared, const RunOptions& options) {
+    const SceneDesc scene = scene_for_device(prepared, options.device);
+    Result<std::unique_ptr<Device>> device = make_device(prepared, scene, options);
+    if (!device) return refuse(device.error());
+    Result<World> world = World::build(scene);
+    if (!world) return refuse(world.error());
+    const Result<record::TapeHeader> header = tape_header(prepared, options.device, options.hand);
+    if (!header) return refuse(header.error());
+    Result<OpenResults> results = open_results(prepared.name, options, *header, trace_columns(scene));
+    if (!results) return refuse(results.error());
+    const double limit =
+        std::min(prepared.scenario.time_limit, options.seconds.value_or(prepared.scenario.time_limit));
+    return std::unique_ptr<Attempt>(
+        new Attempt(prepared, options, std::move(*device), std::move(*world), std::move(*results), limit));
+  }
+
+  World& world() { return world_; }
+  Device& device() { return *device_; }
+  RunSink& sink() { return sink_; }
+  const std::filesystem::path& folder() const { return folder_; }
+
+  // plan: what was drawn with, if anything was.
+  int finish(const render::RenderPlan* plan) {
+    RunSink::Outcome outcome = sink_.finish();
+    outcome.summary.device = options_.device;
+    outcome.summary.hand = options_.device == "simulated" ? options_.hand : "";
+    const bool written =
+        write_results(folder_, outcome, inventory(world_, prepared_, plan)) && outcome.recorded;
+    if (options_.json)
+      std::printf("%s\n", record::summary_json(outcome.summary).c_str());
+    else
+      print_outcome(folder_, outcome.summary);
+    if (!written) return kError;
+    if (sink_.end() == RunSink::End::completed) return kCompleted;
+    return sink_.stopped_by_fault() ? kEndedByFault : kNotCompleted;
+  }
+
+private:
+  Attempt(const Prepared& prepared, const RunOptions& options, std::unique_ptr<Device> device, World world,
+          OpenResults results, double limit)
+      : prepared_(prepared),
+        options_(options),
+        device_(std::move(device)),
+        world_(std::move(world)),
+        folder_(std::move(results.folder)),
+        sink_(prepared, std::move(results.recorder), limit) {}
+
+  static std::unique_ptr<Attempt> refuse(const Error& error) {
+    complain(error.sentence);
+    return nullptr;
+  }
+
+  const Prepared& prepared_;
+  const RunOptions& options_;
+  std::unique_ptr<Device> device_;
+  World world_;
+  std::filesystem::path folder_;
+  RunSink sink_;
+};
+
+int run_headless(const Prepared& prepared, const RunOptions& options) {
+  const std::unique_ptr<Attempt> attempt = Attempt::begin(prepared, options);
+  if (!attempt) return kError;
+  if (options.realtime)
+    run_live(attempt->world(), attempt->device(), attempt->sink());
+  else
+    run_offline(attempt->world(), attempt->device(), attempt->sink());
+
+  // The picture is the last moment, from the first view. Without Vulkan the run counts all the same.
+  render::RenderPlan plan;
+  bool drawn = false;
+  const Result<scenario::VisualAssembly> visual =
+      scenario::assemble_visual(prepared.scenario, prepared.models);
+  if (visual) {
+    const Moment moment{attempt->sink().last(), attempt->sink().task(), visual->desc.camera};
+    const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, moment, options,
+                                      attempt->folder() / record::kPictureName, &plan);
+    drawn = static_cast<bool>(picture);
+    if (!drawn) complain("there is no picture: " + picture.error().sentence);
+  } else {
+    complain("there is no picture: " + visual.error().sentence);
+  }
+  return attempt->finish(drawn ? &plan : nullptr);
+}
+
+int run_in_window(const Prepared& prepared, const RunOptions& options) {
+  const Result<scenario::VisualAssembly> visual =
+      scenario::assemble_visual(prepared.scenario, prepared.models);
+  if (!visual) {
+    complain(visual.error().sentence);
+    return kError;
+  }
+  const Result<std::unique_ptr<TrainingWindow>> window = TrainingWindow::create(prepared, *visual, options);
+  if (!window) {
+    complain(window.error().sentence);
+    return kError;
+  }
+  RunOptions attempt_options = options;
+  for (int number = 1;; ++number) {
+    if (number > 1 && !options.out.empty())
+      attempt_options.out = options.out / ("attempt-" + std::to_string(number));
+    const std::unique_ptr<Attempt> attempt = Attempt::begin(prepared, attempt_options);
+    if (!attempt) return kError;
+    const TrainingWindow::Leave leave = (*window)->run(
+        attempt->world(), attempt->device(), dynamic_cast<MouseDevice*>(&attempt->device()), attempt->sink());
+    const int code = attempt->finish(&(*window)->plan());
+    if (leave == TrainingWindow::Leave::closed) return code;
+  }
+}
+
+}  // namespace
+
+int run_command(const RunOptions& given) {
+  RunOptions options = given;
+  if (options.device.empty()) options.device = options.headless ? "simulated" : "mouse";
+  if (options.gpu == "list") {
+    std::printf("%s\n", describe_gpus().c_str());
+    return kCompleted;
+  }
+  const std::optional<Prepared> prepared = prepare(options.scenario, options.overrides);
+  if (!prepared) return kError;
+  catch_interrupts();
+  return options.headless ? run_headless(*prepared, options) : run_in_window(*prepared, options);
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/render/plan.h"
+
+namespace fulcrum::app {
+
+// The command line of `fulcrum run`.
+struct RunOptions {
+  std::string scenario;
+  bool headless = false;
+  bool realtime = false;
+  std::string hand = "expert";
+  std::string device;                  // empty: the mouse in a window, simulated without
+  std::optional<double> seconds;       // s, of simulated time
+  std::vector<std::string> overrides;  // KEY=VALUE
+  render::Extent size;                 // pixels
+  std::string gpu;                     // empty: the best one
+  std::filesystem::path out;           // empty: a new folder under the data directory
+  bool force = false;                  // replace results that are in `out`
+  bool json = false;
+};
+
+}  // namespace fulcrum::app

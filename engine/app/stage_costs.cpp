@@ -1,0 +1,95 @@
+#include "engine/app/stage_costs.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "haptics/loop/run_tick.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr double kStretch = 20;  // s of the hand's motion
+constexpr std::size_t kSamplesWanted = 2000;
+
+struct Moment {
+  BodyState tool;
+  DeviceSample sample;
+  Pose X_WH;
+  Wrench coupling_F_T_W;
+};
+
+// us per call of f over all moments; the first pass warms the caches.
+template <class F>
+double mean_us(const std::vector<Moment>& moments, F&& f) {
+  for (const Moment& m : moments) f(m);
+  const std::int64_t before = thread_cpu_ns();
+  for (const Moment& m : moments) f(m);
+  return static_cast<double>(thread_cpu_ns() - before) * 1e-3 / static_cast<double>(moments.size());
+}
+
+}  // namespace
+
+Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, const std::string& hand) {
+  const SceneDesc& scene = prepared.haptic.scene;
+  Result<World> world = World::build(scene);
+  if (!world) return world.error();
+  Result<std::unique_ptr<SimulatedDevice>> device = simulated_device(prepared, hand);
+  if (!device) return device.error();
+
+  const auto ticks =
+      static_cast<std::size_t>(std::min(kStretch, prepared.scenario.time_limit) / scene.tick_s);
+  const std::size_t every = std::max<std::size_t>(1, ticks / kSamplesWanted);
+  std::vector<Moment> moments;
+  double whole_us = 0;
+  for (std::size_t i = 0; i < ticks; ++i) {
+    TickEvent event;
+    run_tick(*world, **device, {}, event);
+    whole_us += static_cast<double>(event.cpu_ns) * 1e-3 / static_cast<double>(ticks);
+    if (i % every == 0)
+      moments.push_back({{event.record.X_WT, event.record.V_WT},
+                         event.sample,
+                         event.record.X_WH,
+                         event.record.coupling_F_T_W});
+  }
+
+  const RigidBody body(scene.tool.mass, scene.tool.inertia_T);
+  ContactQuery query(scene.tool_shell, scene.scene_field);
+  PenaltyResponse response(scene.contact, body, scene.tick_s);
+  RegionTracker regions(scene.contact.region_radius);
+  VirtualCoupling coupling(scene.coupling, body);
+  VelocityEstimator velocity(scene.velocity, scene.tick_s);
+  const DeviceArm arm(scene.device);
+  Guard guard(scene.device, scene.tick_s);
+  ContactSet set;
+  double unused = 0;  // summed up so that no call is optimised away
+
+  std::map<std::string, double> us;
+  us["tick"] = whole_us;
+  us["query"] = mean_us(moments, [&](const Moment& m) { query.run(m.tool.X_WT, set); });
+  us["response"] = mean_us(moments,
+                           [&](const Moment& m) {
+                             query.run(m.tool.X_WT, set);
+                             unused += response.push(set, m.tool).F_T_W.force.x();
+                             regions.update(set, response.forces(), m.tool);
+                           }) -
+                   us["query"];
+  us["coupling"] = mean_us(moments, [&](const Moment& m) {
+    unused += coupling.pull(m.X_WH * scene.tool.X_HT, {}, m.tool).force.x();
+  });
+  us["integrator"] = mean_us(moments, [&](const Moment& m) {
+    const Twist V = body.accelerate(m.tool, m.coupling_F_T_W, scene.tick_s);
+    unused += RigidBody::advance(m.tool.X_WT, V, scene.tick_s).p.x();
+  });
+  us["estimator"] = mean_us(moments, [&](const Moment& m) { unused += velocity.update(m.X_WH).v.x(); });
+  us["allocation"] = mean_us(
+      moments, [&](const Moment& m) { unused += allocate(arm, m.sample.X_DH, m.coupling_F_T_W).load[0]; });
+  us["safety"] = mean_us(moments, [&](const Moment& m) {
+    std::uint32_t faults = guard.watch(m.sample, {});
+    unused += guard.limit(m.coupling_F_T_W, faults).force.x();
+  });
+  volatile double kept = unused;
+  static_cast<void>(kept);
+  return us;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,70 @@
+#include "engine/app/tape_header.h"
+
+#include <utility>
+
+#include "engine/app/version.h"
+#include "engine/assets/sha256.h"
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
+#include "haptics/actuation/arm.h"
+
+namespace fulcrum::app {
+
+Result<record::TapeHeader> tape_header(const Prepared& prepared, const std::string& device,
+                                       const std::string& hand) {
+  const scenario::Scenario& scenario = prepared.scenario;
+  record::TapeHeader header;
+  header.program_version = kVersion;
+  header.simd = kSimdTarget;
+  header.scenario = prepared.name;
+  header.scenario_file = scenario.texts.scenario;
+  header.files = scenario.texts.files;
+  header.overrides = scenario.overrides;
+  header.seed = scenario.seed;
+  header.hand = hand;
+  header.device = device;
+  header.tick_s = prepared.haptic.scene.tick_s;
+  for (const scenario::ModelEntry& model : scenario.models) {
+    Result<std::string> hash = sha256_hex_of_file(model.file.path);
+    if (!hash) return hash.error();
+    header.hashes[model.file.name] = std::move(*hash);
+  }
+  return header;
+}
+
+Result<Prepared> prepare_from_tape(const record::Tape& tape) {
+  const record::TapeHeader& header = tape.header;
+  if (header.simd != kSimdTarget)
+    return Error{"The tape was made by the SIMD target '" + header.simd +
+                 "' and this program computes with '" + kSimdTarget +
+                 "', so the ticks would differ: replay it with a program that has that target."};
+  const Result<std::filesystem::path> file = scenario::find_scenario(header.scenario);
+  if (!file)
+    return Error{"The tape's scenario cannot be found, and with it the models it needs: " +
+                 file.error().sentence};
+  scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario_texts(
+      {header.scenario_file, header.files}, file->parent_path(), header.overrides);
+  if (!loaded)
+    return Error{"The scenario in the tape cannot be used:\n" + scenario::to_text(loaded.faults())};
+  for (const scenario::ModelEntry& model : loaded->models) {
+    const Result<std::string> hash = sha256_hex_of_file(model.file.path);
+    if (!hash) return hash.error();
+    const auto recorded = header.hashes.find(model.file.name);
+    if (recorded == header.hashes.end() || recorded->second != *hash)
+      return Error{"'" + model.file.path.string() +
+                   "' is not the model that the tape was made with: restore that "
+                   "version, or record the run anew."};
+  }
+  std::optional<Prepared> prepared = prepare(header.scenario, std::move(*loaded));
+  if (!prepared) return Error{"The tape's scenario could not be made ready."};
+  return std::move(*prepared);
+}
+
+record::TraceColumns trace_columns(const SceneDesc& scene) {
+  std::vector<std::string> motors;
+  for (int motor = 0; motor < DeviceArm(scene.device).motors(); ++motor)
+    motors.push_back(DeviceArm::motor_name(scene.device, motor));
+  return {scene.tick_s, motors};
+}
+
+}  // namespace fulcrum::app

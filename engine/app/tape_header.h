@@ -1,0 +1,21 @@
+#pragma once
+// What a tape says about the run besides its ticks.
+
+#include <string>
+
+#include "engine/app/prepare.h"
+#include "engine/record/tape.h"
+#include "engine/record/trace_columns.h"
+
+namespace fulcrum::app {
+
+Result<record::TapeHeader> tape_header(const Prepared& prepared, const std::string& device,
+                                       const std::string& hand);
+
+// The scenario a tape was made with: from its texts, and models that are the same, byte for byte.
+Result<Prepared> prepare_from_tape(const record::Tape& tape);
+
+// A column for each motor of the device that the scene runs on.
+record::TraceColumns trace_columns(const SceneDesc& scene);
+
+}  // namespace fulcrum::app

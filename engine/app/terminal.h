@@ -1,0 +1,37 @@
+#pragma once
+// What a person in a terminal sees: colour where it helps, progress where it takes long.
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace fulcrum::app {
+
+// Text for stdout in bold, red or grey; plain when stdout is no terminal or NO_COLOR is set.
+std::string bold(std::string_view text);
+std::string dim(std::string_view text);
+
+// "fulcrum: sentence" on stderr.
+void complain(std::string_view sentence);
+
+// A bar on stderr, drawn at most ten times a second; without a terminal one line per stage that takes over a
+// second.
+class ProgressBar {
+public:
+  ProgressBar() = default;
+  ~ProgressBar() { clear(); }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void show(std::string_view what, double fraction);
+  void clear();  // before other lines are written
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::string what_;
+  Clock::time_point stage_began_, drawn_;
+  bool visible_ = false;
+  bool announced_ = false;
+};
+
+}  // namespace fulcrum::app

@@ -1,0 +1,129 @@
+#include "engine/assets/bake_cache.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <vector>
+
+#include "engine/assets/baked_bytes.h"
+#include "engine/assets/sha256.h"
+
+namespace fulcrum {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path default_folder() {
+  const auto from = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return fs::path(value != nullptr ? value : "");
+  };
+  // XDG base directory specification: a relative path is to be ignored.
+  if (const fs::path cache = from("XDG_CACHE_HOME"); cache.is_absolute()) return cache / "fulcrum";
+  if (const fs::path home = from("HOME"); home.is_absolute()) return home / ".cache" / "fulcrum";
+  return {};
+}
+
+template <class T>
+void hash_value(Sha256& hasher, const T& value) {
+  hasher.update(std::as_bytes(std::span(&value, 1)));
+}
+
+Sha256 hash_of(const Solid& solid, std::string_view kind) {
+  Sha256 hasher;
+  hasher.update(kBakeFormat);
+  hasher.update(kind);
+  hash_value(hasher, solid.mesh.vertices.size());
+  for (const Vec3& p : solid.mesh.vertices) hasher.update(std::as_bytes(std::span(p.data(), 3)));
+  hasher.update(std::as_bytes(std::span(solid.mesh.triangles)));
+  return hasher;
+}
+
+// A file is its content's SHA-256 as 64 digits, then the content.
+enum class Found { nothing, damaged, whole };
+
+Found read_checked(const fs::path& path, std::vector<std::byte>& content) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file || !fs::is_regular_file(path, ignored)) return Found::nothing;
+  const std::streamoff size = file.tellg();
+  std::string checksum(64, ' ');
+  if (size < static_cast<std::streamoff>(checksum.size())) return Found::damaged;
+  content.resize(static_cast<std::size_t>(size) - checksum.size());
+  file.seekg(0);
+  file.read(checksum.data(), static_cast<std::streamsize>(checksum.size()));
+  file.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(content.size()));
+  return file && sha256_hex(content) == checksum ? Found::whole : Found::damaged;
+}
+
+// Written beside its place and moved there: other processes see the old file or the new one, never half of one.
+bool write_checked(const fs::path& path, std::span<const std::byte> content) {
+  std::error_code fault;
+  fs::create_directories(path.parent_path(), fault);
+  fs::path beside = path;
+  beside += "." + std::to_string(::getpid()) + ".part";
+  {
+    std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+    file << sha256_hex(content);
+    file.write(reinterpret_cast<const char*>(content.data()), static_cast<std::streamsize>(content.size()));
+    file.close();
+    if (!file) {
+      fs::remove(beside, fault);
+      return false;
+    }
+  }
+  fs::rename(beside, path, fault);
+  if (!fault) return true;
+  fs::remove(beside, fault);
+  return false;
+}
+
+template <class T, class Parse, class Bake>
+Result<Baked<T>> load_or_bake(const fs::path& folder, const std::string& name, const Parse& parse, const Bake& bake) {
+  const fs::path path = folder / name;
+  std::string note;
+  if (!folder.empty()) {
+    std::vector<std::byte> content;
+    const Found found = read_checked(path, content);
+    if (found == Found::whole) {
+      if (std::optional<T> value = parse(content)) return Baked<T>{std::move(*value), true, ""};
+    }
+    if (found != Found::nothing) note = "The cached bake " + path.string() + " was damaged and has been made anew.";
+  }
+  Result<T> made = bake();
+  if (!made) return made.error();
+  if (!folder.empty() && !write_checked(path, to_bytes(*made))) {
+    note = "The bake could not be kept in " + folder.string() +
+           " and will be made anew next time: make that folder writable, or set XDG_CACHE_HOME.";
+  }
+  return Baked<T>{std::move(*made), false, std::move(note)};
+}
+
+}  // namespace
+
+BakeCache::BakeCache() : folder_(default_folder()) {}
+BakeCache::BakeCache(fs::path folder) : folder_(std::move(folder)) {}
+
+Result<Baked<DistanceField>> BakeCache::field(const Solid& solid, const FieldDesc& desc,
+                                              const Progress& progress) const {
+  Sha256 hasher = hash_of(solid, "field");
+  hash_value(hasher, desc.voxel_m);
+  hash_value(hasher, desc.band_m);
+  return load_or_bake<DistanceField>(folder_, hasher.finish_hex() + ".field", field_from_bytes,
+                                     [&] { return bake_field(solid, desc, progress); });
+}
+
+Result<Baked<Pointshell>> BakeCache::pointshell(const Solid& solid, const PointshellDesc& desc) const {
+  Sha256 hasher = hash_of(solid, "pointshell");
+  hash_value(hasher, desc.spacing_m);
+  hash_value(hasher, desc.sharp_angle_rad);
+  hash_value(hasher, desc.seed);
+  return load_or_bake<Pointshell>(folder_, hasher.finish_hex() + ".shell", pointshell_from_bytes,
+                                  [&] { return bake_pointshell(solid, desc); });
+}
+
+}  // namespace fulcrum

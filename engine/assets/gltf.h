@@ -1,0 +1,22 @@
+#pragma once
+// glTF 2.0 -> Model, through tinygltf. Textures, animation, skins and morph targets are left out.
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "engine/assets/model.h"
+#include "haptics/math/result.h"
+
+namespace fulcrum {
+
+// .glb, or .gltf with its buffers beside it. Every fault is a sentence that names the file, what is wrong and
+// what to do: missing, unreadable, truncated, not glTF, no triangles, indices or accessors out of range,
+// numbers that are not finite, and what is not supported (sparse accessors, quantised or compressed meshes).
+Result<Model> load_gltf(const std::filesystem::path& path);
+
+// The same from the bytes of a .glb. `name` stands in sentences for the file.
+Result<Model> parse_glb(std::span<const std::byte> bytes, std::string_view name);
+
+}  // namespace fulcrum

@@ -1,0 +1,98 @@
+#include "engine/assets/gltf_accessor.h"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+namespace fulcrum {
+namespace {
+
+template <class T>
+const T& at(const std::vector<T>& list, int index, const char* what) {
+  if (index < 0 || static_cast<std::size_t>(index) >= list.size()) {
+    throw GltfFault(std::string("it refers to a ") + what + " (number " + std::to_string(index) +
+                    ") that it does not hold; export it again");
+  }
+  return list[static_cast<std::size_t>(index)];
+}
+
+// The bytes of an accessor: element i begins at first + i * stride, and all of it lies within the buffer.
+struct Elements {
+  const unsigned char* first = nullptr;
+  std::size_t stride = 0;
+  std::size_t count = 0;
+};
+
+Elements locate(const tinygltf::Model& file, const tinygltf::Accessor& accessor, std::size_t element_bytes) {
+  if (accessor.sparse.isSparse) {
+    throw GltfFault("it uses sparse accessors, which are not supported; export it without them");
+  }
+  const tinygltf::BufferView& view = at(file.bufferViews, accessor.bufferView, "buffer view");
+  const tinygltf::Buffer& buffer = at(file.buffers, view.buffer, "buffer");
+  if (view.byteOffset > buffer.data.size() || view.byteLength > buffer.data.size() - view.byteOffset) {
+    throw GltfFault("a buffer view reaches beyond its buffer; the file is truncated or damaged, export it again");
+  }
+  const std::size_t stride = view.byteStride == 0 ? element_bytes : view.byteStride;
+  const bool fits = accessor.count > 0 && stride >= element_bytes && accessor.byteOffset <= view.byteLength &&
+                    view.byteLength - accessor.byteOffset >= element_bytes &&
+                    (view.byteLength - accessor.byteOffset - element_bytes) / stride >= accessor.count - 1;
+  if (!fits) {
+    throw GltfFault("an accessor is empty or reaches beyond its buffer view; the file is truncated or damaged, "
+                    "export it again");
+  }
+  return {buffer.data.data() + view.byteOffset + accessor.byteOffset, stride, accessor.count};
+}
+
+template <class T>
+std::vector<std::uint32_t> read_scalars(const Elements& elements) {
+  std::vector<std::uint32_t> result;
+  result.reserve(elements.count);
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    T value;
+    std::memcpy(&value, elements.first + i * elements.stride, sizeof(T));
+    result.push_back(value);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Vec3> read_vectors(const tinygltf::Model& file, int index) {
+  const tinygltf::Accessor& accessor = at(file.accessors, index, "accessor");
+  if (accessor.type != TINYGLTF_TYPE_VEC3 || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
+    throw GltfFault("its positions or normals are quantised or not three-dimensional, which is not supported; export "
+                    "it with 32-bit floats and without compression");
+  }
+  const Elements elements = locate(file, accessor, 3 * sizeof(float));
+  std::vector<Vec3> result;
+  result.reserve(elements.count);
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    float xyz[3];
+    std::memcpy(xyz, elements.first + i * elements.stride, sizeof(xyz));
+    result.emplace_back(xyz[0], xyz[1], xyz[2]);
+    if (!result.back().allFinite()) {
+      throw GltfFault("vertex " + std::to_string(i) + " of a mesh is not a finite number; repair the mesh and export "
+                      "it again");
+    }
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> read_indices(const tinygltf::Model& file, int index) {
+  const tinygltf::Accessor& accessor = at(file.accessors, index, "accessor");
+  if (accessor.type == TINYGLTF_TYPE_SCALAR) {
+    switch (accessor.componentType) {
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return read_scalars<std::uint8_t>(locate(file, accessor, 1));
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return read_scalars<std::uint16_t>(locate(file, accessor, 2));
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return read_scalars<std::uint32_t>(locate(file, accessor, 4));
+      default:
+        break;
+    }
+  }
+  throw GltfFault("the indices of a mesh are not unsigned integers; the file is damaged, export it again");
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,22 @@
+#pragma once
+// Numbers out of a glTF file's buffers, every index and length checked first. Internal to engine/assets.
+
+#include <tiny_gltf.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "haptics/math/linear.h"
+
+namespace fulcrum {
+
+// What is wrong with a file and what to do about it; caught in gltf.cpp, which names the file.
+struct GltfFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::vector<Vec3> read_vectors(const tinygltf::Model& file, int accessor);           // (n x 3) finite
+std::vector<std::uint32_t> read_indices(const tinygltf::Model& file, int accessor);  // (n)
+
+}  // namespace fulcrum

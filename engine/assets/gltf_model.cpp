@@ -1,0 +1,245 @@
+#include "engine/assets/gltf_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "engine/assets/gltf_accessor.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr std::size_t kMostIndices = 150'000'000;  // of all parts: a small file may name one mesh very often
+
+bool all_finite(const std::vector<double>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+// X_PN: the node's frame in its parent's.
+Eigen::Affine3d local_transform(const tinygltf::Node& node) {
+  const auto has = [&node](const std::vector<double>& numbers, std::size_t wanted) {
+    if (numbers.empty()) return false;
+    if (numbers.size() != wanted || !all_finite(numbers)) {
+      throw GltfFault("node '" + node.name + "' has a transform that is not made of finite numbers; export it again");
+    }
+    return true;
+  };
+  Eigen::Affine3d local = Eigen::Affine3d::Identity();
+  if (has(node.matrix, 16)) {
+    local.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
+    return local;
+  }
+  if (has(node.translation, 3)) local.translate(Vec3(node.translation.data()));
+  if (has(node.rotation, 4)) {
+    const Quat q(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);  // the file says x, y, z, w
+    if (!(q.norm() > 0.0)) throw GltfFault("node '" + node.name + "' has no rotation but zero; export it again");
+    local.rotate(q.normalized());
+  }
+  if (has(node.scale, 3)) local.scale(Vec3(node.scale.data()));
+  return local;
+}
+
+std::vector<int> root_nodes(const tinygltf::Model& file) {
+  if (!file.scenes.empty()) {
+    const int scene = std::max(file.defaultScene, 0);
+    if (static_cast<std::size_t>(scene) >= file.scenes.size()) {
+      throw GltfFault("its default scene does not exist; export it again");
+    }
+    return file.scenes[static_cast<std::size_t>(scene)].nodes;
+  }
+  std::vector<bool> is_child(file.nodes.size(), false);
+  for (const tinygltf::Node& node : file.nodes) {
+    for (const int child : node.children) {
+      if (child >= 0 && static_cast<std::size_t>(child) < is_child.size()) {
+        is_child[static_cast<std::size_t>(child)] = true;
+      }
+    }
+  }
+  std::vector<int> roots;
+  for (std::size_t i = 0; i < is_child.size(); ++i) {
+    if (!is_child[i]) roots.push_back(static_cast<int>(i));
+  }
+  return roots;
+}
+
+ModelMaterial material_from(const tinygltf::Material& source) {
+  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+  ModelMaterial material;
+  material.name = source.name;
+  const auto fraction = [](double x) { return static_cast<float>(std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 1.0); };
+  for (std::size_t i = 0; i < 3; ++i) {
+    material.base_colour[i] = i < pbr.baseColorFactor.size() ? fraction(pbr.baseColorFactor[i]) : 1.0f;
+  }
+  material.metallic = fraction(pbr.metallicFactor);
+  material.roughness = fraction(pbr.roughnessFactor);
+  return material;
+}
+
+// glTF 2.0, 3.7.2.1: a mesh without normals is shaded flat, so that its triangles share no vertex.
+void make_flat_normals(ModelPart& part) {
+  std::vector<Vec3> positions;
+  for (const std::uint32_t i : part.indices) positions.push_back(part.positions[i]);
+  part.positions = std::move(positions);
+  std::iota(part.indices.begin(), part.indices.end(), 0u);
+  part.normals.clear();
+  for (std::size_t i = 0; i + 2 < part.positions.size(); i += 3) {
+    const Vec3 &a = part.positions[i], &b = part.positions[i + 1], &c = part.positions[i + 2];
+    part.normals.insert(part.normals.end(), 3, (b - a).cross(c - a));
+  }
+}
+
+void make_unit(std::vector<Vec3>& normals) {
+  for (Vec3& normal : normals) {
+    const double length = normal.stableNorm();
+    normal = length > 0.0 ? Vec3(normal / length) : Vec3(Vec3::UnitY());
+  }
+}
+
+ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& primitive) {
+  const auto positions = primitive.attributes.find("POSITION");
+  if (positions == primitive.attributes.end()) {
+    throw GltfFault("a mesh has no positions; export it again with its geometry");
+  }
+  ModelPart part;
+  part.positions = read_vectors(file, positions->second);
+  if (primitive.indices >= 0) {
+    part.indices = read_indices(file, primitive.indices);
+  } else {
+    part.indices.resize(part.positions.size());
+    std::iota(part.indices.begin(), part.indices.end(), 0u);
+  }
+  if (part.indices.size() % 3 != 0) {
+    throw GltfFault("a mesh has " + std::to_string(part.indices.size()) +
+                    " corners, which are not whole triangles; export it again");
+  }
+  for (const std::uint32_t i : part.indices) {
+    if (i >= part.positions.size()) {
+      throw GltfFault("a triangle refers to vertex " + std::to_string(i) + " of " +
+                      std::to_string(part.positions.size()) + "; the file is damaged, export it again");
+    }
+  }
+  if (const auto normals = primitive.attributes.find("NORMAL"); normals != primitive.attributes.end()) {
+    part.normals = read_vectors(file, normals->second);
+    if (part.normals.size() != part.positions.size()) {
+      throw GltfFault("a mesh has more or fewer normals than vertices; export it again");
+    }
+  } else {
+    make_flat_normals(part);
+  }
+  part.material = static_cast<std::uint32_t>(file.materials.size());  // the plain one, for parts without
+  if (primitive.material >= 0) {
+    part.material = static_cast<std::uint32_t>(primitive.material);
+    if (part.material >= file.materials.size()) {
+      throw GltfFault("a mesh refers to a material that the file does not hold; export it again");
+    }
+  }
+  return part;
+}
+
+void place(ModelPart& part, const Eigen::Affine3d& X_MN) {
+  const Mat3 linear = X_MN.linear();
+  const double determinant = linear.determinant();
+  if (determinant == 0.0) {
+    throw GltfFault("part '" + part.name + "' is scaled to nothing; give its node a scale other than zero");
+  }
+  const Mat3 for_normals = linear.inverse().transpose();
+  for (Vec3& p : part.positions) {
+    p = X_MN * p;
+    if (!p.allFinite()) {
+      throw GltfFault("part '" + part.name + "' is moved or scaled out of all bounds; check its node's transform");
+    }
+  }
+  for (Vec3& n : part.normals) n = for_normals * n;
+  make_unit(part.normals);
+  if (determinant < 0.0) {  // a mirror turns triangles inside out
+    for (std::size_t i = 0; i < part.indices.size(); i += 3) std::swap(part.indices[i + 1], part.indices[i + 2]);
+  }
+}
+
+class Walk {
+ public:
+  explicit Walk(const tinygltf::Model& file) : file_(file), seen_(file.nodes.size(), false) {}
+
+  std::vector<ModelPart> parts() {
+    std::vector<std::pair<int, Eigen::Affine3d>> waiting;
+    const auto add = [&waiting](const std::vector<int>& nodes, const Eigen::Affine3d& X_MP) {
+      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) waiting.emplace_back(*node, X_MP);
+    };
+    add(root_nodes(file_), Eigen::Affine3d::Identity());
+    while (!waiting.empty()) {
+      const auto [index, X_MP] = waiting.back();
+      waiting.pop_back();
+      const tinygltf::Node& node = visit(index);
+      const Eigen::Affine3d X_MN = X_MP * local_transform(node);
+      if (node.mesh >= 0) add_mesh(node, X_MN);
+      add(node.children, X_MN);
+    }
+    return std::move(parts_);
+  }
+
+ private:
+  const tinygltf::Node& visit(int index) {
+    if (index < 0 || static_cast<std::size_t>(index) >= file_.nodes.size()) {
+      throw GltfFault("it refers to a node that it does not hold; export it again");
+    }
+    const auto i = static_cast<std::size_t>(index);
+    if (seen_[i]) throw GltfFault("a node has two parents or is its own ancestor; export it again");
+    seen_[i] = true;
+    return file_.nodes[i];
+  }
+
+  void add_mesh(const tinygltf::Node& node, const Eigen::Affine3d& X_MN) {
+    if (static_cast<std::size_t>(node.mesh) >= file_.meshes.size()) {
+      throw GltfFault("node '" + node.name + "' refers to a mesh that the file does not hold; export it again");
+    }
+    const tinygltf::Mesh& mesh = file_.meshes[static_cast<std::size_t>(node.mesh)];
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+      if (mode < TINYGLTF_MODE_TRIANGLES) continue;  // points and lines are no surface
+      if (mode != TINYGLTF_MODE_TRIANGLES) {
+        throw GltfFault("a mesh is made of triangle strips or fans; export it as plain triangles");
+      }
+      ModelPart part = part_from(file_, primitive);
+      part.name = node.name.empty() ? mesh.name : node.name;
+      indices_ += part.indices.size();
+      if (indices_ > kMostIndices) {
+        throw GltfFault("it shows more than 50 million triangles; simplify it before export");
+      }
+      place(part, X_MN);
+      parts_.push_back(std::move(part));
+    }
+  }
+
+  const tinygltf::Model& file_;
+  std::vector<bool> seen_;
+  std::vector<ModelPart> parts_;
+  std::size_t indices_ = 0;
+};
+
+}  // namespace
+
+Model model_from_gltf(const tinygltf::Model& file) {
+  Model model;
+  model.parts = Walk(file).parts();
+  if (model.parts.empty()) {
+    throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
+  }
+  for (const tinygltf::Material& material : file.materials) model.materials.push_back(material_from(material));
+  model.materials.push_back({});
+  return model;
+}
+
+TriangleMesh to_triangle_mesh(const Model& model) {
+  TriangleMesh mesh;
+  for (const ModelPart& part : model.parts) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), part.positions.begin(), part.positions.end());
+    for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
+      mesh.triangles.push_back({first + part.indices[i], first + part.indices[i + 1], first + part.indices[i + 2]});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,37 @@
+#pragma once
+// A model as files describe it: parts to draw and to touch, in the model's frame M (right-handed, Y up,
+// metres).
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/triangle_mesh.h"
+
+namespace fulcrum {
+
+struct ModelPart {
+  std::string name;
+  std::vector<Vec3> positions;         // (n x 3) m, node transforms applied
+  std::vector<Vec3> normals;           // (n x 3) unit; the file's, or made from the triangles
+  std::vector<std::uint32_t> indices;  // (3 m), counter-clockwise seen from outside
+  std::uint32_t material = 0;          // into Model::materials
+};
+
+struct ModelMaterial {
+  std::string name;
+  std::array<float, 3> base_colour{0.8f, 0.8f, 0.8f};  // linear RGB
+  float metallic = 0.0f;                               // 0 to 1
+  float roughness = 0.6f;                              // 0 to 1
+};
+
+struct Model {
+  std::vector<ModelPart> parts;
+  std::vector<ModelMaterial> materials;  // at least one
+};
+
+// Every part's triangles in one soup: what build_solid() takes.
+TriangleMesh to_triangle_mesh(const Model& model);
+
+}  // namespace fulcrum

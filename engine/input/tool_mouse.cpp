@@ -1,0 +1,47 @@
+#include "engine/input/tool_mouse.h"
+
+#include "haptics/math/rotation.h"
+
+namespace fulcrum::input {
+namespace {
+
+constexpr double kTurnPerHeight = 3.5;  // rad: a drag across the picture is a little more than half a turn
+constexpr double kReachPerStep = 4e-3;  // m
+constexpr double kRollPerStep = 0.08;   // rad
+
+}  // namespace
+
+void ToolMouse::slide(const ViewAxes& view, double right, double down) {
+  X_WH_.p += view.height * (right * view.right_W - down * view.up_W);
+}
+
+void ToolMouse::turn(const ViewAxes& view, double right, double down) {
+  rotate(kTurnPerHeight * (right * view.up_W + down * view.right_W));
+}
+
+void ToolMouse::reach(const ViewAxes& view, double steps) {
+  X_WH_.p += kReachPerStep * steps * view.forward_W;
+}
+
+void ToolMouse::roll(const ViewAxes& view, double steps) {
+  rotate(kRollPerStep * steps * view.forward_W);
+}
+
+void ToolMouse::rotate(const Vec3& rotation_W) {
+  X_WH_.q = (quaternion_exp(rotation_W) * X_WH_.q).normalized();
+}
+
+std::span<const char* const> mouse_help() {
+  static constexpr const char* lines[] = {
+      "Left drag: tool left, right, up, down",
+      "Wheel: tool away and nearer",
+      "Right drag: tool turns left, right, up, down",
+      "Shift + wheel: tool rolls",
+      "Middle drag: look around",
+      "Shift + middle drag: move the view",
+      "Ctrl + wheel: zoom",
+  };
+  return lines;
+}
+
+}  // namespace fulcrum::input

@@ -1,0 +1,14 @@
+#pragma once
+// What went wrong with a file, as a sentence with a remedy.
+
+#include <filesystem>
+#include <string_view>
+
+#include "haptics/math/result.h"
+
+namespace fulcrum::record {
+
+// doing: "write", "create", "read", ...; error_number: errno of the call that failed.
+Error file_error(std::string_view doing, const std::filesystem::path& path, int error_number);
+
+}  // namespace fulcrum::record

@@ -1,0 +1,56 @@
+#include "engine/record/replay_check.h"
+
+#include "engine/record/digest.h"
+#include "engine/record/number_text.h"
+#include "engine/record/trace_reader.h"
+
+namespace fulcrum::record {
+
+namespace {
+
+// ": COLUMN was A and is B", or why that cannot be said.
+std::string differing_column(const TraceColumns& columns, const TraceRow& replayed, std::int64_t row,
+                             const std::filesystem::path& original_trace) {
+  const std::string unknown = "; the run's trace, " + original_trace.string() + ", ";
+  Result<TraceReader> trace = TraceReader::open(original_trace);
+  if (!trace) {
+    return unknown + "which would say in what, cannot be read.";
+  }
+  for (std::int64_t i = 0; i <= row; ++i) {
+    if (!trace->next()) {
+      return unknown + "which would say in what, ends before that tick.";
+    }
+  }
+  std::string text;
+  columns.append_row(text, replayed);
+  const std::vector<std::string_view> now = split_cells(text);
+  for (std::size_t i = 0; i < columns.columns().size(); ++i) {
+    const std::string& name = columns.columns()[i].name;
+    const std::optional<std::size_t> then = trace->column(name);
+    if (then && *then < trace->cells().size() && trace->cells()[*then] != now[i]) {
+      return ": " + name + " was " + std::string(trace->cells()[*then]) + " and is " + std::string(now[i]) +
+             '.';
+    }
+  }
+  return ", in a value that the trace does not show.";
+}
+
+}  // namespace
+
+void ReplayCheck::tick(const TraceRow& replayed, std::uint64_t recorded_digest) {
+  if (!first_ && digest(replayed.record) != recorded_digest) {
+    first_ = Difference{ticks_, replayed.record, replayed.task_step};
+  }
+  ++ticks_;
+}
+
+std::string ReplayCheck::divergence(const TraceColumns& columns,
+                                    const std::filesystem::path& original_trace) const {
+  const TraceRow replayed{first_->replayed, first_->task_step};
+  std::string time;
+  append_number(time, std::get<double>(columns.columns().front().value(replayed)));
+  return "The replay differs from the run from tick " + std::to_string(first_->replayed.tick) + " on (" +
+         time + " s)" + differing_column(columns, replayed, first_->row, original_trace);
+}
+
+}  // namespace fulcrum::record

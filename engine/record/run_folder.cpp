@@ -1,0 +1,112 @@
+#include "engine/record/run_folder.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <system_error>
+
+#include "engine/record/file_error.h"
+
+namespace fulcrum::record {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// XDG Base Directory Specification 0.8: a path that is not absolute is to be ignored.
+Result<fs::path> data_home() {
+  const char* const xdg = std::getenv("XDG_DATA_HOME");
+  if (xdg != nullptr && fs::path(xdg).is_absolute()) {
+    return fs::path(xdg);
+  }
+  const char* const home = std::getenv("HOME");
+  if (home != nullptr && fs::path(home).is_absolute()) {
+    return fs::path(home) / ".local" / "share";
+  }
+  return Error{"Neither XDG_DATA_HOME nor HOME names a folder for the results: name one with --out."};
+}
+
+std::string utc(std::chrono::system_clock::time_point now) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(now);
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y%m%dT%H%M%SZ", &parts)};
+}
+
+// A scenario may be named by a path: what cannot be in a file's name becomes a dash.
+std::string file_name_of(std::string_view scenario) {
+  std::string name(scenario.substr(0, 100));
+  for (char& c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    c = plain ? c : '-';
+  }
+  return name.empty() ? "run" : name;
+}
+
+Result<fs::path> writable(const fs::path& folder) {
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    return file_error("write into", folder, errno);
+  }
+  return folder;
+}
+
+}  // namespace
+
+std::span<const std::string_view> result_file_names() {
+  static constexpr std::array names = {kTraceName,  kTraceJsonName, kTapeName,
+                                       kTimingName, kFlightName,    kSummaryName, kPictureName};
+  return names;
+}
+
+Result<fs::path> make_default_run_folder(std::string_view scenario,
+                                         std::chrono::system_clock::time_point now) {
+  const Result<fs::path> home = data_home();
+  if (!home) {
+    return home.error();
+  }
+  const fs::path runs = *home / "fulcrum" / "runs";
+  std::error_code failure;
+  fs::create_directories(runs, failure);
+  if (failure) {
+    return file_error("create", runs, failure.value());
+  }
+  const std::string name = file_name_of(scenario) + '-' + utc(now);
+  fs::path folder = runs / name;
+  for (int suffix = 2; !fs::create_directory(folder, failure); ++suffix) {
+    if (failure) {
+      return file_error("create", folder, failure.value());
+    }
+    folder = runs / (name + '-' + std::to_string(suffix));
+  }
+  return writable(folder);
+}
+
+Result<fs::path> prepare_run_folder(const fs::path& folder, bool force) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) {
+    return file_error("create", folder, failure.value());
+  }
+  for (const std::string_view name : result_file_names()) {
+    const fs::path file = folder / name;
+    if (!fs::exists(fs::symlink_status(file, failure))) {
+      continue;
+    }
+    if (!force) {
+      return Error{folder.string() + " holds the results of a run (" + std::string(name) +
+                   "): choose another folder with --out, or replace them with --force."};
+    }
+    // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.
+    if (::unlink(file.c_str()) != 0) {
+      return file_error("remove", file, errno);
+    }
+  }
+  return writable(folder);
+}
+
+}  // namespace fulcrum::record

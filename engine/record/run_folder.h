@@ -1,0 +1,30 @@
+#pragma once
+// Where a run's results go, and how those of another run are kept from harm.
+
+#include <chrono>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "haptics/math/result.h"
+
+namespace fulcrum::record {
+
+inline constexpr std::string_view kTraceName = "trace.csv", kTraceJsonName = "trace.json",
+                                  kTapeName = "tape", kTimingName = "timing.csv",
+                                  kFlightName = "flight.csv", kSummaryName = "summary.json",
+                                  kPictureName = "frame.png";
+
+// Every file that a run may write into its folder by itself.
+std::span<const std::string_view> result_file_names();
+
+// Without --out: makes runs/SCENARIO-TIME under $XDG_DATA_HOME/fulcrum, or ~/.local/share/fulcrum; TIME is
+// UTC.
+Result<std::filesystem::path> make_default_run_folder(std::string_view scenario,
+                                                      std::chrono::system_clock::time_point now);
+
+// With --out: makes the folder, or takes one that has no results in it. With force, results that are there
+// are removed: the files of result_file_names() and nothing else.
+Result<std::filesystem::path> prepare_run_folder(const std::filesystem::path& folder, bool force);
+
+}  // namespace fulcrum::record

@@ -1,0 +1,104 @@
+#include "engine/record/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/record/block_file.h"
+#include "engine/record/run_folder.h"
+
+namespace fulcrum::record {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json checkpoints_json(const std::vector<CheckpointResult>& checkpoints) {
+  Json list = Json::array();
+  for (const CheckpointResult& checkpoint : checkpoints) {
+    list.push_back({{"name", checkpoint.name}, {"reached_s", or_null(checkpoint.reached_s)}});
+  }
+  return list;
+}
+
+Json tick_cpu_json(const std::optional<TickCpu>& cpu) {
+  return cpu ? Json{{"p50", cpu->p50}, {"p99", cpu->p99}, {"p999", cpu->p999}, {"max", cpu->max}} : Json();
+}
+
+Json faults_json(const std::vector<FaultCount>& faults) {
+  Json list = Json::array();
+  for (const FaultCount& fault : faults) {
+    list.push_back({{"name", fault.name},
+                    {"first_tick", fault.first_tick},
+                    {"ticks", fault.ticks},
+                    {"sentence", fault.sentence}});
+  }
+  return list;
+}
+
+Json limits_json(const std::vector<FaultCount>& limits) {
+  Json list = Json::array();
+  for (const FaultCount& limit : limits) {
+    list.push_back({{"name", limit.name}, {"ticks", limit.ticks}});
+  }
+  return list;
+}
+
+}  // namespace
+
+void Summary::take(const RunTotals& totals) {
+  ticks = totals.ticks();
+  torque_error_Nms = totals.torque_error_Nms();
+  force_error_Ns = totals.force_error_Ns();
+  peak_force_N = totals.peak_force_N();
+  peak_torque_Nm = totals.peak_torque_Nm();
+  faults = totals.faults();
+  limits = totals.limits();
+}
+
+std::string summary_json(const Summary& summary) {
+  const Json document = {{"scenario", summary.scenario},
+                         {"device", summary.device},
+                         {"hand", summary.hand},
+                         {"seed", summary.seed},
+                         {"ticks", summary.ticks},
+                         {"tick_s", summary.tick_s},
+                         {"completed", summary.completed},
+                         {"checkpoints", checkpoints_json(summary.checkpoints)},
+                         {"completion_time_s", or_null(summary.completion_time_s)},
+                         {"torque_error_Nms", summary.torque_error_Nms},
+                         {"force_error_Ns", summary.force_error_Ns},
+                         {"peak_force_N", summary.peak_force_N},
+                         {"peak_torque_Nm", summary.peak_torque_Nm},
+                         {"max_penetration_m", or_null(summary.max_penetration_m)},
+                         {"tick_cpu_us", tick_cpu_json(summary.tick_cpu_us)},
+                         {"late_ticks", summary.late_ticks},
+                         {"lost_ticks", summary.lost_ticks},
+                         {"faults", faults_json(summary.faults)},
+                         {"limits", limits_json(summary.limits)},
+                         {"built", summary.built},
+                         {"left_out", summary.left_out},
+                         {"trace_sha256", or_null(summary.trace_sha256)}};
+  // A name that is not UTF-8 must not cost the run its summary.
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Result<std::filesystem::path> write_summary(const std::filesystem::path& folder, const Summary& summary) {
+  const std::filesystem::path path = folder / kSummaryName;
+  Result<BlockFile> file = BlockFile::create(path);
+  if (!file) {
+    return file.error();
+  }
+  if (std::optional<Error> error = file->append(summary_json(summary))) {
+    return *std::move(error);
+  }
+  if (std::optional<Error> error = file->close()) {
+    return *std::move(error);
+  }
+  return path;
+}
+
+}  // namespace fulcrum::record

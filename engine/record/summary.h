@@ -1,0 +1,54 @@
+#pragma once
+// summary.json: what a run came to. Names and meanings are those of contracts.md; what is not known is null.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/record/percentiles.h"
+#include "engine/record/run_totals.h"
+#include "haptics/math/result.h"
+
+namespace fulcrum::record {
+
+struct CheckpointResult {
+  std::string name;
+  std::optional<double> reached_s;
+};
+
+struct Summary {
+  std::string scenario;
+  std::string device;
+  std::string hand;
+  std::int64_t seed = 1;
+  std::int64_t ticks = 0;
+  double tick_s = 1e-3;
+  bool completed = false;
+  std::vector<CheckpointResult> checkpoints;
+  std::optional<double> completion_time_s;
+  double torque_error_Nms = 0;
+  double force_error_Ns = 0;
+  double peak_force_N = 0;
+  double peak_torque_Nm = 0;
+  std::optional<double> max_penetration_m;
+  std::optional<TickCpu> tick_cpu_us;
+  std::int64_t late_ticks = 0;
+  std::int64_t lost_ticks = 0;
+  std::vector<FaultCount> faults;
+  std::vector<FaultCount> limits;
+  std::vector<std::string> built;
+  std::vector<std::string> left_out;
+  std::optional<std::string> trace_sha256;
+
+  // ticks, errors, peaks, faults and limits.
+  void take(const RunTotals& totals);
+};
+
+std::string summary_json(const Summary& summary);
+
+// As a new file FOLDER/summary.json.
+Result<std::filesystem::path> write_summary(const std::filesystem::path& folder, const Summary& summary);
+
+}  // namespace fulcrum::record

@@ -1,0 +1,126 @@
+#include "engine/record/trace_columns.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/record/number_text.h"
+#include "engine/record/whole_rate.h"
+
+namespace fulcrum::record {
+
+namespace {
+
+using Columns = std::vector<TraceColumn>;
+
+struct What {
+  std::string name, unit, frame, meaning;
+};
+
+template <class Read>  // TraceValue-like (const TickRecord&)
+void add(Columns& columns, const What& what, Read read) {
+  columns.push_back({what.name, what.unit, what.frame, what.meaning,
+                     [read](const TraceRow& row) { return TraceValue(read(row.record)); }});
+}
+
+template <class Read>  // const Vec3& (const TickRecord&)
+void add_vector(Columns& columns, const What& what, Read read) {
+  constexpr const char* axes[] = {"/x", "/y", "/z"};
+  for (int i = 0; i < 3; ++i) {
+    add(columns, {what.name + axes[i], what.unit, what.frame, what.meaning},
+        [read, i](const TickRecord& record) { return read(record)[i]; });
+  }
+}
+
+template <class Read>  // const Pose& (const TickRecord&)
+void add_pose(Columns& columns, const What& what, Read read) {
+  add_vector(columns, {what.name + "/p", "m", what.frame, what.meaning + ": position."},
+             [read](const TickRecord& record) -> const Vec3& { return read(record).p; });
+  constexpr const char* parts[] = {"/q/w", "/q/x", "/q/y", "/q/z"};
+  for (int i = 0; i < 4; ++i) {
+    add(columns, {what.name + parts[i], "1", what.frame, what.meaning + ": orientation, unit quaternion."},
+        [read, i](const TickRecord& record) {
+          const Quat& q = read(record).q;
+          return i == 0 ? q.w() : q.vec()[i - 1];
+        });
+  }
+}
+
+template <class Read>  // const Wrench& (const TickRecord&)
+void add_wrench(Columns& columns, const What& what, Read read) {
+  add_vector(columns, {what.name + "/force", "N", what.frame, what.meaning + ": force."},
+             [read](const TickRecord& record) -> const Vec3& { return read(record).force; });
+  add_vector(columns, {what.name + "/torque", "N m", what.frame, what.meaning + ": torque."},
+             [read](const TickRecord& record) -> const Vec3& { return read(record).torque; });
+}
+
+}  // namespace
+
+TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors) : tick_s_(tick_s) {
+  Columns& c = columns_;
+  add(c, {"timestamp", "s", "", "Simulated time, counted in ticks."},
+      [tick_s, rate = whole_rate(tick_s)](const TickRecord& record) {
+        const auto tick = static_cast<double>(record.tick);
+        return rate ? tick / *rate : tick * tick_s;
+      });
+  add_pose(c, {"handle", "", "W", "Where the hand wants the handle H"},
+           [](const TickRecord& record) -> const Pose& { return record.X_WH; });
+  add_pose(c, {"tool", "", "W", "The tool T, at its centre of mass, after this tick"},
+           [](const TickRecord& record) -> const Pose& { return record.X_WT; });
+  add_vector(c, {"tool/v", "m/s", "W", "Velocity of the tool's centre of mass."},
+             [](const TickRecord& record) -> const Vec3& { return record.V_WT.v; });
+  add_vector(c, {"tool/w", "rad/s", "W", "Angular velocity of the tool."},
+             [](const TickRecord& record) -> const Vec3& { return record.V_WT.w; });
+  add_wrench(c, {"coupling", "", "W", "Virtual coupling on the tool, about T"},
+             [](const TickRecord& record) -> const Wrench& { return record.coupling_F_T_W; });
+  add_wrench(c, {"contact", "", "W", "The scene on the tool, about T"},
+             [](const TickRecord& record) -> const Wrench& { return record.contact_F_T_W; });
+  add(c, {"contact/regions", "1", "", "Contact regions that touch."},
+      [](const TickRecord& record) { return std::int64_t{record.regions}; });
+  add(c, {"contact/depth_max", "m", "", "Deepest point of the tool's shell, by the distance field."},
+      [](const TickRecord& record) { return record.depth_max; });
+  add_wrench(c, {"device", "", "D", "Commanded on the handle, about H"},
+             [](const TickRecord& record) -> const Wrench& { return record.device_F_H_D; });
+  for (std::size_t i = 0; i < motors.size() && i < kMaxMotors; ++i) {
+    add(c, {"actuator/load/" + motors[i], "1", "", "Signed fraction of this motor's limit."},
+        [i](const TickRecord& record) { return record.actuator_load[i]; });
+  }
+  c.push_back({"task/step", "1", "",
+               "The checkpoint that is next, from 0; the number of them once all are done.",
+               [](const TraceRow& row) { return TraceValue(std::int64_t{row.task_step}); }});
+  add(c, {"energy/port", "J", "", "Passivity observer: below zero the loop has given out energy."},
+      [](const TickRecord& record) { return record.energy_port; });
+  add(c,
+      {"fault", "1", "", "Bits of Fault: 0 to 15 stop the force, the others are limits that were applied."},
+      [](const TickRecord& record) { return std::int64_t{record.faults}; });
+}
+
+std::string TraceColumns::header() const {
+  std::string line;
+  for (const TraceColumn& column : columns_) {
+    line += column.name;
+    line += ',';
+  }
+  line.back() = '\n';
+  return line;
+}
+
+void TraceColumns::append_row(std::string& to, const TraceRow& row) const {
+  for (const TraceColumn& column : columns_) {
+    std::visit([&to](auto value) { append_number(to, value); }, column.value(row));
+    to += ',';
+  }
+  to.back() = '\n';
+}
+
+std::string TraceColumns::json() const {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+  for (const TraceColumn& column : columns_) {
+    columns.push_back({{"name", column.name},
+                       {"unit", column.unit},
+                       {"frame", column.frame.empty() ? nullptr : nlohmann::ordered_json(column.frame)},
+                       {"meaning", column.meaning}});
+  }
+  const nlohmann::ordered_json document = {{"version", 1}, {"tick_s", tick_s_}, {"columns", columns}};
+  return document.dump(2) + '\n';
+}
+
+}  // namespace fulcrum::record

@@ -1,0 +1,91 @@
+#include "engine/render/frame_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+
+namespace fulcrum::render {
+namespace {
+
+constexpr float kNear_m = 0.005F;
+
+glm::mat4 view_of(const Camera& camera) {
+  const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+  const glm::vec3 up =
+      std::abs(forward.y) > 0.9999F ? glm::vec3(0.0F, 0.0F, -1.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+  return glm::lookAt(camera.eye, camera.target, up);
+}
+
+glm::vec4 with(const glm::vec3& xyz, float w = 0.0F) {
+  return {xyz, w};
+}
+
+void write_light(gpu::FrameData& data, const KeyLight& light) {
+  const bool spot = light.kind == KeyLight::Kind::spot;
+  const float half = 0.5F * light.cone_rad;
+  data.key_position = with(light.position, spot ? 1.0F : 0.0F);
+  data.key_direction = with(glm::normalize(light.direction), std::cos(half));
+  data.key_colour = with(light.colour * light.intensity, std::cos(0.8F * half));
+}
+
+}  // namespace
+
+glm::mat4 clip_from_world(const Camera& camera, Extent extent) {
+  // Depth near/z: a float keeps it equally exact at 5 mm and at 50 m, and nothing is ever too far.
+  const float f = 1.0F / std::tan(0.5F * camera.vertical_fov_rad);
+  const float aspect = static_cast<float>(extent.width) / static_cast<float>(extent.height);
+  glm::mat4 projection(0.0F);
+  projection[0][0] = f / aspect;
+  projection[1][1] = f;
+  projection[2][3] = -1.0F;
+  projection[3][2] = kNear_m;
+  return projection * view_of(camera);
+}
+
+gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent extent,
+                          const LightFit& light, int shadow_size) {
+  const glm::mat4 world_from_view = glm::transpose(view_of(state.camera));  // its rotation
+  gpu::FrameData data{};
+  data.clip_from_world = clip_from_world(state.camera, extent);
+  data.shadow_from_world = light.clip_from_world;
+  // A float holds a second exactly enough for an hour, not for a day.
+  data.eye = with(state.camera.eye, static_cast<float>(std::fmod(state.time_s, 3600.0)));
+  data.camera_right = with(glm::vec3(world_from_view[0]));
+  data.camera_up = with(glm::vec3(world_from_view[1]));
+  if (setting.key_light) {
+    write_light(data, *setting.key_light);
+  } else {
+    data.key_direction = {0.0F, -1.0F, 0.0F, 0.0F};  // of a light without colour
+  }
+  data.sky = with(setting.ambient.sky * setting.ambient.intensity);
+  data.ground = with(setting.ambient.ground * setting.ambient.intensity);
+  data.background_top = with(setting.background.top);
+  data.background_bottom = with(setting.background.bottom);
+  data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel_m, 0.0F, 0.0F};
+  return data;
+}
+
+std::uint32_t write_markers(std::span<const Marker> markers, std::span<const MarkerState> states,
+                            gpu::MarkerData* to) {
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const auto kind = [&]() -> float {
+      switch (states[i].show) {
+        case MarkerState::Show::dwelling:
+          return FULCRUM_MARKER_DWELLING;
+        case MarkerState::Show::done:
+          return FULCRUM_MARKER_DONE;
+        default:
+          return FULCRUM_MARKER_NEXT;
+      }
+    };
+    if (states[i].show != MarkerState::Show::hidden) {
+      to[count].sphere = with(markers[i].position, markers[i].radius);
+      to[count].state = {kind(), std::clamp(states[i].progress, 0.0F, 1.0F), 0.0F, 0.0F};
+      ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace fulcrum::render

@@ -1,0 +1,29 @@
+#pragma once
+// From camera, light and time to what shaders read.
+
+#include "engine/render/frame_state.h"
+#include "engine/render/light_fit.h"
+#include "engine/render/plan.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/marker.h"
+
+namespace fulcrum::render {
+
+/// The parts of a VisualDesc that every frame needs.
+struct Setting {
+  std::optional<KeyLight> key_light;
+  Ambient ambient;
+  Background background;
+};
+
+/// Clip space with the depth reversed (1 near, 0 infinitely far), Y up.
+glm::mat4 clip_from_world(const Camera& camera, Extent extent);
+
+gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent extent,
+                          const LightFit& light, int shadow_size);
+
+/// The markers that are to be seen, written to `to` one after another; returns how many.
+std::uint32_t write_markers(std::span<const Marker> markers, std::span<const MarkerState> states,
+                            gpu::MarkerData* to);
+
+}  // namespace fulcrum::render

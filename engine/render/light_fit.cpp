@@ -1,0 +1,105 @@
+#include "engine/render/light_fit.h"
+
+#define GLM_FORCE_DEPTH_ZERO_TO_ONE
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+
+namespace fulcrum::render {
+namespace {
+
+void grow(Bounds& bounds, const glm::vec3& point) {
+  bounds.low = glm::min(bounds.low, point);
+  bounds.high = glm::max(bounds.high, point);
+}
+
+std::array<glm::vec3, 8> corners(const Bounds& b) {
+  std::array<glm::vec3, 8> points;
+  for (std::size_t i = 0; i < 8; ++i) {
+    points[i] = {(i & 1) != 0 ? b.high.x : b.low.x, (i & 2) != 0 ? b.high.y : b.low.y,
+                 (i & 4) != 0 ? b.high.z : b.low.z};
+  }
+  return points;
+}
+
+/// A size that only changes in steps of an eighth of its power of two.
+float rounded_up(float size) {
+  const float step = std::exp2(std::floor(std::log2(std::max(size, 1e-3F)))) / 8.0F;
+  return std::ceil(size / step) * step;
+}
+
+glm::mat4 look_along(const glm::vec3& eye, const glm::vec3& direction) {
+  const glm::vec3 up =
+      std::abs(direction.y) > 0.99F ? glm::vec3(0.0F, 0.0F, 1.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+  return glm::lookAt(eye, eye + direction, up);
+}
+
+LightFit fit_directional(const glm::vec3& direction, std::span<const Bounds> casters, int map_size) {
+  const glm::mat4 view = look_along(glm::vec3(0.0F), direction);
+  Bounds seen = transformed(casters.front(), view);
+  for (const Bounds& caster : casters.subspan(1)) {
+    const Bounds box = transformed(caster, view);
+    grow(seen, box.low);
+    grow(seen, box.high);
+  }
+  const glm::vec3 size = seen.high - seen.low;
+  // A rim of texels for the filter, and room for the centre to be rounded.
+  const float side = rounded_up(std::max(size.x, size.y) * (1.0F + 16.0F / static_cast<float>(map_size)));
+  const float texel = side / static_cast<float>(map_size);
+  const glm::vec3 middle = 0.5F * (seen.low + seen.high);
+  const float x = std::round(middle.x / texel) * texel;
+  const float y = std::round(middle.y / texel) * texel;
+  const float margin = 0.01F * std::max(size.z, side);
+  // The view looks along -z: what is nearest to the light has the greatest z.
+  const glm::mat4 clip = glm::orthoRH_ZO(x - side / 2, x + side / 2, y - side / 2, y + side / 2,
+                                         -(seen.high.z + margin), -(seen.low.z - margin));
+  return {clip * view, texel};
+}
+
+LightFit fit_spot(const KeyLight& light, const glm::vec3& direction, std::span<const Bounds> casters,
+                  int map_size) {
+  const glm::mat4 view = look_along(light.position, direction);
+  float nearest = 1e9F;
+  float farthest = 0.0F;
+  for (const Bounds& caster : casters) {
+    const Bounds box = transformed(caster, view);
+    nearest = std::min(nearest, -box.high.z);
+    farthest = std::max(farthest, -box.low.z);
+  }
+  farthest = std::max(farthest * 1.02F, 0.02F);
+  nearest = std::clamp(nearest * 0.98F, 0.01F, farthest * 0.9F);
+  const float cone = std::clamp(light.cone_rad, 0.05F, 2.8F);
+  const glm::mat4 clip = glm::perspectiveRH_ZO(cone, 1.0F, nearest, farthest);
+  const float width = 2.0F * std::tan(cone / 2.0F) * 0.5F * (nearest + farthest);
+  return {clip * view, width / static_cast<float>(map_size)};
+}
+
+}  // namespace
+
+Bounds bounds_of(const Mesh& mesh) {
+  Bounds bounds{mesh.positions.front(), mesh.positions.front()};
+  for (const glm::vec3& position : mesh.positions) {
+    grow(bounds, position);
+  }
+  return bounds;
+}
+
+Bounds transformed(const Bounds& bounds, const glm::mat4& X) {
+  const std::array<glm::vec3, 8> points = corners(bounds);
+  const auto placed = [&](const glm::vec3& point) { return glm::vec3(X * glm::vec4(point, 1.0F)); };
+  Bounds result{placed(points[0]), placed(points[0])};
+  for (const glm::vec3& point : points) {
+    grow(result, placed(point));
+  }
+  return result;
+}
+
+LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int map_size) {
+  const glm::vec3 direction = glm::normalize(light.direction);
+  return light.kind == KeyLight::Kind::spot ? fit_spot(light, direction, casters, map_size)
+                                            : fit_directional(direction, casters, map_size);
+}
+
+}  // namespace fulcrum::render

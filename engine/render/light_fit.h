@@ -1,0 +1,32 @@
+#pragma once
+// Where the shadow map looks: as closely as possible at what throws a shadow.
+
+#include <glm/glm.hpp>
+#include <span>
+
+#include "engine/render/visual_desc.h"
+
+namespace fulcrum::render {
+
+/// An axis-aligned box.
+struct Bounds {
+  glm::vec3 low{0.0F};   // m
+  glm::vec3 high{0.0F};  // m
+};
+
+Bounds bounds_of(const Mesh& mesh);
+
+/// The box around a transformed box.
+Bounds transformed(const Bounds& bounds, const glm::mat4& X);
+
+struct LightFit {
+  glm::mat4 clip_from_world{1.0F};  // depth 0 near the light, 1 far
+  float texel_m = 0.0F;  // width of one texel in the world; of a spot, at the middle of the casters
+};
+
+/// `casters`: at least one box in the world. Shadows that fall beyond them are kept: a point outside the
+/// map's depth range is compared at its far end. Sizes and places of a directional fit are rounded, so that a
+/// moving caster does not make the edges of all the other shadows crawl.
+LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int map_size);
+
+}  // namespace fulcrum::render

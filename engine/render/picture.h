@@ -1,0 +1,22 @@
+#pragma once
+// A finished picture in the program's memory, and writing it to a file.
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "engine/vulkan/result.h"
+
+namespace fulcrum::render {
+
+struct Picture {
+  std::uint32_t width = 0;         // pixels
+  std::uint32_t height = 0;        // pixels
+  std::vector<std::uint8_t> rgba;  // (height x width x 4) rows from the top, sRGB encoded, alpha 255
+};
+
+/// Writes an 8-bit RGB file, quickly rather than small. Fails with a sentence where the file cannot be
+/// written.
+vulkan::Result<void> write_png(const std::filesystem::path& file, const Picture& picture);
+
+}  // namespace fulcrum::render

@@ -1,0 +1,109 @@
+#include "engine/render/pipelines.h"
+
+#include <array>
+#include <cstddef>
+
+#include "engine/render/targets.h"
+#include "engine/render/vertex.h"
+
+namespace fulcrum::render {
+namespace {
+
+using vulkan::PipelineDesc;
+using vulkan::PipelineHandle;
+
+std::vector<vulkan::Stage> stages(const ShaderLibrary& shaders, const char* vertex, const char* fragment) {
+  std::vector<vulkan::Stage> made = {{VK_SHADER_STAGE_VERTEX_BIT, shaders.code(vertex)}};
+  if (fragment != nullptr) {
+    made.push_back({VK_SHADER_STAGE_FRAGMENT_BIT, shaders.code(fragment)});
+  }
+  return made;
+}
+
+PipelineDesc scene_desc(const RenderPlan& plan, VkPipelineLayout layout) {
+  PipelineDesc desc;
+  desc.layout = layout;
+  desc.colour = kSceneFormat;
+  desc.depth = kDepthFormat;
+  desc.samples = sample_count(plan);
+  return desc;
+}
+
+void read_vertices(PipelineDesc& desc, bool normals) {
+  desc.vertex_stride = sizeof(Vertex);
+  desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)}};
+  if (normals) {
+    desc.attributes.push_back({1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)});
+  }
+}
+
+PipelineHandle make_surfaces(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+                             VkPipelineLayout layout) {
+  PipelineDesc desc = scene_desc(plan, layout);
+  desc.stages =
+      stages(shaders, "surface.vert", plan.shadow_size > 0 ? "surface_shadowed.frag" : "surface.frag");
+  read_vertices(desc, true);
+  desc.cull = VK_CULL_MODE_BACK_BIT;
+  desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, true, false};
+  return make_pipeline(device, desc);
+}
+
+PipelineHandle make_shadow(vulkan::Device& device, const ShaderLibrary& shaders, VkPipelineLayout layout) {
+  PipelineDesc desc;
+  desc.layout = layout;
+  desc.stages = stages(shaders, "shadow.vert", nullptr);
+  read_vertices(desc, false);
+  desc.depth = kDepthFormat;
+  desc.cull = VK_CULL_MODE_BACK_BIT;
+  desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_LESS, true, false};
+  desc.depth_bias = 1.5F;
+  return make_pipeline(device, desc);
+}
+
+/// Behind everything: it passes where nothing has been drawn, so hidden parts of it cost nothing.
+PipelineHandle make_background(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+                               VkPipelineLayout layout) {
+  PipelineDesc desc = scene_desc(plan, layout);
+  desc.stages = stages(shaders, "screen.vert", "background.frag");
+  desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_EQUAL, false, false};
+  return make_pipeline(device, desc);
+}
+
+PipelineHandle make_markers(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+                            VkPipelineLayout layout) {
+  PipelineDesc desc = scene_desc(plan, layout);
+  desc.stages = stages(shaders, "marker.vert", "marker.frag");
+  desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, false, true};
+  desc.blend = vulkan::Blend::over;
+  return make_pipeline(device, desc);
+}
+
+}  // namespace
+
+Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+                         VkDescriptorSetLayout scene_set, VkDescriptorSetLayout tone_set) {
+  const std::array<VkPushConstantRange, 1> visibility = {{{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(float)}}};
+  Pipelines made;
+  made.scene_layout = vulkan::make_pipeline_layout(
+      device, {&scene_set, 1}, plan.markers ? std::span(visibility) : std::span<const VkPushConstantRange>());
+  made.tone_layout = vulkan::make_pipeline_layout(device, {&tone_set, 1}, {});
+  const VkPipelineLayout layout = made.scene_layout.get();
+  made.background = make_background(device, plan, shaders, layout);
+  if (plan.surfaces) {
+    made.surfaces = make_surfaces(device, plan, shaders, layout);
+  }
+  if (plan.shadow_size > 0) {
+    made.shadow = make_shadow(device, shaders, layout);
+  }
+  if (plan.markers) {
+    made.markers = make_markers(device, plan, shaders, layout);
+  }
+  PipelineDesc tone;
+  tone.layout = made.tone_layout.get();
+  tone.stages = stages(shaders, "screen.vert", "tone.frag");
+  tone.colour = kPictureFormat;
+  made.tone = make_pipeline(device, tone);
+  return made;
+}
+
+}  // namespace fulcrum::render

@@ -1,0 +1,174 @@
+#include "engine/render/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/render/validate.h"
+#include "engine/render/vertex.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/instance.h"
+#include "shaders/shared/marker.h"
+
+namespace fulcrum::render {
+namespace {
+
+constexpr std::uint64_t kSceneTexel = 8;    // R16G16B16A16_SFLOAT
+constexpr std::uint64_t kDepthTexel = 4;    // D32_SFLOAT
+constexpr std::uint64_t kPictureTexel = 4;  // R8G8B8A8_UNORM
+
+std::uint64_t texels(Extent extent) {
+  return std::uint64_t{extent.width} * extent.height;
+}
+
+std::string size_of(Extent extent) {
+  return std::to_string(extent.width) + " x " + std::to_string(extent.height);
+}
+
+Result<void> check_options(const RenderOptions& options) {
+  const Quality& quality = options.quality;
+  if (options.extent.width == 0 || options.extent.height == 0 || options.extent.width > 16384 ||
+      options.extent.height > 16384) {
+    return Error{"A picture of " + size_of(options.extent) +
+                 " cannot be drawn; use 1 to 16384 pixels a side."};
+  }
+  if (quality.samples != 1 && quality.samples != 4) {
+    return Error{"A picture with " + std::to_string(quality.samples) +
+                 " samples per pixel cannot be drawn; use 1 or 4."};
+  }
+  if (quality.shadow_size < 0 || quality.shadow_size > 8192) {
+    return Error{"A shadow map of " + std::to_string(quality.shadow_size) +
+                 " pixels a side cannot be made; use 0 (none) to 8192."};
+  }
+  if (!(quality.resolution_scale >= 0.25F && quality.resolution_scale <= 1.0F)) {
+    return Error{"The resolution scale is " + std::to_string(quality.resolution_scale) + "; use 0.25 to 1."};
+  }
+  return {};
+}
+
+/// Why nothing is built for shadows; empty: it is.
+std::string no_shadow_because(const SceneFacts& facts, const Quality& quality) {
+  if (!facts.key_light) {
+    return "the scene has no key light";
+  }
+  if (!facts.key_light_casts) {
+    return "the scene's key light throws no shadow";
+  }
+  if (facts.casters == 0) {
+    return "nothing in the scene throws a shadow";
+  }
+  return quality.shadow_size == 0 ? "the quality setting switches shadows off" : "";
+}
+
+void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
+  if (!plan.surfaces) {
+    plan.left_out.push_back({"surfaces", "pipeline", 0, "the scene has no instances"});
+    return;
+  }
+  plan.built.push_back(
+      {"vertices", "buffer", facts.vertices * sizeof(Vertex), std::to_string(facts.vertices) + " of them"});
+  plan.built.push_back({"indices", "buffer", facts.indices * sizeof(std::uint32_t),
+                        std::to_string(facts.indices / 3) + " triangles"});
+  plan.built.push_back({"instances", "buffer", facts.instances * sizeof(gpu::InstanceData),
+                        std::to_string(facts.instances) + " of them"});
+  plan.built.push_back({"surfaces", "pipeline", 0, "metal-rough, a studio to mirror"});
+}
+
+void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {
+  const std::string why_not = no_shadow_because(facts, quality);
+  if (!why_not.empty()) {
+    plan.left_out.push_back({"shadow map", "image", 0, why_not});
+    plan.left_out.push_back({"shadows", "pipeline", 0, why_not});
+    return;
+  }
+  plan.shadow_size = quality.shadow_size;
+  const auto side = static_cast<std::uint32_t>(quality.shadow_size);
+  plan.built.push_back(
+      {"shadow map", "image", texels({side, side}) * kDepthTexel,
+       size_of({side, side}) + ", drawn again only when something that throws a shadow has moved"});
+  plan.built.push_back({"shadows", "pipeline", 0, "depth as the key light sees it"});
+}
+
+void add_markers(const SceneFacts& facts, RenderPlan& plan) {
+  if (!plan.markers) {
+    plan.left_out.push_back({"markers", "buffer", 0, "the scene has no checkpoints"});
+    plan.left_out.push_back({"markers", "pipeline", 0, "the scene has no checkpoints"});
+    return;
+  }
+  plan.built.push_back({"markers", "buffer", facts.markers * sizeof(gpu::MarkerData),
+                        std::to_string(facts.markers) + " checkpoints"});
+  plan.built.push_back({"markers", "pipeline", 0, "glowing spheres"});
+}
+
+void add_targets(RenderPlan& plan) {
+  const std::string size = size_of(plan.scene);
+  const auto samples = static_cast<std::uint64_t>(plan.samples);
+  if (plan.samples > 1) {
+    plan.built.push_back({"scene samples", "image", texels(plan.scene) * kSceneTexel * samples,
+                          size + ", " + std::to_string(plan.samples) + " samples a pixel"});
+  } else {
+    plan.left_out.push_back({"scene samples", "image", 0, "the quality setting asks for one sample a pixel"});
+  }
+  plan.built.push_back({"scene", "image", texels(plan.scene) * kSceneTexel, size + ", half floats"});
+  plan.built.push_back({"scene depth", "image", texels(plan.scene) * kDepthTexel * samples, size});
+  plan.built.push_back(
+      {"picture", "image", texels(plan.picture) * kPictureTexel, size_of(plan.picture) + ", sRGB"});
+  plan.built.push_back({"background", "pipeline", 0, "a gradient"});
+  plan.built.push_back({"tone mapping", "pipeline", 0, "AgX, with a little contrast"});
+  plan.built.push_back({"frame", "buffer", sizeof(gpu::FrameData), "camera and lights"});
+}
+
+}  // namespace
+
+SceneFacts facts_of(const VisualDesc& desc) {
+  SceneFacts facts;
+  for (const Mesh& mesh : desc.meshes) {
+    facts.vertices += mesh.positions.size();
+    facts.indices += mesh.indices.size();
+  }
+  facts.instances = desc.instances.size();
+  facts.casters = static_cast<std::uint64_t>(
+      std::count_if(desc.instances.begin(), desc.instances.end(),
+                    [](const Instance& instance) { return instance.casts_shadow; }));
+  facts.markers = desc.markers.size();
+  facts.key_light = desc.key_light.has_value();
+  facts.key_light_casts = desc.key_light && desc.key_light->casts_shadow;
+  return facts;
+}
+
+Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
+  if (const Result<void> fine = check_options(options); !fine) {
+    return Error{fine.error()};
+  }
+  const auto scaled = [&](std::uint32_t pixels) {
+    return std::max(1U, static_cast<std::uint32_t>(
+                            std::lround(static_cast<float>(pixels) * options.quality.resolution_scale)));
+  };
+  RenderPlan plan;
+  plan.picture = options.extent;
+  plan.scene = {scaled(options.extent.width), scaled(options.extent.height)};
+  plan.samples = options.quality.samples;
+  plan.surfaces = facts.instances > 0;
+  plan.markers = facts.markers > 0;
+  add_geometry(facts, plan);
+  add_shadow(facts, options.quality, plan);
+  add_markers(facts, plan);
+  add_targets(plan);
+  return plan;
+}
+
+Result<RenderPlan> plan(const VisualDesc& desc, const RenderOptions& options) {
+  if (const Result<void> fine = validate(desc); !fine) {
+    return Error{fine.error()};
+  }
+  return plan(facts_of(desc), options);
+}
+
+std::filesystem::path development_shader_folder() {
+#ifdef FULCRUM_SHADER_FOLDER
+  return FULCRUM_SHADER_FOLDER;
+#else
+  return {};
+#endif
+}
+
+}  // namespace fulcrum::render

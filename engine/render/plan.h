@@ -1,0 +1,75 @@
+#pragma once
+// What a renderer will build for a scene, decided before there is a graphics device: `fulcrum explain` prints
+// it, and Renderer builds exactly this.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/render/quality.h"
+#include "engine/render/visual_desc.h"
+#include "engine/vulkan/result.h"
+
+namespace fulcrum::render {
+
+using vulkan::Error;
+using vulkan::Result;
+
+/// Width and height in pixels.
+struct Extent {
+  std::uint32_t width = 1280;
+  std::uint32_t height = 720;
+
+  bool operator==(const Extent&) const = default;
+};
+
+struct RenderOptions {
+  Extent extent;  // of the picture
+  Quality quality;
+  std::filesystem::path
+      shader_folder;  // empty: the built-in shaders; else GLSL from here, reloaded when it changes
+};
+
+/// The repository's shaders/ in a Debug build, else empty: what `shader_folder` should be in a program.
+std::filesystem::path development_shader_folder();
+
+struct BuildItem {
+  std::string name;         // "shadow map"
+  std::string kind;         // "image", "buffer", "pipeline"
+  std::uint64_t bytes = 0;  // on the device, without the driver's padding; 0 for a pipeline
+  std::string note;         // what it is for; of something left out, why
+};
+
+struct RenderPlan {
+  Extent picture;
+  Extent scene;         // picture times resolution_scale
+  int samples = 4;      // per pixel
+  int shadow_size = 0;  // pixels on a side; 0: nothing is built for shadows
+  bool surfaces = false;
+  bool markers = false;
+  std::vector<BuildItem> built;
+  std::vector<BuildItem> left_out;
+};
+
+/// What a plan depends on, so that a renderer need not keep the meshes to plan again at another size.
+struct SceneFacts {
+  std::uint64_t vertices = 0;
+  std::uint64_t indices = 0;
+  std::uint64_t instances = 0;
+  std::uint64_t casters = 0;  // instances that throw a shadow
+  std::uint64_t markers = 0;
+  bool key_light = false;
+  bool key_light_casts = false;
+};
+
+SceneFacts facts_of(const VisualDesc& desc);
+
+/// Fails with a sentence that names the option out of range.
+Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options);
+
+/// The same from a whole description; fails also with a sentence that names the mesh or instance that is
+/// wrong.
+Result<RenderPlan> plan(const VisualDesc& desc, const RenderOptions& options);
+
+}  // namespace fulcrum::render

@@ -1,0 +1,50 @@
+#pragma once
+// How much work a picture may cost, and choosing that from measured frame times.
+
+#include <array>
+#include <cstddef>
+
+namespace fulcrum::render {
+
+struct Quality {
+  int samples = 4;                // per pixel: 1 or 4
+  int shadow_size = 2048;         // pixels on a side of the shadow map; 0: no shadows
+  float resolution_scale = 1.0F;  // 0.25..1: the scene is drawn smaller and enlarged; text stays sharp
+
+  bool operator==(const Quality&) const = default;
+};
+
+/// Picks one of a few levels so that a frame takes less than its budget. Only for windows: a picture that
+/// goes to a file must not depend on how busy the machine is.
+class AutoQuality {
+public:
+  /// Starts at the best level. `budget_s`: what a frame may take.
+  explicit AutoQuality(double budget_s = 1.0 / 30.0) : budget_s_(budget_s) {}
+
+  /// Tells it the time one frame took (s, without waiting for the screen); true when quality() has changed.
+  bool add(double frame_s);
+
+  const Quality& quality() const { return kLevels[level_]; }
+
+private:
+  static constexpr std::array<Quality, 6> kLevels = {{
+      {4, 2048, 1.0F},
+      {1, 2048, 1.0F},
+      {1, 1024, 0.75F},
+      {1, 1024, 0.5F},
+      {1, 0, 0.5F},
+      {1, 0, 0.35F},
+  }};
+  static constexpr std::size_t kWindow = 15;  // frames that a decision looks at
+
+  void go_to(std::size_t level);
+
+  double budget_s_;
+  std::size_t level_ = 0;
+  std::size_t best_allowed_ = 0;  // a level that proved too slow is not tried again
+  std::size_t skip_ = 3;          // frames not counted: drivers compile shaders while drawing the first ones
+  std::array<double, kWindow> times_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace fulcrum::render

@@ -1,0 +1,90 @@
+#pragma once
+// Draws a scene: into a picture that can be read back, and from there into a window.
+
+#include <memory>
+
+#include "engine/render/frame_data.h"
+#include "engine/render/overlay_pass.h"
+#include "engine/render/picture.h"
+#include "engine/render/pipelines.h"
+#include "engine/render/scene_geometry.h"
+#include "engine/render/targets.h"
+#include "engine/vulkan/commands.h"
+#include "engine/vulkan/descriptors.h"
+#include "engine/vulkan/swapchain.h"
+
+namespace fulcrum::render {
+
+class Renderer {
+public:
+  /// Plans, then builds the plan. The device must outlive the renderer; `desc` is not needed afterwards.
+  static Result<std::unique_ptr<Renderer>> create(vulkan::Device& device, const VisualDesc& desc,
+                                                  const RenderOptions& options);
+  ~Renderer();
+
+  const RenderPlan& plan() const { return plan_; }
+  const Quality& quality() const { return options_.quality; }
+
+  /// Draws one frame into the picture and waits for it. Fails where the state does not fit the scene, or the
+  /// device is lost.
+  Result<void> frame(const FrameState& state);
+
+  /// The same, and shows it. The picture takes the window's size (pixels). False: the window is minimised or
+  /// changed this very moment, and nothing was drawn.
+  Result<bool> frame(const FrameState& state, vulkan::Swapchain& window, Extent size);
+
+  /// How long the last frame took to record and draw, without waiting for the screen (s).
+  double last_frame_s() const { return last_frame_s_; }
+
+  /// The picture of the last frame.
+  Result<Picture> read_back();
+
+  Result<void> resize(Extent extent);
+  Result<void> set_quality(const Quality& quality);
+
+private:
+  Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderOptions& options,
+           ShaderLibrary shaders);
+
+  Result<void> rebuild(const RenderOptions& options);
+  void build(const RenderPlan& plan);
+  void build_scene_set();
+  void reload_shaders();
+  Result<void> update(const FrameState& state);
+  void record(VkCommandBuffer commands, OverlayPass* overlay);
+  void record_shadow(VkCommandBuffer commands);
+  void record_scene(VkCommandBuffer commands);
+  void record_markers(VkCommandBuffer commands);
+  void record_tone(VkCommandBuffer commands);
+
+  vulkan::Device& device_;
+  RenderOptions options_;
+  SceneFacts facts_;
+  Setting setting_;
+  std::vector<Marker> markers_;
+  RenderPlan plan_;
+  ShaderLibrary shaders_;
+  vulkan::Commands commands_;
+
+  std::unique_ptr<SceneGeometry> geometry_;  // null without instances
+  vulkan::Buffer frame_buffer_;
+  vulkan::Buffer marker_buffer_;  // empty without markers
+  vulkan::SamplerHandle shadow_sampler_;
+  vulkan::SamplerHandle scene_sampler_;
+
+  Targets targets_;
+  vulkan::Image shadow_map_;  // empty without shadows
+  vulkan::DescriptorSet scene_set_;
+  vulkan::DescriptorSet tone_set_;
+  Pipelines pipelines_;
+  std::uint64_t generation_ = 0;  // of the picture's image
+
+  LightFit light_;
+  bool shadow_stale_ = true;
+  std::uint32_t markers_shown_ = 0;
+  bool ready_ = false;  // false when memory ran out while building for another size
+  bool drawn_ = false;
+  double last_frame_s_ = 0.0;
+};
+
+}  // namespace fulcrum::render

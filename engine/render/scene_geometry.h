@@ -1,0 +1,63 @@
+#pragma once
+// Meshes and instances on the device.
+
+#include <span>
+#include <vector>
+
+#include "engine/render/light_fit.h"
+#include "engine/vulkan/buffer.h"
+#include "shaders/shared/instance.h"
+
+namespace fulcrum::render {
+
+class SceneGeometry {
+public:
+  /// A valid description with at least one instance. Throws vulkan::Failure.
+  SceneGeometry(vulkan::Device& device, const VisualDesc& desc);
+
+  std::size_t movable_count() const { return movable_slots_.size(); }
+
+  /// Writes the poses of the movable instances, while no frame is in flight. True when something that throws
+  /// a shadow has moved.
+  bool place(std::span<const glm::mat4> X_WM);
+
+  /// Boxes around what throws a shadow, in the world, as placed.
+  std::vector<Bounds> casters() const;
+
+  VkBuffer instances() const { return instances_.get(); }
+
+  enum class Which { all, casters };
+  /// Binds the buffers and draws; pipeline and descriptor sets are bound by the caller.
+  void draw(VkCommandBuffer commands, Which which) const;
+
+private:
+  /// All instances of one mesh lie side by side, those that throw a shadow first: one draw a mesh.
+  struct Batch {
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    std::int32_t first_vertex = 0;
+    std::uint32_t first_slot = 0;
+    std::uint32_t count = 0;
+    std::uint32_t casters = 0;
+  };
+
+  /// A place in the instance buffer.
+  struct Slot {
+    Bounds mesh_bounds;
+    glm::mat4 X_WM{1.0F};
+    bool casts = false;
+  };
+
+  void upload_meshes(vulkan::Device& device, const VisualDesc& desc);
+  void sort_instances(const VisualDesc& desc);
+  gpu::InstanceData* data() { return reinterpret_cast<gpu::InstanceData*>(instances_.mapped()); }
+
+  vulkan::Buffer vertices_;
+  vulkan::Buffer indices_;
+  vulkan::Buffer instances_;
+  std::vector<Batch> batches_;
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> movable_slots_;
+};
+
+}  // namespace fulcrum::render

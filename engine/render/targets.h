@@ -1,0 +1,28 @@
+#pragma once
+// The images that frames are drawn into.
+
+#include "engine/render/overlay_pass.h"
+#include "engine/render/plan.h"
+#include "engine/vulkan/image.h"
+
+namespace fulcrum::render {
+
+constexpr VkFormat kSceneFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+
+struct Targets {
+  vulkan::Image samples;  // empty with one sample a pixel
+  vulkan::Image scene;
+  vulkan::Image depth;
+  vulkan::Image picture;
+};
+
+inline VkSampleCountFlagBits sample_count(const RenderPlan& plan) {
+  return plan.samples == 4 ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT;
+}
+
+/// All throw vulkan::Failure where memory runs out.
+Targets make_targets(vulkan::Device& device, const RenderPlan& plan);
+vulkan::Image make_shadow_map(vulkan::Device& device, const RenderPlan& plan);
+
+}  // namespace fulcrum::render

@@ -1,0 +1,92 @@
+#include "engine/render/validate.h"
+
+#include <cmath>
+
+namespace fulcrum::render {
+using vulkan::Error;
+using vulkan::Result;
+
+namespace {
+
+bool finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+std::string named(const char* what, const std::string& name, std::size_t index) {
+  return std::string(what) + " " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
+}
+
+Result<void> check_mesh(const Mesh& mesh, std::size_t index) {
+  const std::string who = "The " + named("mesh", mesh.name, index);
+  if (mesh.positions.empty() || mesh.indices.empty()) {
+    return Error{who + " has no triangles; leave it out of the scene."};
+  }
+  if (mesh.normals.size() != mesh.positions.size()) {
+    return Error{who + " has " + std::to_string(mesh.positions.size()) + " positions and " +
+                 std::to_string(mesh.normals.size()) + " normals; give one normal for each position."};
+  }
+  if (mesh.indices.size() % 3 != 0) {
+    return Error{who + " has " + std::to_string(mesh.indices.size()) +
+                 " indices, which do not make triangles."};
+  }
+  for (const std::uint32_t i : mesh.indices) {
+    if (i >= mesh.positions.size()) {
+      return Error{who + " has the index " + std::to_string(i) + " but only " +
+                   std::to_string(mesh.positions.size()) + " positions."};
+    }
+  }
+  for (const glm::vec3& position : mesh.positions) {
+    if (!finite(position)) {
+      return Error{who + " has a position that is not a number; export the model again."};
+    }
+  }
+  return {};
+}
+
+Result<void> check_instance(const VisualDesc& desc, std::size_t index) {
+  const Instance& instance = desc.instances[index];
+  const std::string who = "The " + named("instance", instance.name, index);
+  if (instance.mesh >= desc.meshes.size()) {
+    return Error{who + " shows mesh " + std::to_string(instance.mesh) + ", but there are " +
+                 std::to_string(desc.meshes.size()) + " meshes."};
+  }
+  if (instance.material >= desc.materials.size()) {
+    return Error{who + " is made of material " + std::to_string(instance.material) + ", but there are " +
+                 std::to_string(desc.materials.size()) + " materials."};
+  }
+  const float volume = glm::determinant(glm::mat3(instance.X_WM));
+  if (!std::isfinite(volume) || volume <= 0.0F) {
+    return Error{
+        who +
+        " has a transform that mirrors or flattens it; use a rotation, a translation and a positive scale."};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> validate(const VisualDesc& desc) {
+  for (std::size_t i = 0; i < desc.meshes.size(); ++i) {
+    if (Result<void> fine = check_mesh(desc.meshes[i], i); !fine) {
+      return fine;
+    }
+  }
+  for (std::size_t i = 0; i < desc.instances.size(); ++i) {
+    if (Result<void> fine = check_instance(desc, i); !fine) {
+      return fine;
+    }
+  }
+  for (std::size_t i = 0; i < desc.markers.size(); ++i) {
+    const Marker& marker = desc.markers[i];
+    if (!(marker.radius > 0.0F) || !finite(marker.position)) {
+      return Error{"The " + named("marker", marker.name, i) +
+                   " needs a finite position and a radius above 0 m."};
+    }
+  }
+  if (desc.key_light && !(glm::length(desc.key_light->direction) > 0.0F)) {
+    return Error{"The key light has no direction; give the way its light travels, such as 0 -1 0."};
+  }
+  return {};
+}
+
+}  // namespace fulcrum::render

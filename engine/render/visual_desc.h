@@ -1,0 +1,93 @@
+#pragma once
+// What a scene looks like, in plain data: no GPU, no window, no file.
+//
+// Right-handed, Y up, metres, radians. Colours are linear Rec. 709, 0..1 unless a comment says otherwise.
+// A VisualDesc is only read while a Renderer is planned and built; what moves afterwards is in FrameState.
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::render {
+
+/// Triangles in the mesh frame M. Counter-clockwise seen from outside; back faces are not drawn.
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;    // (n) m
+  std::vector<glm::vec3> normals;      // (n) unit, one for each position
+  std::vector<std::uint32_t> indices;  // (3 x triangles) into positions
+};
+
+/// Metal-rough material, as in glTF 2.0.
+struct Material {
+  std::string name;
+  glm::vec3 base_colour{0.8F};  // linear; for a metal its reflectance at normal incidence
+  float metallic = 0.0F;        // 0 dielectric .. 1 metal
+  float roughness = 0.5F;       // 0 mirror .. 1 matt (perceptual: alpha = roughness^2)
+};
+
+/// One mesh placed in the world.
+struct Instance {
+  std::size_t mesh = 0;      // index into VisualDesc::meshes
+  std::size_t material = 0;  // index into VisualDesc::materials
+  std::string name;
+  glm::mat4 X_WM{1.0F};  // mesh to world, affine (it may scale); of a movable one: where it starts
+  bool movable = false;  // its pose comes with every FrameState
+  bool casts_shadow =
+      true;  // false for a floor or wall: the shadow map then covers only what throws a shadow, sharper
+};
+
+/// The one light that throws shadows.
+struct KeyLight {
+  enum class Kind { directional, spot };
+  Kind kind = Kind::directional;
+  glm::vec3 position{0.0F, 2.0F, 0.0F};      // m, world; spot only
+  glm::vec3 direction{-0.4F, -1.0F, -0.5F};  // the way the light travels; need not be unit
+  glm::vec3 colour{1.0F, 0.96F, 0.90F};      // linear
+  float intensity =
+      3.0F;  // irradiance / pi: a white matt surface facing it reads this value; for a spot at 1 m
+  float cone_rad = 0.9F;  // full angle; spot only
+  bool casts_shadow = true;
+};
+
+/// Light from everywhere else: a studio of this sky and this ground, with soft boxes that metal can mirror.
+struct Ambient {
+  glm::vec3 sky{0.36F, 0.40F, 0.46F};     // linear
+  glm::vec3 ground{0.10F, 0.09F, 0.08F};  // linear
+  float intensity = 1.0F;
+};
+
+struct Camera {
+  glm::vec3 eye{0.6F, 0.5F, 0.8F};  // m, world
+  glm::vec3 target{0.0F};           // m, world
+  float vertical_fov_rad = 0.7F;
+};
+
+/// A place that the trainee has to reach, drawn as a glowing sphere.
+struct Marker {
+  std::string name;
+  glm::vec3 position{0.0F};  // m, world
+  float radius = 0.01F;      // m
+};
+
+struct Background {
+  glm::vec3 top{0.20F, 0.24F, 0.30F};     // linear
+  glm::vec3 bottom{0.06F, 0.07F, 0.08F};  // linear
+};
+
+struct VisualDesc {
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Instance> instances;
+  std::optional<KeyLight> key_light =
+      KeyLight{};  // absent: ambient light alone, and nothing is built for shadows
+  Ambient ambient;
+  Camera camera;                // where a view starts
+  std::vector<Marker> markers;  // empty: nothing is built for markers
+  Background background;
+};
+
+}  // namespace fulcrum::render

@@ -1,0 +1,60 @@
+#pragma once
+// Scenario -> what ticks (HapticAssembly) and what is drawn (VisualAssembly). Each is built only when asked
+// for: a headless run draws nothing, and a picture alone needs no distance field.
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/assets/bake_cache.h"
+#include "engine/assets/model.h"
+#include "engine/scenario/scenario.h"
+#include "haptics/bake/mass_properties.h"
+#include "haptics/bake/solid.h"
+#include "haptics/math/result.h"
+
+namespace fulcrum::scenario {
+
+// The model files, read once for both assemblies.
+struct LoadedModels {
+  std::vector<Model> models;  // of Scenario::models, each in the frame of its file
+  Solid tool_T;               // m, in T
+  MassProperties tool;        // of unit density, about T; `centre` is zero
+  Vec3 p_MT =
+      Vec3::Zero();  // (3) m, the centre of mass in the tool model's frame M; axes of T are those of M
+  std::vector<std::string> notes;  // sentences: the tool's model was recentred, by how much
+};
+
+Result<LoadedModels> load_models(const Scenario& scenario);
+
+struct HandScript {
+  std::string name;
+  HandDesc desc;
+  std::vector<Waypoint> waypoints;  // of T
+};
+
+struct HapticAssembly {
+  SceneDesc scene;
+  TaskDesc task;
+  std::vector<HandScript> hands;
+  Solid scene_W;  // what is touched, in W: for measuring penetration exactly, with the vertices of tool_T
+  Solid tool_T;
+  std::vector<std::string>
+      notes;  // sentences: from the cache or baked in how long; what the cache had to say
+};
+
+// `what` is being baked, "distance field"; `fraction` runs from 0 to 1. Called on the calling thread.
+using BakeProgress = std::function<void(std::string_view what, double fraction)>;
+
+Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedModels& models,
+                                       const BakeCache& cache, const BakeProgress& progress = {});
+
+struct VisualAssembly {
+  render::VisualDesc desc;  // the tool's instances are movable and in T: their pose is X_WT, for each of them
+  std::vector<View> views;  // the first is desc.camera
+};
+
+Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models);
+
+}  // namespace fulcrum::scenario

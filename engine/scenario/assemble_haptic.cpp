@@ -1,0 +1,111 @@
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "engine/scenario/assemble.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+// What the models that are touched look like together; their frame is W.
+Result<Solid> scene_solid(const Scenario& scenario, const LoadedModels& models) {
+  TriangleMesh all;
+  std::string names;
+  for (std::size_t i = 0; i < scenario.models.size(); ++i) {
+    if (scenario.models[i].role != ModelRole::scene) continue;
+    names += (names.empty() ? "" : ", ") + scenario.models[i].file.where;
+    const TriangleMesh mesh = to_triangle_mesh(models.models[i]);
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const Triangle& t : mesh.triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  auto solid = build_solid(all);
+  if (!solid) return Error{names + ": the models that are touched: " + solid.error().sentence};
+  return solid;
+}
+
+// Wraps a bake: tells the progress and notes how the result came about.
+class Baking {
+public:
+  Baking(std::string_view what, const BakeProgress& progress) : what_(what), progress_(progress) { tell(0); }
+
+  void tell(double fraction) const {
+    if (progress_) progress_(what_, fraction);
+  }
+
+  template <class T>
+  void finish(const Baked<T>& baked, const std::string& size, std::vector<std::string>& notes) const {
+    tell(1);
+    char seconds[32];
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
+    std::snprintf(seconds, sizeof seconds, "%.2f s", taken.count());
+    const std::string how = baked.from_cache ? "from the cache in " : "baked in ";
+    notes.push_back(std::string(what_) + " (" + size + ") " + how + seconds);
+    if (!baked.note.empty()) notes.push_back(baked.note);
+  }
+
+private:
+  std::string_view what_;
+  const BakeProgress& progress_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+ToolDesc tool_desc(const ToolEntry& entry, const LoadedModels& models, const Pose& X_MT) {
+  ToolDesc tool;
+  if (entry.mass) tool.mass = *entry.mass;
+  if (entry.density) tool.mass = *entry.density * models.tool.volume_m3;
+  tool.inertia_T = models.tool.inertia * (tool.mass / models.tool.volume_m3);
+  tool.X_HT = entry.X_HM * X_MT;
+  tool.X_WT_start = entry.X_WM_start * X_MT;
+  tool.weight = entry.weight;
+  return tool;
+}
+
+}  // namespace
+
+Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedModels& models,
+                                       const BakeCache& cache, const BakeProgress& progress) {
+  HapticAssembly result;
+  result.notes = models.notes;
+  result.tool_T = models.tool_T;
+  auto solid = scene_solid(scenario, models);
+  if (!solid) return solid.error();
+  result.scene_W = std::move(*solid);
+
+  const Pose X_MT{Quat::Identity(), models.p_MT};
+  SceneDesc& scene = result.scene;
+  scene.tick_s = 1 / scenario.tick_rate_Hz;
+  scene.tool = tool_desc(scenario.tool, models, X_MT);
+  scene.contact = scenario.contact;
+  scene.integrator = scenario.integrator;
+  scene.coupling = scenario.coupling;
+  scene.velocity = scenario.velocity_estimator;
+  scene.mapping = scenario.device.mapping;
+  scene.device = scenario.device.desc;
+
+  const Baking shell_baking("pointshell", progress);
+  auto shell = cache.pointshell(result.tool_T, scenario.shell);
+  if (!shell) return Error{"the tool's pointshell: " + shell.error().sentence};
+  shell_baking.finish(*shell, std::to_string(shell->value.size()) + " points", result.notes);
+  scene.tool_shell = std::make_shared<const Pointshell>(std::move(shell->value));
+
+  const Baking field_baking("distance field", progress);
+  auto field =
+      cache.field(result.scene_W, scenario.field, [&](double fraction) { field_baking.tell(fraction); });
+  if (!field) return Error{"the scene's distance field: " + field.error().sentence};
+  field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result.notes);
+  scene.scene_field = std::make_shared<const DistanceField>(std::move(field->value));
+
+  result.task = {scenario.checkpoints, scenario.dwell, scenario.tool.touch_point - models.p_MT};
+  for (const HandEntry& hand : scenario.hands) {
+    HandScript script{hand.name, hand.desc, hand.waypoints};
+    for (Waypoint& waypoint : script.waypoints) waypoint.X_WT = waypoint.X_WT * X_MT;
+    result.hands.push_back(std::move(script));
+  }
+  return result;
+}
+
+}  // namespace fulcrum::scenario

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/scenario/assemble.h"
+#include "engine/scenario/words.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+glm::vec3 narrowed(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+glm::mat4 matrix_of(const Pose& pose) {
+  const Quat q = pose.q;
+  const glm::quat rotation(static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
+                           static_cast<float>(q.z()));
+  return glm::translate(glm::mat4(1.0F), narrowed(pose.p)) * glm::mat4_cast(rotation);
+}
+
+render::Mesh mesh_of(const ModelPart& part, const Vec3& origin) {
+  render::Mesh mesh;
+  mesh.name = part.name;
+  mesh.indices = part.indices;
+  for (const Vec3& p : part.positions) mesh.positions.push_back(narrowed(p - origin));
+  for (const Vec3& n : part.normals) mesh.normals.push_back(narrowed(n));
+  return mesh;
+}
+
+render::Material material_of(const ModelMaterial& material) {
+  const auto& c = material.base_colour;
+  return {material.name, {c[0], c[1], c[2]}, material.metallic, material.roughness};
+}
+
+// Every material of that name in any of the models; a name that none has is a slip.
+Result<std::monostate> apply(const MaterialOverride& override, std::vector<render::Material>& materials) {
+  bool applied = false;
+  for (render::Material& material : materials) {
+    if (material.name != override.name) continue;
+    applied = true;
+    if (override.base_colour) material.base_colour = narrowed(*override.base_colour);
+    if (override.metallic) material.metallic = static_cast<float>(*override.metallic);
+    if (override.roughness) material.roughness = static_cast<float>(*override.roughness);
+  }
+  if (applied) return std::monostate{};
+  std::vector<std::string_view> names;
+  for (const render::Material& material : materials) {
+    if (std::ranges::find(names, material.name) == names.end()) names.push_back(material.name);
+  }
+  return Error{override.where + ": no model has a material " + in_quotes(override.name) +
+               did_you_mean(override.name, names, "there is: " + joined(names))};
+}
+
+// Appends the model's parts; those of the tool are moved to T and movable.
+void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model, const Vec3& p_MT,
+               const Pose& X_WT_start) {
+  const bool is_tool = entry.role == ModelRole::tool;
+  const std::size_t first_material = desc.materials.size();
+  for (const ModelMaterial& material : model.materials) desc.materials.push_back(material_of(material));
+  for (const ModelPart& part : model.parts) {
+    render::Instance instance;
+    instance.mesh = desc.meshes.size();
+    instance.material = first_material + part.material;
+    instance.name = entry.name + "/" + part.name;
+    instance.X_WM = is_tool ? matrix_of(X_WT_start) : glm::mat4(1.0F);
+    instance.movable = is_tool;
+    instance.casts_shadow = entry.role != ModelRole::decor;
+    desc.instances.push_back(std::move(instance));
+    desc.meshes.push_back(mesh_of(part, is_tool ? p_MT : Vec3::Zero()));
+  }
+}
+
+}  // namespace
+
+Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models) {
+  VisualAssembly result;
+  render::VisualDesc& desc = result.desc;
+  const Pose X_WT_start = scenario.tool.X_WM_start * Pose{Quat::Identity(), models.p_MT};
+  for (std::size_t i = 0; i < scenario.models.size(); ++i) {
+    add_model(desc, scenario.models[i], models.models[i], models.p_MT, X_WT_start);
+  }
+  for (const MaterialOverride& material : scenario.materials) {
+    if (const auto applied = apply(material, desc.materials); !applied) return applied.error();
+  }
+  for (const Checkpoint& checkpoint : scenario.checkpoints) {
+    desc.markers.push_back(
+        {checkpoint.name, narrowed(checkpoint.position), static_cast<float>(checkpoint.radius)});
+  }
+  desc.key_light = scenario.light;
+  desc.ambient = scenario.ambient;
+  desc.background = scenario.background;
+  result.views = scenario.views;
+  if (!result.views.empty()) desc.camera = result.views.front().camera;
+  return result;
+}
+
+}  // namespace fulcrum::scenario

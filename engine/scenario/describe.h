@@ -1,0 +1,28 @@
+#pragma once
+// The descriptions of the files: every key with its type, unit, range, default and meaning, said once.
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "engine/scenario/key_visitor.h"
+
+namespace fulcrum::scenario {
+
+inline constexpr std::int64_t kFormatVersion = 1;
+
+// scenario.yaml. `scenario` gives the defaults and takes what is read.
+void describe_scenario(KeyVisitor& visitor, Scenario& scenario);
+
+// The file that a hand's `path` names.
+void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints);
+
+// content/devices/NAME.yaml
+void describe_device_file(KeyVisitor& visitor, DeviceDesc& device);
+
+// Parts of describe_scenario(), in files of their own.
+void describe_tool(KeyVisitor& visitor, ToolEntry& tool);
+void describe_mechanics(KeyVisitor& visitor, Scenario& scenario);  // field to device
+void describe_look(KeyVisitor& visitor, Scenario& scenario);       // views to background
+
+}  // namespace fulcrum::scenario

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/scenario/describe.h"
+#include "engine/scenario/words.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+// An angle that is written in degrees and kept in radians; the default is rounded to a whole degree.
+void describe_degrees(KeyVisitor& visitor, const Key& key, float& radians, const Range& range) {
+  double degrees = std::round(widened(radians) / kDegree);
+  visitor.number(key, degrees, range);
+  radians = static_cast<float>(degrees * kDegree);
+}
+
+void describe_views(KeyVisitor& visitor, std::vector<View>& views) {
+  visitor.list({"views", "", "cameras by name; the first is where a window starts", true}, 1,
+               [&](KeyVisitor& each) {
+                 View& view = views.emplace_back();
+                 each.word({"name", "", "as --view and panels call it", true}, view.name);
+                 each.rule("name", std::ranges::count(views, view.name, &View::name) <= 1,
+                           "is the name of an earlier view; choose another");
+                 each.vector({"eye", "m", "in the world", true}, view.camera.eye, kPosition);
+                 each.vector({"target", "m", "in the world", true}, view.camera.target, kPosition);
+                 each.rule("target", view.camera.eye != view.camera.target,
+                           "is where the eye is; there is no direction to look in");
+                 describe_degrees(each, {"fov_deg", "", "vertical field of view"},
+                                  view.camera.vertical_fov_rad, from_to(1, 150));
+               });
+}
+
+void describe_beam(KeyVisitor& visitor, render::KeyLight& light) {
+  visitor.vector({"direction", "", "the way the light travels; of any length"}, light.direction, kPosition);
+  visitor.rule("direction", light.direction != glm::vec3(0.0F), "must not be [0, 0, 0]");
+  visitor.colour({"colour", "", "of the light"}, light.colour);
+  visitor.boolean({"shadow", "", "it throws shadows"}, light.casts_shadow);
+}
+
+void describe_light(KeyVisitor& visitor, std::optional<render::KeyLight>& light) {
+  enum : std::size_t { kDirectional, kSpot, kNone };
+  render::KeyLight beam = light.value_or(render::KeyLight{});
+  const Form directional{"directional", "from infinitely far away", [&](KeyVisitor& each) {
+                           describe_beam(each, beam);
+                           each.real({"intensity", "", "a white matt surface that faces it reads this value"},
+                                     beam.intensity, from_to(0, 1000));
+                         }};
+  const Form spot{
+      "spot", "from a place, in a cone", [&](KeyVisitor& each) {
+        each.vector({"position", "m", "in the world"}, beam.position, kPosition);
+        describe_beam(each, beam);
+        each.real({"intensity", "", "what a white matt surface that faces it at 1 m reads"}, beam.intensity,
+                  from_to(0, 1000));
+        describe_degrees(each, {"cone_deg", "", "full angle of the cone"}, beam.cone_rad, from_to(1, 170));
+      }};
+  const Form none{"none", "ambient light alone", [](KeyVisitor&) {}};
+  std::size_t kind = kDirectional;
+  visitor.forms({"light", "", "the one light that throws shadows"}, {"kind", "", "what light it is"}, kind,
+                std::array{directional, spot, none});
+  beam.kind = kind == kSpot ? render::KeyLight::Kind::spot : render::KeyLight::Kind::directional;
+  light = kind == kNone ? std::optional<render::KeyLight>() : beam;
+}
+
+}  // namespace
+
+void describe_look(KeyVisitor& visitor, Scenario& scenario) {
+  describe_views(visitor, scenario.views);
+  describe_light(visitor, scenario.light);
+  visitor.mapping({"ambient", "", "light from everywhere else"}, [&](KeyVisitor& inner) {
+    inner.colour({"sky", "", "from above"}, scenario.ambient.sky);
+    inner.colour({"ground", "", "from below"}, scenario.ambient.ground);
+    inner.real({"intensity", "", "times both"}, scenario.ambient.intensity, from_to(0, 1000));
+  });
+  visitor.mapping({"background", "", "what is seen where nothing is"}, [&](KeyVisitor& inner) {
+    inner.colour({"top", "", "of the picture"}, scenario.background.top);
+    inner.colour({"bottom", "", "of the picture"}, scenario.background.bottom);
+  });
+}
+
+}  // namespace fulcrum::scenario

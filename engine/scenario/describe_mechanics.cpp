@@ -1,0 +1,148 @@
+#include "engine/scenario/describe.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+// Each in the order of its enumeration.
+constexpr std::array<std::string_view, 1> kResponses{"penalty"};
+constexpr std::array<std::string_view, 1> kIntegrators{"semi_implicit_euler"};
+constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "serial_arm"};
+
+void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {
+  visitor.choice_of({"response", "", "how contact forces are found"}, contact.response, kResponses);
+  visitor.number({"stiffness", "N/m", "of each contact region"}, contact.stiffness, above_to(0, 1e7));
+  visitor.number({"dissipation", "s/m", "Hunt-Crossley damping"}, contact.dissipation, from_to(0, 1000));
+  visitor.number(
+      {"region_radius", "m", "touching points nearer than this, with like normals, are one region"},
+      contact.region_radius, above_to(0, 1));
+}
+
+void describe_coupling(KeyVisitor& visitor, CouplingDesc& coupling) {
+  visitor.number({"stiffness", "N/m", "of the spring between hand and tool"}, coupling.stiffness,
+                 above_to(0, 1e5));
+  visitor.number({"angular_stiffness", "N m/rad", "likewise, in rotation"}, coupling.angular_stiffness,
+                 above_to(0, 1e3));
+  visitor.number({"damping_ratio", "", "of critical damping"}, coupling.damping_ratio, from_to(0, 10));
+  visitor.number({"max_force", "N", "at which the spring saturates"}, coupling.max_force, above_to(0, 1000));
+  visitor.number({"max_torque", "N m", "at which the spring saturates"}, coupling.max_torque,
+                 above_to(0, 100));
+}
+
+void describe_velocity_estimator(KeyVisitor& visitor, VelocityEstimatorDesc& velocity) {
+  const Form difference{"difference", "one tick's difference: no delay but half a tick, and all of the noise",
+                        [](KeyVisitor&) {}};
+  const Form low_pass{
+      "low_pass", "the difference through a first-order low-pass", [&](KeyVisitor& each) {
+        each.number({"cutoff_Hz", "", "of the low-pass"}, velocity.cutoff_Hz, above_to(0, 10000));
+      }};
+  const Form adaptive{
+      "adaptive_window", "the longest window over which the motion is a straight line within the noise",
+      [&](KeyVisitor& each) {
+        std::int64_t window = velocity.window;
+        each.integer({"window", "ticks", "most ticks looked back"}, window, 1, 1000);
+        velocity.window = static_cast<int>(window);
+        each.number({"noise", "m", "in the world; largest deviation that counts as noise"}, velocity.noise,
+                    above_to(0, 0.1));
+        each.number({"noise_rad", "", "likewise, in rotation"}, velocity.noise_rad, above_to(0, 1));
+      }};
+  auto kind = static_cast<std::size_t>(velocity.kind);
+  visitor.forms({"velocity_estimator", "", "how velocity is made of sampled positions"},
+                {"name", "", "which estimator; the other keys are its own"}, kind,
+                std::array{difference, low_pass, adaptive});
+  velocity.kind = static_cast<VelocityEstimatorKind>(kind);
+}
+
+void describe_device(KeyVisitor& visitor, DeviceEntry& device) {
+  MappingDesc& mapping = device.mapping;
+  visitor.word({"model", "", "of the simulated device: content/devices/MODEL.yaml", true}, device.model);
+  visitor.number({"position_scale", "", "scene movement for device movement"}, mapping.position_scale,
+                 above_to(0, 1000));
+  visitor.number({"force_scale", "", "device force for scene force"}, mapping.force_scale, above_to(0, 1000));
+  visitor.mapping({"base", "", "of the device in the scene"}, [&](KeyVisitor& inner) {
+    describe_pose(inner, mapping.X_WD, "of the device's origin in the world",
+                  "of the device's axes [w, x, y, z]");
+  });
+  std::int64_t button = mapping.clutch_button;
+  visitor.integer({"clutch_button", "", "while it is down the handle moves without the tool; -1: none"},
+                  button, -1, 31);
+  mapping.clutch_button = static_cast<int>(button);
+}
+
+}  // namespace
+
+void describe_tool(KeyVisitor& visitor, ToolEntry& tool) {
+  visitor.optional_number({"density", "kg/m^3", "the mass follows from the model's volume"}, tool.density,
+                          above_to(0, 25000));
+  visitor.optional_number({"mass", "kg", "instead of density; with neither it is 0.2 kg"}, tool.mass,
+                          above_to(0, 100));
+  visitor.rule("mass", !(tool.density && tool.mass),
+               "and 'tool.density' exclude each other; keep one of them");
+  visitor.mapping({"grasp", "", "the model in the handle, when nothing touches it"}, [&](KeyVisitor& inner) {
+    describe_pose(inner, tool.X_HM, "in the handle's frame", "likewise [w, x, y, z]");
+  });
+  visitor.mapping({"start", "", "the model in the world, at the beginning", true}, [&](KeyVisitor& inner) {
+    describe_pose(inner, tool.X_WM_start, "in the world", "likewise [w, x, y, z]");
+  });
+  visitor.vector({"touch_point", "m", "in the model's frame; what has to reach the checkpoints"},
+                 tool.touch_point, kPosition);
+  visitor.boolean({"weight", "", "gravity acts on the tool, and the hand feels it"}, tool.weight);
+}
+
+void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
+  visitor.mapping({"field", "", "the distance field that the scene's models are baked to"},
+                  [&](KeyVisitor& inner) {
+                    inner.number({"voxel", "m", "edge of a cell"}, scenario.field.voxel_m, above_to(0, 1));
+                    inner.number({"band", "m", "how far from the surface the field is stored in full"},
+                                 scenario.field.band_m, above_to(0, 10));
+                    inner.rule("band", scenario.field.band_m >= 2 * scenario.field.voxel_m,
+                               "must be at least two voxels");
+                  });
+  visitor.mapping({"shell", "", "the points that the tool's model is baked to"}, [&](KeyVisitor& inner) {
+    inner.number({"spacing", "m", "between neighbours"}, scenario.shell.spacing_m, above_to(0, 1));
+  });
+  visitor.mapping({"contact", "", "how the scene answers to touch"},
+                  [&](KeyVisitor& inner) { describe_contact(inner, scenario.contact); });
+  visitor.choice_of({"integrator", "", "how the tool moves through a tick"}, scenario.integrator,
+                    kIntegrators);
+  visitor.mapping({"coupling", "", "the virtual coupling between hand and tool"},
+                  [&](KeyVisitor& inner) { describe_coupling(inner, scenario.coupling); });
+  describe_velocity_estimator(visitor, scenario.velocity_estimator);
+  visitor.mapping({"device", "", "the device, and how its workspace lies in the scene", true},
+                  [&](KeyVisitor& inner) { describe_device(inner, scenario.device); });
+}
+
+void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
+  visitor.version({"fulcrum", "", "version of the file's format", true}, kFormatVersion);
+  visitor.text({"name", "", "as panels and results show it", true}, device.name);
+  visitor.choice_of(
+      {"kinematics", "", "none: no motors; cartesian: one for each axis; serial_arm: yaw, shoulder, elbow"},
+      device.kinematics, kKinematics);
+  visitor.boolean({"renders_force", "", "it can push"}, device.renders_force);
+  visitor.boolean({"renders_torque", "", "it can twist"}, device.renders_torque);
+  visitor.number({"max_force", "N", "on the handle"}, device.max_force, from_to(0, 1000));
+  visitor.number({"max_torque", "N m", "on the handle"}, device.max_torque, from_to(0, 100));
+  visitor.number({"max_joint_torque", "N m", "of each motor of a serial arm"}, device.max_joint_torque,
+                 from_to(0, 1000));
+  visitor.number({"link_length", "m", "of each of the two links of a serial arm"}, device.link_length,
+                 above_to(0, 10));
+  visitor.number({"handle_mass", "kg", "apparent, at the handle"}, device.handle_mass, above_to(0, 100));
+  visitor.number({"handle_inertia", "kg m^2", "apparent, about any axis of the handle"},
+                 device.handle_inertia, above_to(0, 10));
+  visitor.number({"handle_weight", "N", "what the mechanism leaves uncompensated"}, device.handle_weight,
+                 from_to(0, 1000));
+  visitor.number({"damping", "N s/m", "of the mechanism"}, device.damping, from_to(0, 1000));
+  visitor.number({"angular_damping", "N m s/rad", "of the mechanism"}, device.angular_damping,
+                 from_to(0, 100));
+  visitor.number({"friction", "N", "Coulomb, on each axis"}, device.friction, from_to(0, 100));
+  visitor.number({"angular_friction", "N m", "Coulomb, on each axis"}, device.angular_friction,
+                 from_to(0, 10));
+  visitor.number({"encoder_step", "m", "smallest difference of position that is seen"}, device.encoder_step,
+                 from_to(0, 0.01));
+  visitor.number({"encoder_step_rad", "", "smallest difference of orientation that is seen"},
+                 device.encoder_step_rad, from_to(0, 0.1));
+  visitor.vector({"workspace", "m", "half extents about the device's origin"}, device.workspace,
+                 above_to(0, 10));
+}
+
+}  // namespace fulcrum::scenario

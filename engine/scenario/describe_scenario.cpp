@@ -1,0 +1,118 @@
+#include <algorithm>
+
+#include "engine/scenario/describe.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kRoles{"scene", "tool", "decor"};
+
+template <class T>
+bool is_new(const std::vector<T>& entries, const std::string& name) {
+  return std::ranges::count(entries, name, &T::name) <= 1;
+}
+
+void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
+  visitor.named(
+      {"models", "", "the model files, each under a name of its own", true}, 1,
+      [&](std::string_view name, KeyVisitor& each) {
+        ModelEntry& model = models.emplace_back();
+        model.name = name;
+        each.file({"file", "", "a glTF file in the scenario's folder; metres, Y up", true}, model.file);
+        each.choice_of({"role", "", "scene: touched; tool: held in the hand; decor: seen only", true},
+                       model.role, kRoles);
+      });
+  const auto count = [&](ModelRole role) { return std::ranges::count(models, role, &ModelEntry::role); };
+  visitor.rule("models", count(ModelRole::tool) == 1, "must have exactly one model with 'role: tool'");
+  visitor.rule("models", count(ModelRole::scene) >= 1,
+               "must have a model with 'role: scene', something to touch");
+}
+
+void describe_materials(KeyVisitor& visitor, std::vector<MaterialOverride>& materials) {
+  visitor.named(
+      {"materials", "", "replaces what the models say about the material of that name"}, 0,
+      [&](std::string_view name, KeyVisitor& each) {
+        MaterialOverride& material = materials.emplace_back();
+        material.name = name;
+        material.where = each.where();
+        each.optional_colour({"base_colour", "", "of a metal: its reflectance"}, material.base_colour);
+        each.optional_number({"metallic", "", "0 dielectric to 1 metal"}, material.metallic, kFraction);
+        each.optional_number({"roughness", "", "0 mirror to 1 matt"}, material.roughness, kFraction);
+      });
+}
+
+void describe_task(KeyVisitor& visitor, Scenario& scenario) {
+  std::vector<Checkpoint>& checkpoints = scenario.checkpoints;
+  visitor.list({"checkpoints", "", "where the tool's touch point has to go, in order", true}, 1,
+               [&](KeyVisitor& each) {
+                 Checkpoint& checkpoint = checkpoints.emplace_back();
+                 each.text({"name", "", "as results and panels call it", true}, checkpoint.name);
+                 each.rule("name", is_new(checkpoints, checkpoint.name),
+                           "is the name of an earlier one; choose another");
+                 each.vector({"position", "m", "in the world", true}, checkpoint.position, kPosition);
+                 each.number({"radius", "m", "how near counts as there"}, checkpoint.radius, above_to(0, 10));
+               });
+  visitor.number({"dwell", "s", "how long the touch point must stay at a checkpoint without a break"},
+                 scenario.dwell, from_to(0, 600));
+}
+
+void describe_hands(KeyVisitor& visitor, std::vector<HandEntry>& hands) {
+  visitor.named(
+      {"hands", "", "simulated hands for runs without a person, by name"}, 0,
+      [&](std::string_view name, KeyVisitor& each) {
+        HandEntry& entry = hands.emplace_back();
+        entry.name = name;
+        HandDesc& hand = entry.desc;
+        each.file({"path", "", "a file of waypoints in the scenario's folder", true}, entry.path);
+        each.number({"stiffness", "N/m", "of the hand about its path"}, hand.stiffness, above_to(0, 1e5));
+        each.number({"damping", "N s/m", "likewise"}, hand.damping, from_to(0, 1e4));
+        each.number({"angular_stiffness", "N m/rad", "likewise, in rotation"}, hand.angular_stiffness,
+                    above_to(0, 1e3));
+        each.number({"angular_damping", "N m s/rad", "likewise, in rotation"}, hand.angular_damping,
+                    from_to(0, 1e2));
+        each.number({"tremor", "m", "rms on each axis"}, hand.tremor, from_to(0, 0.05));
+        each.number({"tremor_rad", "", "rms on each axis"}, hand.tremor_rad, from_to(0, 0.5));
+        each.number({"tremor_low_Hz", "", "lower edge of the tremor's band"}, hand.tremor_low_Hz,
+                    above_to(0, 100));
+        each.number({"tremor_high_Hz", "", "upper edge of the tremor's band"}, hand.tremor_high_Hz,
+                    above_to(0, 100));
+        each.rule("tremor_high_Hz", hand.tremor_high_Hz > hand.tremor_low_Hz,
+                  "must be above 'tremor_low_Hz'");
+      });
+}
+
+}  // namespace
+
+void describe_scenario(KeyVisitor& visitor, Scenario& scenario) {
+  visitor.version({"fulcrum", "", "version of the file's format", true}, kFormatVersion);
+  visitor.text({"title", "", "as lists and windows show it", true}, scenario.title);
+  visitor.text({"about", "", "one line for `fulcrum list`", true}, scenario.about);
+  visitor.number({"time_limit", "s", "of simulated time; a run that takes longer ends not completed", true},
+                 scenario.time_limit, above_to(0, 86400));
+  visitor.integer({"seed", "", "of everything random in a run"}, scenario.seed, 0,
+                  std::numeric_limits<std::int64_t>::max());
+  visitor.number({"tick_rate_Hz", "", "of the haptic loop"}, scenario.tick_rate_Hz, from_to(100, 20000));
+  describe_models(visitor, scenario.models);
+  describe_materials(visitor, scenario.materials);
+  visitor.mapping({"tool", "", "the tool in the hand; poses are of its model's own frame", true},
+                  [&](KeyVisitor& inner) { describe_tool(inner, scenario.tool); });
+  describe_mechanics(visitor, scenario);
+  describe_task(visitor, scenario);
+  describe_hands(visitor, scenario.hands);
+  describe_look(visitor, scenario);
+}
+
+void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints) {
+  visitor.version({"fulcrum", "", "version of the file's format", true}, kFormatVersion);
+  visitor.list(
+      {"waypoints", "", "where the hand wants the tool's model, in order", true}, 1, [&](KeyVisitor& each) {
+        Waypoint& waypoint = waypoints.emplace_back();
+        describe_pose(each, waypoint.X_WT, "of the tool's model in the world", "likewise [w, x, y, z]");
+        each.number({"travel", "s", "from the waypoint before; the first has none"}, waypoint.travel,
+                    above_to(0, 3600));
+        each.number({"dwell", "s", "how long the hand rests here"}, waypoint.dwell, from_to(0, 3600));
+      });
+}
+
+}  // namespace fulcrum::scenario

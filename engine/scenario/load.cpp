@@ -1,0 +1,134 @@
+#include "engine/scenario/load.h"
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "engine/scenario/content.h"
+#include "engine/scenario/describe.h"
+#include "engine/scenario/nearby.h"
+#include "engine/scenario/overrides.h"
+#include "engine/scenario/text_store.h"
+#include "engine/scenario/tree_reader.h"
+#include "engine/scenario/words.h"
+#include "engine/scenario/yaml_tree.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+void append(Faults& to, Faults from) {
+  std::ranges::move(from, std::back_inserter(to));
+}
+
+Faults read_text(const std::string& text, std::string_view source, const std::filesystem::path& folder,
+                 const Describe& describe) {
+  const auto root = parse_yaml(text, source);
+  if (!root) return root.faults();
+  return read_tree(*root, folder, describe);
+}
+
+// Where the value of `key` stands, for a fault about the file that it names.
+Mark mark_of(const Node& root, std::initializer_list<std::string_view> path) {
+  const Node* node = &root;
+  for (const std::string_view part : path) {
+    const NodeEntry* entry = node->find(part);
+    if (!entry) break;
+    node = &entry->value;
+  }
+  return node->mark;
+}
+
+Faults read_hand(HandEntry& hand, const Node& root, const std::filesystem::path& folder, TextStore& texts) {
+  if (hand.path.name.empty()) return {};  // its key was refused already
+  const auto text = texts.get(hand.path.name, {hand.path.path});
+  if (!text) {
+    const Mark mark = mark_of(root, {"hands", hand.name, "path"});
+    return {mark.fault("cannot read " + in_quotes(hand.path.name) + ": " + text.error().sentence +
+                       nearby_files(hand.path.name, folder))};
+  }
+  return read_text(*text, hand.path.name, folder,
+                   [&](KeyVisitor& visitor) { describe_hand_path(visitor, hand.waypoints); });
+}
+
+std::vector<std::filesystem::path> device_folders(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> folders{(folder / ".." / ".." / "devices").lexically_normal()};
+  for (const auto& root : content_roots()) folders.push_back(root / "devices");
+  return folders;
+}
+
+Faults read_device(DeviceEntry& device, const Node& root, const std::filesystem::path& folder,
+                   TextStore& texts) {
+  if (device.model.empty()) return {};
+  const std::string file = device.model + ".yaml";
+  const auto folders = device_folders(folder);
+  std::vector<std::filesystem::path> places;
+  for (const auto& each : folders) places.push_back(each / file);
+  const std::string name = "devices/" + file;
+  const auto text = texts.get(name, places);
+  if (!text) {
+    const Mark mark = mark_of(root, {"device", "model"});
+    return {mark.fault("cannot read " + in_quotes(name) + ": " + text.error().sentence +
+                       nearby_names(device.model, folders))};
+  }
+  return read_text(*text, name, folder,
+                   [&](KeyVisitor& visitor) { describe_device_file(visitor, device.desc); });
+}
+
+// `source`: how faults call the text. `name`: what it is called among the texts that are kept.
+Checked<Scenario> load(const std::string& text, const std::string& source, const std::string& name,
+                       const std::filesystem::path& folder, std::span<const std::string> overrides,
+                       TextStore& texts) {
+  auto root = parse_yaml(text, source);
+  if (!root) return root.faults();
+
+  Scenario described;  // takes what listing the keys appends to it
+  const auto keys = list_keys([&](KeyVisitor& visitor) { describe_scenario(visitor, described); });
+  if (Faults faults = apply_overrides(*root, overrides, keys); !faults.empty()) return faults;
+
+  Scenario scenario;
+  std::error_code error;
+  scenario.folder = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+  if (error) scenario.folder = std::filesystem::absolute(folder, error);
+  scenario.overrides.assign(overrides.begin(), overrides.end());
+  Faults faults =
+      read_tree(*root, scenario.folder, [&](KeyVisitor& visitor) { describe_scenario(visitor, scenario); });
+  for (HandEntry& hand : scenario.hands) {
+    hand.desc.seed = static_cast<std::uint64_t>(scenario.seed);
+    append(faults, read_hand(hand, *root, scenario.folder, texts));
+  }
+  append(faults, read_device(scenario.device, *root, scenario.folder, texts));
+  if (!faults.empty()) return faults;
+
+  texts.put(name, text);
+  scenario.texts = {name, texts.take_used()};
+  return scenario;
+}
+
+}  // namespace
+
+Checked<Scenario> load_scenario(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  const auto text = read_text_file(file);
+  if (!text) return Faults{{file.string(), 0, 0, "cannot read the scenario: " + text.error().sentence}};
+  TextStore texts;
+  return load(*text, file.string(), file.filename().string(), file.parent_path(), overrides, texts);
+}
+
+Checked<Scenario> load_scenario_text(std::string_view text, const std::filesystem::path& folder,
+                                     std::span<const std::string> overrides) {
+  TextStore texts;
+  return load(std::string(text), kScenarioFile, kScenarioFile, folder, overrides, texts);
+}
+
+Checked<Scenario> load_scenario_texts(const SourceTexts& texts, const std::filesystem::path& folder,
+                                      std::span<const std::string> overrides) {
+  const auto text = texts.files.find(texts.scenario);
+  if (text == texts.files.end()) {
+    return Faults{{texts.scenario, 0, 0, "the scenario is not among the texts that were kept of it"}};
+  }
+  TextStore store(texts.files);
+  return load(text->second, texts.scenario, texts.scenario, folder, overrides, store);
+}
+
+}  // namespace fulcrum::scenario

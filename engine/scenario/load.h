@@ -1,0 +1,32 @@
+#pragma once
+// Scenario files -> Scenario. What may be written in one is described in describe_scenario.h; schema.h writes
+// it out.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/scenario/fault.h"
+#include "engine/scenario/scenario.h"
+
+namespace fulcrum::scenario {
+
+// `overrides`: KEY=VALUE, as --set takes them. KEY is a full dotted path (contact.stiffness,
+// checkpoints.0.radius, hands.expert.tremor) or its last component where only one key ends so (response).
+//
+// Device files are looked for in FOLDER/../../devices and in the content roots (content.h).
+Checked<Scenario> load_scenario(const std::filesystem::path& file,
+                                std::span<const std::string> overrides = {});
+
+// The same from a text, as if it lay in `folder`; files that it names are read from there.
+Checked<Scenario> load_scenario_text(std::string_view text, const std::filesystem::path& folder,
+                                     std::span<const std::string> overrides = {});
+
+// The same from the texts of an earlier load (a tape's): no file of text is opened, and one that is not among
+// the texts is a fault. Models are named relative to `folder`.
+Checked<Scenario> load_scenario_texts(const SourceTexts& texts, const std::filesystem::path& folder,
+                                      std::span<const std::string> overrides = {});
+
+}  // namespace fulcrum::scenario

@@ -1,0 +1,59 @@
+#include <cstdio>
+#include <string>
+
+#include "engine/assets/gltf.h"
+#include "engine/scenario/assemble.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+// Above this the author is told that T is not where the model's origin is.
+constexpr double kRecentringWorthSaying = 1e-4;  // m
+
+std::string millimetres(double metres) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g mm", metres * 1e3);
+  return text;
+}
+
+Error at(const ModelEntry& entry, const std::string& sentence) {
+  return {entry.file.where + ": model '" + entry.name + "': " + sentence};
+}
+
+Result<Solid> solid_of(const ModelEntry& entry, TriangleMesh mesh) {
+  auto solid = build_solid(mesh);
+  if (!solid) return at(entry, solid.error().sentence);
+  return solid;
+}
+
+}  // namespace
+
+Result<LoadedModels> load_models(const Scenario& scenario) {
+  LoadedModels loaded;
+  for (const ModelEntry& entry : scenario.models) {
+    auto model = load_gltf(entry.file.path);
+    if (!model) return at(entry, model.error().sentence);
+    loaded.models.push_back(std::move(*model));
+    if (entry.role != ModelRole::tool) continue;
+
+    const TriangleMesh mesh_M = to_triangle_mesh(loaded.models.back());
+    const auto solid_M = solid_of(entry, mesh_M);
+    if (!solid_M) return solid_M.error();
+    loaded.p_MT = mass_properties(*solid_M).centre;
+    TriangleMesh mesh_T = mesh_M;
+    for (Vec3& vertex : mesh_T.vertices) vertex -= loaded.p_MT;
+    auto solid_T = solid_of(entry, std::move(mesh_T));
+    if (!solid_T) return solid_T.error();
+    loaded.tool_T = std::move(*solid_T);
+    loaded.tool = mass_properties(loaded.tool_T);
+    if (const double offset = loaded.p_MT.norm(); offset > kRecentringWorthSaying) {
+      loaded.notes.push_back("the tool's centre of mass lies " + millimetres(offset) +
+                             " from the origin of '" + entry.file.name +
+                             "'; the tool is moved and turned about its centre of mass");
+    }
+  }
+  return loaded;
+}
+
+}  // namespace fulcrum::scenario

@@ -1,0 +1,110 @@
+#pragma once
+// A scenario as plain data, as the file has it. assemble.h makes of it what ticks and what is drawn.
+//
+// Poses of the tool are those of its model's own frame M here: the author places what a modelling program
+// shows. assemble.h moves them to T, the centre of mass.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/render/visual_desc.h"
+#include "engine/scenario/task.h"
+#include "haptics/bake/field_bake.h"
+#include "haptics/bake/pointshell_bake.h"
+#include "haptics/device/hand.h"
+#include "haptics/world/scene_desc.h"
+
+namespace fulcrum::scenario {
+
+// A file that the scenario names; it lies in the scenario's folder.
+struct FileRef {
+  std::string name;            // as written
+  std::filesystem::path path;  // resolved, absolute
+  std::string where;           // file:line:column of the name, for a sentence about the file's contents
+};
+
+enum class ModelRole { scene, tool, decor };  // touched; held in the hand; seen only
+
+struct ModelEntry {
+  std::string name;
+  FileRef file;
+  ModelRole role = ModelRole::scene;
+};
+
+// Replaces what the models' material of this name says.
+struct MaterialOverride {
+  std::string name;
+  std::string where;
+  std::optional<Vec3> base_colour;  // linear
+  std::optional<double> metallic;   // 0 to 1
+  std::optional<double> roughness;  // 0 to 1
+};
+
+struct ToolEntry {
+  std::optional<double> density;    // kg/m^3, one of the two at most; neither: the mass of ToolDesc
+  std::optional<double> mass;       // kg
+  Pose X_HM;                        // the model in the handle, when nothing touches it
+  Pose X_WM_start;                  // where the model is at tick 0
+  Vec3 touch_point = Vec3::Zero();  // p_MC (3) m, the point that has to reach the checkpoints
+  bool weight = ToolDesc{}.weight;
+};
+
+struct DeviceEntry {
+  std::string model;  // content/devices/MODEL.yaml
+  DeviceDesc desc;    // what that file says
+  MappingDesc mapping;
+};
+
+struct HandEntry {
+  std::string name;
+  FileRef path;
+  HandDesc desc;                    // its seed is the scenario's
+  std::vector<Waypoint> waypoints;  // of M, what the path's file says
+};
+
+struct View {
+  std::string name;
+  render::Camera camera;
+};
+
+// The exact text of the scenario and of every file of text that it read, so that a tape can embed them.
+struct SourceTexts {
+  std::string scenario;  // the key in `files` of the scenario itself
+  std::map<std::string, std::string>
+      files;  // "scenario.yaml", "expert.yaml", "devices/phantom_like.yaml", ...
+};
+
+struct Scenario {
+  std::string title;
+  std::string about;      // one line
+  double time_limit = 0;  // s
+  std::int64_t seed = 1;
+  double tick_rate_Hz = 1000;
+  std::vector<ModelEntry> models;
+  std::vector<MaterialOverride> materials;
+  ToolEntry tool;
+  FieldDesc field;
+  PointshellDesc shell;
+  ContactDesc contact;
+  Integrator integrator = SceneDesc{}.integrator;
+  CouplingDesc coupling;
+  VelocityEstimatorDesc velocity_estimator;
+  DeviceEntry device;
+  std::vector<Checkpoint> checkpoints;
+  double dwell = TaskDesc{}.dwell;  // s
+  std::vector<HandEntry> hands;
+  std::vector<View> views;  // the first is where a window starts
+  std::optional<render::KeyLight> light = render::KeyLight{};
+  render::Ambient ambient;
+  render::Background background;
+
+  std::filesystem::path folder;        // of the scenario's file, absolute
+  std::vector<std::string> overrides;  // KEY=VALUE, in the order given
+  SourceTexts texts;
+};
+
+}  // namespace fulcrum::scenario

@@ -1,0 +1,23 @@
+#pragma once
+// What a trainee is to do, as plain data.
+
+#include <string>
+#include <vector>
+
+#include "haptics/math/linear.h"
+
+namespace fulcrum::scenario {
+
+struct Checkpoint {
+  std::string name;
+  Vec3 position = Vec3::Zero();  // (3) m, in W
+  double radius = 0.01;          // m
+};
+
+struct TaskDesc {
+  std::vector<Checkpoint> checkpoints;  // in the order in which they are to be reached
+  double dwell = 3;                     // s, how long the touch point must stay at each without a break
+  Vec3 touch_point = Vec3::Zero();      // p_TC (3) m, of the tool, in T
+};
+
+}  // namespace fulcrum::scenario

@@ -1,0 +1,41 @@
+#pragma once
+// Judges a run by its ticks, one record after the other: pure, so that a replay gives the verdict of the run.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/scenario/task.h"
+#include "haptics/world/tick_record.h"
+
+namespace fulcrum::scenario {
+
+struct TaskState {
+  std::size_t step = 0;       // the checkpoint that is next; the number of them once completed
+  double dwell_progress = 0;  // 0 to 1, of the time to be spent at it
+  bool inside = false;        // the touch point was at it in the newest record
+  std::vector<std::optional<double>> reached;  // (checkpoints) s of simulated time at which each one counted
+  bool completed = false;
+};
+
+// Checkpoints count in order. One is reached when the touch point has been within its radius in every record
+// for the dwell time: that many ticks after the one in which it came in. Leaving starts the count anew; ticks
+// that an overrun lost neither count nor break it. Counted in ticks, so that no sum of small times can drift.
+class TaskJudge {
+public:
+  TaskJudge(TaskDesc desc, double tick_s);
+
+  void judge(const TickRecord& record);
+  const TaskState& state() const { return state_; }
+  std::optional<double> completion_time() const;  // s; absent while not completed
+
+private:
+  TaskDesc desc_;
+  double tick_s_;
+  std::int64_t dwell_ticks_;
+  std::int64_t ticks_inside_ = -1;  // since the touch point came in; -1: it is not inside
+  TaskState state_;
+};
+
+}  // namespace fulcrum::scenario

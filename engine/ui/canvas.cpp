@@ -1,0 +1,68 @@
+#include "engine/ui/canvas.h"
+
+#include <cmath>
+
+#include "engine/ui/theme.h"
+
+namespace fulcrum::ui {
+
+void Canvas::card(ImVec2 at, ImVec2 size) const {
+  box(at, size, theme::kCard, theme::kRounding);
+  frame(at, size, theme::kCardEdge, theme::kRounding, 1.0F);
+}
+
+void Canvas::box(ImVec2 at, ImVec2 size, ImU32 colour, float rounding) const {
+  list_.AddRectFilled(px(at), px({at.x + size.x, at.y + size.y}), colour, rounding * scale_);
+}
+
+void Canvas::frame(ImVec2 at, ImVec2 size, ImU32 colour, float rounding, float width) const {
+  list_.AddRect(px(at), px({at.x + size.x, at.y + size.y}), colour, rounding * scale_, 0, width * scale_);
+}
+
+void Canvas::line(ImVec2 from, ImVec2 to, ImU32 colour, float width) const {
+  list_.AddLine(px(from), px(to), colour, width * scale_);
+}
+
+void Canvas::arc(ImVec2 middle, float radius, float from_rad, float to_rad, ImU32 colour, float width) const {
+  const int segments = 4 + static_cast<int>(std::abs(to_rad - from_rad) * 14.0F);
+  list_.PathArcTo(px(middle), radius * scale_, from_rad, to_rad, segments);
+  list_.PathStroke(colour, 0, width * scale_);
+}
+
+void Canvas::disc(ImVec2 middle, float radius, ImU32 colour) const {
+  list_.AddCircleFilled(px(middle), radius * scale_, colour, 32);
+}
+
+void Canvas::circle(ImVec2 middle, float radius, ImU32 colour, float width) const {
+  list_.AddCircle(px(middle), radius * scale_, colour, 32, width * scale_);
+}
+
+void Canvas::text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& words, Align align) const {
+  const float width = align == Align::left ? 0.0F : measure(font, words).x;
+  at.x -= align == Align::centre ? width / 2.0F : width;
+  const ImVec2 corner = px(at);
+  // On whole pixels: glyphs are rasterised for them and blur between them.
+  list_.AddText(font, font->FontSize, {std::round(corner.x), std::round(corner.y)}, colour, words.c_str());
+}
+
+ImVec2 Canvas::measure(ImFont* font, const std::string& words) const {
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6F, 0.0F, words.c_str());
+  return {size.x / scale_, size.y / scale_};
+}
+
+std::string Canvas::fitted(ImFont* font, const std::string& words, float width) const {
+  if (measure(font, words).x <= width) {
+    return words;
+  }
+  std::string shorter = words;
+  while (!shorter.empty() && measure(font, shorter + "...").x > width) {
+    // A whole UTF-8 character at a time: continuation bytes are 10xxxxxx.
+    while (shorter.size() > 1 && (static_cast<unsigned char>(shorter.back()) & 0xC0U) == 0x80U) {
+      shorter.pop_back();
+    }
+    shorter.pop_back();
+  }
+  return shorter + "...";
+}
+
+}  // namespace fulcrum::ui

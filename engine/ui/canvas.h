@@ -1,0 +1,54 @@
+#pragma once
+// Shapes and text in scaled pixels: the few things that all panels are made of.
+
+#include <imgui.h>
+
+#include <string>
+
+namespace fulcrum::ui {
+
+/// Typefaces at their sizes, rasterised for one scale.
+struct Fonts {
+  ImFont* small = nullptr;
+  ImFont* body = nullptr;
+  ImFont* strong = nullptr;
+  ImFont* number = nullptr;
+  ImFont* banner = nullptr;
+};
+
+enum class Align { left, centre, right };
+
+class Canvas {
+public:
+  /// `size`: of the picture (pixels); `scale`: pixels for one unit of theme.h.
+  Canvas(ImDrawList& list, const Fonts& fonts, ImVec2 size, float scale)
+      : list_(list), fonts_(fonts), size_(size), scale_(scale) {}
+
+  const Fonts& fonts() const { return fonts_; }
+  float width() const { return size_.x / scale_; }
+  float height() const { return size_.y / scale_; }
+
+  // All coordinates in theme units, y down, angles in radians clockwise from the right.
+  void card(ImVec2 at, ImVec2 size) const;
+  void box(ImVec2 at, ImVec2 size, ImU32 colour, float rounding) const;
+  void frame(ImVec2 at, ImVec2 size, ImU32 colour, float rounding, float width) const;
+  void line(ImVec2 from, ImVec2 to, ImU32 colour, float width) const;
+  void arc(ImVec2 middle, float radius, float from_rad, float to_rad, ImU32 colour, float width) const;
+  void disc(ImVec2 middle, float radius, ImU32 colour) const;
+  void circle(ImVec2 middle, float radius, ImU32 colour, float width) const;
+  void text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& words, Align align = Align::left) const;
+  ImVec2 measure(ImFont* font, const std::string& words) const;
+
+  /// The words, with an ellipsis where they are wider than `width`.
+  std::string fitted(ImFont* font, const std::string& words, float width) const;
+
+private:
+  ImVec2 px(ImVec2 at) const { return {at.x * scale_, at.y * scale_}; }
+
+  ImDrawList& list_;
+  const Fonts& fonts_;
+  ImVec2 size_;
+  float scale_;
+};
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,55 @@
+#pragma once
+// What the overlay shows, in plain data.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/render/frame_state.h"
+
+namespace fulcrum::ui {
+
+/// A dial: the magnitude that the hand feels, and the most that the device may give.
+struct Dial {
+  double value = 0.0;
+  double limit = 0.0;  // 0: no such actuator, and the dial is left out
+};
+
+struct CheckpointLine {
+  std::string name;
+  render::MarkerState state;  // hidden: still to come
+};
+
+/// How the haptic thread is doing.
+struct TickHealth {
+  double rate_Hz = 0.0;
+  std::uint64_t late = 0;
+  std::uint64_t lost = 0;
+  double cpu_p50_us = 0.0;
+  double cpu_p99_us = 0.0;
+};
+
+struct KeyLine {
+  std::string key;      // "Esc"
+  std::string meaning;  // "stop all force"
+};
+
+enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength
+
+struct OverlayState {
+  double time_s = 0.0;   // simulated time, for peaks that are held and banners that pulse
+  std::string scenario;  // heading of the checkpoints
+  Dial force_N;
+  Dial torque_Nm;
+  std::vector<CheckpointLine> checkpoints;  // empty: no list
+  TickHealth ticks;
+  Force force = Force::on;
+  std::string stop_reason;  // "Esc pressed"; shown while stopped
+  std::string device;       // "Simulated hand"
+  std::string message;      // one line at the bottom; empty: none
+  bool keys_visible = false;
+  std::vector<KeyLine> keys;
+  std::vector<std::string> mapping;  // lines below the keys: how the device or the mouse moves the tool
+};
+
+}  // namespace fulcrum::ui

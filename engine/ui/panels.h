@@ -1,0 +1,22 @@
+#pragma once
+// The panels of the overlay, each at its own edge of the picture.
+
+#include "engine/ui/canvas.h"
+#include "engine/ui/overlay_state.h"
+
+namespace fulcrum::ui {
+
+/// Peaks to mark on the dials.
+struct Peaks {
+  double force_N = 0.0;
+  double torque_Nm = 0.0;
+};
+
+void draw_dials(const Canvas& canvas, const OverlayState& state, const Peaks& peaks);  // bottom left
+void draw_checkpoints(const Canvas& canvas, const OverlayState& state);                // top left
+void draw_health(const Canvas& canvas, const OverlayState& state);                     // top right
+void draw_message(const Canvas& canvas, const OverlayState& state);                    // bottom middle
+void draw_keys(const Canvas& canvas, const OverlayState& state);                       // middle, when visible
+void draw_banner(const Canvas& canvas, const OverlayState& state);  // across, when force is off
+
+}  // namespace fulcrum::ui

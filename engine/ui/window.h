@@ -1,0 +1,56 @@
+#pragma once
+// A window: its events, its size, its surface. One window at a time, from the main thread.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/render/plan.h"
+#include "engine/vulkan/swapchain.h"
+
+struct GLFWwindow;
+
+namespace fulcrum::ui {
+
+/// Raw events, with GLFW's numbers for keys, buttons, actions and modifiers. Any may be empty.
+struct WindowEvents {
+  std::function<void(int key, int action, int modifiers)> key;
+  std::function<void(int button, int action, int modifiers)> button;
+  std::function<void(double x, double y)> cursor;    // fractions of the window's height, from its top left
+  std::function<void(double dx, double dy)> scroll;  // wheel steps
+};
+
+/// Why no window can be opened here, and what would change that; empty where one can.
+std::string why_no_window();
+
+class Window {
+public:
+  /// Fails with a sentence where there is no display. `size` in screen units.
+  static vulkan::Result<std::unique_ptr<Window>> create(const std::string& title, render::Extent size);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  void set_events(WindowEvents events) { events_ = std::move(events); }
+
+  /// What vulkan::InstanceOptions::extensions must hold.
+  std::vector<std::string> instance_extensions() const;
+
+  /// Destroyed before the window and the instance.
+  vulkan::Result<vulkan::Surface> surface(const vulkan::Instance& instance) const;
+
+  /// Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
+  void poll();
+
+  bool closing() const;           // its close button was pressed
+  render::Extent pixels() const;  // of what is drawn; zero while minimised
+
+private:
+  explicit Window(GLFWwindow* window);
+
+  GLFWwindow* window_;
+  WindowEvents events_;
+};
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,46 @@
+#pragma once
+// Graphics pipelines for dynamic rendering. Viewport and scissor are always dynamic.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/vulkan/device.h"
+#include "engine/vulkan/handle.h"
+
+namespace fulcrum::vulkan {
+
+/// SPIR-V of one stage; entry point main.
+struct Stage {
+  VkShaderStageFlagBits stage = VK_SHADER_STAGE_VERTEX_BIT;
+  std::span<const std::uint32_t> code;
+};
+
+enum class Blend { none, over };  // over: what comes in is premultiplied by its alpha
+
+struct DepthTest {
+  VkCompareOp passes = VK_COMPARE_OP_GREATER;
+  bool writes = true;
+  bool compare_is_dynamic = false;  // set by vkCmdSetDepthCompareOp
+};
+
+struct PipelineDesc {
+  std::vector<Stage> stages;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  std::uint32_t vertex_stride = 0;  // bytes; 0: the shader makes its vertices from gl_VertexIndex
+  std::vector<VkVertexInputAttributeDescription> attributes;
+  VkFormat colour = VK_FORMAT_UNDEFINED;  // undefined: no colour target
+  VkFormat depth = VK_FORMAT_UNDEFINED;   // undefined: no depth target
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  VkCullModeFlags cull = VK_CULL_MODE_NONE;
+  std::optional<DepthTest> depth_test;
+  float depth_bias = 0.0F;  // constant, and the same again times the slope
+  Blend blend = Blend::none;
+};
+
+/// Both throw Failure.
+PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc);
+PipelineLayoutHandle make_pipeline_layout(Device& device, std::span<const VkDescriptorSetLayout> sets,
+                                          std::span<const VkPushConstantRange> constants);
+
+}  // namespace fulcrum::vulkan

@@ -1,0 +1,193 @@
+#include "haptics/bake/field_bake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "haptics/bake/brick_bake.h"
+#include "haptics/bake/parallel.h"
+#include "haptics/bake/sentence.h"
+#include "haptics/bake/triangle_distance.h"
+#include "haptics/bake/union_distance.h"
+#include "haptics/bake/wall_thickness.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double kLargestField = 2e9;  // bytes
+constexpr double kThinnestVoxels = 1.99;  // two, and room for the rounding of a wall of exactly two
+constexpr int kBlockBricks = 4;        // bricks along a block's edge; a block shares its list of near components
+constexpr double kClassifyShare = 0.1; // of the whole work, for the progress
+
+double brick_radius(double voxel_m) { return std::numbers::sqrt3 / 2.0 * kBrickCells * voxel_m; }
+
+std::optional<Error> check_desc(const FieldDesc& desc) {
+  if (!(desc.voxel_m > 0.0) || !std::isfinite(desc.voxel_m)) {
+    return Error{"A distance field's voxel must be a positive length, not " + spell(desc.voxel_m) +
+                 " m: 0.001 suits hand tools."};
+  }
+  if (!(desc.band_m >= 2.0 * desc.voxel_m) || !std::isfinite(desc.band_m)) {
+    return Error{"A distance field's band must be at least two voxels (" + spell_mm(2.0 * desc.voxel_m) + "), not " +
+                 spell_mm(desc.band_m) + ": six voxels serve most tools."};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_walls(const ThinSpot& spot, double voxel_m) {
+  if (spot.thickness_m >= kThinnestVoxels * voxel_m) return std::nullopt;
+  return Error{"A wall near " + spell(spot.place) + " is " + spell_mm(spot.thickness_m) + " thick, and a voxel of " +
+               spell_mm(voxel_m) + " cannot show it: use a voxel of " + spell_mm(spot.thickness_m / 3.0) +
+               " or less, or make the wall thicker."};
+}
+
+// Bricks over the solid's bounds, grown by the band.
+std::optional<Error> lay_grid(const FieldDesc& desc, FieldData& field) {
+  const double brick_m = kBrickCells * desc.voxel_m;
+  const double margin = desc.band_m + desc.voxel_m;
+  const Vec3 size = field.surface_box.sizes() + Vec3::Constant(2.0 * margin);
+  const Vec3 bricks = (size / brick_m).array().ceil();
+  constexpr double kBytesPerBrick = sizeof(std::int32_t) + sizeof(float);
+  if (bricks.prod() * kBytesPerBrick > kLargestField) {
+    const double scale = std::cbrt(bricks.prod() * kBytesPerBrick / kLargestField);
+    return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels over " + spell_mm(size.maxCoeff()) +
+                 " would have too many bricks to index: use a voxel of " + spell_mm(1.05 * scale * desc.voxel_m) +
+                 " or more, or remove far-away parts."};
+  }
+  field.voxel_m = desc.voxel_m;
+  field.band_m = desc.band_m;
+  field.origin = field.surface_box.center() - 0.5 * brick_m * bricks;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    field.bricks[axis] = static_cast<std::int32_t>(bricks[static_cast<Eigen::Index>(axis)]);
+  }
+  const auto count = static_cast<std::size_t>(bricks.prod());
+  field.brick_slot.assign(count, kNoBrick);
+  field.coarse_m.assign(count, 0.0f);
+  return std::nullopt;
+}
+
+class Baker {
+ public:
+  Baker(const Solid& solid, const TriangleDistance& exact, const FieldDesc& desc, FieldData& field)
+      : solid_(solid), exact_(exact), threads_(desc.threads), field_(field) {
+    for (std::size_t axis = 0; axis < 3; ++axis) blocks_[axis] = (field.bricks[axis] + kBlockBricks - 1) / kBlockBricks;
+  }
+
+  // Signs and coarse values of all bricks, and which of them are in band.
+  void classify(const std::function<void(double)>& progress) {
+    const auto count = static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
+                       static_cast<std::size_t>(blocks_[2]);
+    near_.resize(count);
+    for_each_piece(count, threads_, [this](std::size_t block) { classify_block(block); }, progress);
+    for (std::size_t index = 0; index < field_.brick_slot.size(); ++index) {
+      if (field_.brick_slot[index] == kNoBrick) continue;
+      field_.brick_slot[index] = static_cast<std::int32_t>(in_band_.size());
+      in_band_.push_back(index);
+    }
+  }
+
+  std::size_t in_band() const { return in_band_.size(); }
+
+  void fill(const std::function<void(double)>& progress) {
+    field_.values_m.resize(in_band_.size() * kBrickValues);
+    field_.slot_error_m.resize(in_band_.size());
+    for_each_piece(in_band_.size(), threads_, [this](std::size_t slot) { fill_slot(slot); }, progress);
+    field_.error_bound_m = *std::max_element(field_.slot_error_m.begin(), field_.slot_error_m.end());
+  }
+
+ private:
+  using Place = std::array<std::int32_t, 3>;
+
+  static Place place_of(std::size_t index, const Place& counts) {
+    const auto x = static_cast<std::size_t>(counts[0]), y = static_cast<std::size_t>(counts[1]);
+    return {static_cast<std::int32_t>(index % x), static_cast<std::int32_t>(index / x % y),
+            static_cast<std::int32_t>(index / x / y)};
+  }
+  static std::size_t index_of(const Place& place, const Place& counts) {
+    return static_cast<std::size_t>((place[2] * counts[1] + place[1]) * counts[0] + place[0]);
+  }
+
+  Vec3 brick_corner(const Place& brick) const {
+    return field_.origin + kBrickCells * field_.voxel_m * Vec3(brick[0], brick[1], brick[2]);
+  }
+  Vec3 brick_centre(const Place& brick) const {
+    return brick_corner(brick) + Vec3::Constant(0.5 * kBrickCells * field_.voxel_m);
+  }
+
+  void classify_block(std::size_t block) {
+    Place first = place_of(block, blocks_);
+    for (std::int32_t& axis : first) axis *= kBlockBricks;
+    const double half_edge = 0.5 * kBlockBricks * kBrickCells * field_.voxel_m;
+    near_[block].emplace(exact_, solid_, brick_corner(first) + Vec3::Constant(half_edge),
+                         kBlockBricks * brick_radius(field_.voxel_m));
+    for (std::int32_t k = first[2]; k < std::min(first[2] + kBlockBricks, field_.bricks[2]); ++k) {
+      for (std::int32_t j = first[1]; j < std::min(first[1] + kBlockBricks, field_.bricks[1]); ++j) {
+        for (std::int32_t i = first[0]; i < std::min(first[0] + kBlockBricks, field_.bricks[0]); ++i) {
+          classify_brick({i, j, k}, *near_[block]);
+        }
+      }
+    }
+  }
+
+  void classify_brick(const Place& brick, UnionDistance& near) {
+    const double radius = brick_radius(field_.voxel_m);
+    const double distance = near(brick_centre(brick));
+    const std::size_t index = index_of(brick, field_.bricks);
+    // Nothing in the brick is nearer to the surface than its centre by more than its radius. Rounded towards zero.
+    const double least = std::max(std::abs(distance) - radius, 0.0);
+    field_.coarse_m[index] = std::nextafter(static_cast<float>(std::copysign(least, distance)), 0.0f);
+    if (std::abs(distance) <= field_.band_m + radius) field_.brick_slot[index] = 0;  // numbered once all are known
+  }
+
+  void fill_slot(std::size_t slot) {
+    const Place brick = place_of(in_band_[slot], field_.bricks);
+    const Place block{brick[0] / kBlockBricks, brick[1] / kBlockBricks, brick[2] / kBlockBricks};
+    UnionDistance exact(*near_[index_of(block, blocks_)], brick_centre(brick), brick_radius(field_.voxel_m));
+    const std::span<float> values = std::span(field_.values_m).subspan(slot * kBrickValues, kBrickValues);
+    fill_brick(exact, brick_corner(brick), field_.voxel_m, values);
+    field_.slot_error_m[slot] =
+        static_cast<float>(measure_brick(exact, brick_corner(brick), field_.voxel_m, values));
+  }
+
+  const Solid& solid_;
+  const TriangleDistance& exact_;
+  unsigned threads_;
+  FieldData& field_;
+  Place blocks_{};
+  std::vector<std::optional<UnionDistance>> near_;  // (blocks)
+  std::vector<std::size_t> in_band_;                // (slots) the brick each slot belongs to
+};
+
+}  // namespace
+
+Result<DistanceField> bake_field(const Solid& solid, const FieldDesc& desc, const Progress& progress) {
+  if (std::optional<Error> error = check_desc(desc)) return *error;
+  FieldData field;
+  field.surface_box = solid.bounds();
+  if (std::optional<Error> error = lay_grid(desc, field)) return *error;
+
+  const TriangleDistance exact(solid);
+  const ThinSpot thinnest = thinnest_wall(solid, exact, desc.threads);
+  if (std::optional<Error> error = check_walls(thinnest, desc.voxel_m)) return *error;
+  field.thinnest_feature_m = thinnest.thickness_m;
+
+  const auto report = [&progress](double from, double to) {
+    return [&progress, from, to](double fraction) {
+      if (progress) progress(from + (to - from) * fraction);
+    };
+  };
+  Baker baker(solid, exact, desc, field);
+  baker.classify(report(0.0, kClassifyShare));
+  const double bytes = static_cast<double>(baker.in_band()) * kBrickValues * sizeof(float);
+  if (bytes > kLargestField) {
+    return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels would need " + spell(bytes * 1e-9) +
+                 " GB: use a voxel of " + spell_mm(1.05 * desc.voxel_m * std::sqrt(bytes / kLargestField)) +
+                 " or more, or a narrower band than " + spell_mm(desc.band_m) + "."};
+  }
+  baker.fill(report(kClassifyShare, 1.0));
+  if (progress) progress(1.0);
+  return DistanceField(std::move(field));
+}
+
+}  // namespace fulcrum

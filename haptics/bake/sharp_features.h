@@ -1,0 +1,19 @@
+#pragma once
+// Edges and corners of a solid that a shell of evenly spread points would round off.
+
+#include <vector>
+
+#include "haptics/bake/solid.h"
+
+namespace fulcrum {
+
+struct SurfacePoint {
+  Vec3 position = Vec3::Zero();  // (3) m
+  Vec3 normal = Vec3::UnitY();   // (3) unit, outward; on an edge or corner the mean of the faces'
+};
+
+// Points on edges whose faces' normals differ by more than sharp_angle_rad: first the corners, where such edges end,
+// meet or turn by more than that angle; then points at most spacing_m apart along the edges between them.
+std::vector<SurfacePoint> sharp_points(const Solid& solid, double sharp_angle_rad, double spacing_m);
+
+}  // namespace fulcrum

@@ -1,0 +1,57 @@
+#include "haptics/contact/penalty.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+
+PenaltyResponse::PenaltyResponse(const ContactDesc& desc, const RigidBody& tool, double tick_s)
+    : desc_(desc), tool_(tool), tick_s_(tick_s) {}
+
+PenaltyResponse::Answer PenaltyResponse::push(const ContactSet& set, const BodyState& tool) noexcept {
+  const std::span<const Contact> contacts = set.contacts();
+  count_ = contacts.size();
+  if (contacts.empty()) return {};
+  share_stiffness(contacts);
+
+  const Mat3 inverse_inertia_W = tool_.inverse_inertia_W(tool.X_WT.q);
+  double stiffness_over_mass = 0, damping_over_mass = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Vec3 arm = (contacts[i].p_W - tool.X_WT.p).cross(contacts[i].nhat_W);
+    const double inverse_mass = 1.0 / tool_.mass() + arm.dot(inverse_inertia_W * arm);
+    const double k = share_[i] * desc_.stiffness;
+    stiffness_over_mass += k * inverse_mass;
+    damping_over_mass += k * contacts[i].depth * desc_.dissipation * inverse_mass;
+  }
+  const double stiffness_scale = std::min(1.0, kStiffnessShare / (tick_s_ * tick_s_ * stiffness_over_mass));
+  const double damping = stiffness_scale * damping_over_mass;
+  const double dissipation = desc_.dissipation * (damping > 0 ? std::min(1.0, kDampingShare / (tick_s_ * damping)) : 0.0);
+
+  Answer answer;
+  answer.stiffness_capped = stiffness_scale < 1.0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Vec3 r_W = contacts[i].p_W - tool.X_WT.p;
+    const double approach = -contacts[i].nhat_W.dot(tool.V_WT.v + tool.V_WT.w.cross(r_W));
+    const double spring = stiffness_scale * share_[i] * desc_.stiffness * contacts[i].depth;
+    force_[i] = contacts[i].nhat_W * (spring * std::max(0.0, 1.0 + dissipation * approach));
+    answer.F_T_W += {force_[i], r_W.cross(force_[i])};
+  }
+  return answer;
+}
+
+void PenaltyResponse::share_stiffness(std::span<const Contact> contacts) noexcept {
+  const double radius_squared = desc_.region_radius * desc_.region_radius;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double own = contacts[i].area * contacts[i].depth;
+    double around = 0;
+    for (std::size_t j = 0; j < count_; ++j) {
+      const double apart = (contacts[i].p_W - contacts[j].p_W).squaredNorm();
+      if (apart >= radius_squared) continue;
+      const double alike = std::max(0.0, contacts[i].nhat_W.dot(contacts[j].nhat_W));
+      const double near = 1.0 - apart / radius_squared;
+      around += alike * near * near * contacts[j].area * contacts[j].depth;
+    }
+    share_[i] = around > 0 ? own / around : 0.0;
+  }
+}
+
+}  // namespace fulcrum

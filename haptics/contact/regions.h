@@ -1,0 +1,34 @@
+#pragma once
+// Contact regions and their identity from tick to tick.
+
+#include <array>
+#include <span>
+
+#include "haptics/contact/contact_set.h"
+#include "haptics/tool/rigid_body.h"
+
+namespace fulcrum {
+
+class RegionTracker {
+ public:
+  // radius m: touching points nearer than this whose normals differ by less than 60 degrees are of one region, and a
+  // region keeps its id while its centre in the scene moves less than this in a tick.
+  explicit RegionTracker(double radius) : radius_(radius) {}
+
+  // forces: (n x 3) N, one for each contact of the set.
+  void update(const ContactSet& set, std::span<const Vec3> forces, const BodyState& tool) noexcept;
+
+  std::span<const ContactRegion> regions() const { return {regions_.data(), count_}; }
+
+ private:
+  std::size_t cluster(std::span<const Contact> contacts) noexcept;
+  void inherit_ids(std::span<const ContactRegion> before) noexcept;
+
+  double radius_;
+  std::uint32_t next_id_ = 1;
+  std::size_t count_ = 0;
+  std::array<ContactRegion, kMaxRegions> regions_{}, before_{};
+  std::array<std::uint16_t, kMaxContacts> label_{};
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,54 @@
+#include "haptics/device/hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace fulcrum {
+
+HandPath::HandPath(std::vector<Waypoint> waypoints) : waypoints_(std::move(waypoints)) {
+  double end = waypoints_.front().dwell;  // nowhere to travel from
+  end_.push_back(end);
+  for (std::size_t i = 1; i < waypoints_.size(); ++i) end_.push_back(end += waypoints_[i].travel + waypoints_[i].dwell);
+}
+
+Pose HandPath::at(double time) const {
+  const auto next = static_cast<std::size_t>(std::upper_bound(end_.begin(), end_.end(), time) - end_.begin());
+  if (next == 0) return waypoints_.front().X_WT;
+  if (next == waypoints_.size()) return waypoints_.back().X_WT;
+  const Pose& from = waypoints_[next - 1].X_WT;
+  const Pose& to = waypoints_[next].X_WT;
+  const double s = std::min(1.0, (time - end_[next - 1]) / waypoints_[next].travel);
+  const double along = s * s * s * (10 + s * (6 * s - 15));  // minimum jerk
+  return {from.q.slerp(along, to.q), from.p + along * (to.p - from.p)};
+}
+
+Tremor::Tremor(const HandDesc& desc) {
+  std::uint64_t state = desc.seed;
+  const auto uniform = [&state] {  // splitmix64, to [0, 1)
+    std::uint64_t z = state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+  };
+  const double per_tone = std::sqrt(2.0 / kTones);
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    for (Tone& tone : tones_[axis]) {
+      tone.w = 2 * std::numbers::pi * std::lerp(desc.tremor_low_Hz, desc.tremor_high_Hz, uniform());
+      tone.phase = 2 * std::numbers::pi * uniform();
+      tone.amplitude = per_tone * (axis < 3 ? desc.tremor : desc.tremor_rad);
+    }
+  }
+}
+
+Vec6 Tremor::at(double time) const {
+  Vec6 sum = Vec6::Zero();
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    for (const Tone& tone : tones_[axis])
+      sum[static_cast<Eigen::Index>(axis)] += tone.amplitude * std::sin(tone.w * time + tone.phase);
+  }
+  return sum;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,28 @@
+#pragma once
+// From the device's workspace to the scene and back.
+//     p_WH = p_WD + position_scale R_WD p_DH        q_WH = q_WD q_DH        F_H_D = force_scale R_WD^T F_H_W
+// Rotation is not scaled. The device must render a stiffness of k * position_scale * force_scale.
+
+#include "haptics/math/pose.h"
+#include "haptics/math/wrench.h"
+
+namespace fulcrum {
+
+struct MappingDesc {
+  Pose X_WD;
+  double position_scale = 1;
+  double force_scale = 1;
+  int clutch_button = -1;  // while this button is down the tool stays and the handle moves freely; -1: none
+
+  Pose handle_in_world(const Pose& X_DH) const {
+    return {X_WD.q * X_DH.q, X_WD.p + position_scale * (X_WD.q * X_DH.p)};
+  }
+  Pose handle_in_device(const Pose& X_WH) const {
+    return {X_WD.q.conjugate() * X_WH.q, X_WD.q.conjugate() * (X_WH.p - X_WD.p) / position_scale};
+  }
+  Wrench wrench_in_device(const Wrench& F_H_W) const {
+    return {force_scale * (X_WD.q.conjugate() * F_H_W.force), force_scale * (X_WD.q.conjugate() * F_H_W.torque)};
+  }
+};
+
+}  // namespace fulcrum

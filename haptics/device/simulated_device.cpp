@@ -1,0 +1,124 @@
+#include "haptics/device/simulated_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "haptics/math/rotation.h"
+#include "haptics/math/shortened.h"
+
+namespace fulcrum {
+namespace {
+
+Vec3 stepped(const Vec3& x, double step) {
+  return step > 0 ? Vec3((x / step).array().round() * step) : x;
+}
+
+}  // namespace
+
+SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, const Pose& X_DH) : desc_(desc), X_DH_(X_DH) {
+  const DeviceDesc& d = desc_.device;
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    FrictionAxis& a = axes_[axis];
+    a.mass = axis < 3 ? d.handle_mass : d.handle_inertia;
+    a.damping = axis < 3 ? d.damping : d.angular_damping;
+    a.friction = axis < 3 ? d.friction : d.angular_friction;
+    a.x = axis < 3 ? X_DH_.p[static_cast<Eigen::Index>(axis)] : 0.0;
+  }
+  measured_ = {X_DH_.q, stepped(X_DH_.p, d.encoder_step)};
+  seen_.fill(measured_);
+}
+
+SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, HandTask task)
+    : SimulatedDevice(desc, task.mapping.handle_in_device(task.path.at(0) * task.X_HT.inverse())) {
+  task_ = std::move(task);
+  tremor_.emplace(task_->hand);
+}
+
+void SimulatedDevice::push(const Vec3& v_D) noexcept {
+  for (std::size_t axis = 0; axis < 3; ++axis) axes_[axis].v = v_D[static_cast<Eigen::Index>(axis)];
+}
+
+DeviceSample SimulatedDevice::read() noexcept {
+  const auto age = static_cast<std::size_t>(desc_.sample_age_ticks);
+  DeviceSample sample;
+  sample.X_DH = seen_[(at_ + kDelay - age) % kDelay];
+  sample.age = desc_.sample_age_ticks * desc_.tick_s;
+  return sample;
+}
+
+void SimulatedDevice::write(const DeviceCommand& command) noexcept {
+  sent_[at_] = command;
+  const auto delay = static_cast<std::size_t>(desc_.bus_delay_ticks);
+  const Wrench& F = sent_[(at_ + kDelay - delay) % kDelay].F_H_D;
+  advance({shortened(F.force, desc_.device.max_force), shortened(F.torque, desc_.device.max_torque)});
+  at_ = (at_ + 1) % kDelay;
+  measure();
+}
+
+void SimulatedDevice::miss(int ticks) noexcept {
+  const Wrench held = sent_[(at_ + kDelay - 1) % kDelay].F_H_D;
+  for (int n = 1; n <= ticks; ++n) advance(held * held_fraction(n * desc_.tick_s));
+  measure();
+}
+
+void SimulatedDevice::measure() noexcept {
+  measured_.p = stepped(X_DH_.p, desc_.device.encoder_step);
+  const Vec3 turned = rotation_vector(X_DH_.q * measured_.q.conjugate());
+  measured_.q = (quaternion_exp(stepped(turned, desc_.device.encoder_step_rad)) * measured_.q).normalized();
+  seen_[at_] = measured_;
+}
+
+SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time) const noexcept {
+  const auto pose = [this](double t) {
+    Pose X_WT = task_->path.at(t);
+    X_WT.p += task_->sag_W;
+    Pose X_DH = task_->mapping.handle_in_device(X_WT * task_->X_HT.inverse());
+    const Vec6 shake = tremor_->at(t);
+    X_DH.p += shake.head<3>();
+    X_DH.q = quaternion_exp(shake.tail<3>()) * X_DH.q;
+    return X_DH;
+  };
+  HandTarget target;
+  target.X_DH = pose(time);
+  const Pose next = pose(time + desc_.tick_s);
+  target.rate.head<3>() = (next.p - target.X_DH.p) / desc_.tick_s;
+  target.rate.tail<3>() = rotation_vector(next.q * target.X_DH.q.conjugate()) / desc_.tick_s;
+  return target;
+}
+
+void SimulatedDevice::advance(const Wrench& F_H_D) noexcept {
+  Vec6 force;
+  force << F_H_D.force, F_H_D.torque;
+  Vec6 hand_x = Vec6::Zero(), hand_v = Vec6::Zero();
+  if (task_) {
+    const Vec3 up_D = task_->mapping.X_WD.q.conjugate() * Vec3::UnitY();
+    force.head<3>() += task_->carried_D - desc_.device.handle_weight * up_D;
+    const HandTarget target = hand_target(time_);
+    hand_x << target.X_DH.p, rotation_vector(target.X_DH.q * X_DH_.q.conjugate());
+    hand_v = target.rate;
+  }
+  Vec3 turn = Vec3::Zero();
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const bool linear = axis < 3;
+    if (!linear) axes_[axis].x = 0;
+    FrictionAxis::Load load;
+    load.force = force[i];
+    if (task_) {
+      load.stiffness = linear ? task_->hand.stiffness : task_->hand.angular_stiffness;
+      load.hand_damping = linear ? task_->hand.damping : task_->hand.angular_damping;
+      load.hand_x = hand_x[i];
+      load.hand_v = hand_v[i];
+    }
+    axes_[axis].advance(load, desc_.tick_s);
+    if (linear)
+      X_DH_.p[i] = axes_[axis].x;
+    else
+      turn[i - 3] = axes_[axis].x;
+  }
+  X_DH_.q = (quaternion_exp(turn) * X_DH_.q).normalized();
+  time_ += desc_.tick_s;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,140 @@
+#include "haptics/geometry/distance_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr int kStepY = kBrickSide;
+constexpr int kStepZ = kBrickSide * kBrickSide;
+constexpr double kNoDirection = 1e-6;  // a gradient shorter than this (it should be 1) points nowhere
+
+double mix(double a, double b, double t) { return a + (b - a) * t; }
+
+Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
+  const double length = v.norm();
+  return length > kNoDirection && std::isfinite(length) ? Vec3(v / length) : fallback;
+}
+
+// Value and gradient (per cell) of the trilinear interpolant in the cell whose lowest corner is `corner`.
+struct Trilinear {
+  double value;
+  Vec3 slope;
+};
+
+double interpolate(const float* corner, const Vec3& t) {
+  const auto along_x = [&](int step) { return mix(corner[step], corner[step + 1], t.x()); };
+  return mix(mix(along_x(0), along_x(kStepY), t.y()), mix(along_x(kStepZ), along_x(kStepZ + kStepY), t.y()), t.z());
+}
+
+Trilinear interpolate_with_slope(const float* corner, const Vec3& t) {
+  double value_x[4], slope_x[4];
+  constexpr int kSteps[4] = {0, kStepY, kStepZ, kStepZ + kStepY};
+  for (int i = 0; i < 4; ++i) {
+    const double a = corner[kSteps[i]], b = corner[kSteps[i] + 1];
+    value_x[i] = mix(a, b, t.x());
+    slope_x[i] = b - a;
+  }
+  const double low_z = mix(value_x[0], value_x[1], t.y()), high_z = mix(value_x[2], value_x[3], t.y());
+  return {mix(low_z, high_z, t.z()),
+          Vec3(mix(mix(slope_x[0], slope_x[1], t.y()), mix(slope_x[2], slope_x[3], t.y()), t.z()),
+               mix(value_x[1] - value_x[0], value_x[3] - value_x[2], t.z()), high_z - low_z)};
+}
+
+}  // namespace
+
+// Where a point falls in the grid.
+struct DistanceField::Cell {
+  bool in_grid = false;
+  Eigen::Vector3i brick = Eigen::Vector3i::Zero();
+  std::size_t index = 0;           // of the brick
+  const float* corner = nullptr;   // the cell's lowest lattice value; null out of band
+  Vec3 t = Vec3::Zero();           // (3) 0 to 1 within the cell
+};
+
+DistanceField::DistanceField(FieldData data) : data_(std::move(data)), cells_per_m_(1.0 / data_.voxel_m) {
+  const Eigen::Vector3d cells = Eigen::Vector3i(data_.bricks[0], data_.bricks[1], data_.bricks[2]).cast<double>() *
+                                kBrickCells;
+  grid_box_ = Box3(data_.origin, data_.origin + cells * data_.voxel_m);
+}
+
+DistanceField::Cell DistanceField::locate(const Vec3& p_W) const noexcept {
+  Cell cell;
+  cell.in_grid = grid_box_.contains(p_W);  // false for NaN
+  if (!cell.in_grid) return cell;
+  const Vec3 q = (p_W - data_.origin) * cells_per_m_;
+  Eigen::Vector3i within;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const int last = data_.bricks[static_cast<std::size_t>(axis)] * kBrickCells - 1;
+    const int i = std::clamp(static_cast<int>(q[axis]), 0, last);
+    cell.t[axis] = q[axis] - i;
+    cell.brick[axis] = i / kBrickCells;
+    within[axis] = i % kBrickCells;
+  }
+  cell.index = static_cast<std::size_t>((cell.brick.z() * data_.bricks[1] + cell.brick.y()) * data_.bricks[0] +
+                                        cell.brick.x());
+  const std::int32_t slot = data_.brick_slot[cell.index];
+  if (slot != kNoBrick) {
+    const int offset = within.x() + kStepY * within.y() + kStepZ * within.z();
+    cell.corner = data_.values_m.data() + static_cast<std::size_t>(slot) * kBrickValues + offset;
+  }
+  return cell;
+}
+
+// Of points outside the grid. The surface lies within the bounds, so it is no nearer than they are.
+double DistanceField::distance_to_bounds(const Vec3& p_W) const noexcept {
+  if (!p_W.allFinite()) return kFarOutside_m;
+  return std::min(data_.surface_box.exteriorDistance(p_W), kFarOutside_m);
+}
+
+double DistanceField::distance(const Vec3& p_W) const noexcept {
+  const Cell cell = locate(p_W);
+  if (cell.corner != nullptr) return interpolate(cell.corner, cell.t);
+  if (cell.in_grid) return data_.coarse_m[cell.index];
+  return distance_to_bounds(p_W);
+}
+
+FieldSample DistanceField::sample(const Vec3& p_W) const noexcept {
+  const Cell cell = locate(p_W);
+  if (cell.corner != nullptr) {
+    const Trilinear found = interpolate_with_slope(cell.corner, cell.t);
+    FieldSample result{found.value, found.slope * cells_per_m_, true};
+    if (result.gradient.norm() > kNoDirection) {
+      result.gradient.normalize();
+    } else {
+      result.gradient = coarse_sample(cell).gradient;  // midway between two walls
+    }
+    return result;
+  }
+  if (cell.in_grid) return coarse_sample(cell);
+  const Vec3 nearest = p_W.cwiseMax(data_.surface_box.min()).cwiseMin(data_.surface_box.max());
+  return {distance_to_bounds(p_W), unit_or(p_W - nearest, Vec3::UnitY()), false};
+}
+
+double DistanceField::local_error_m(const Vec3& p_W) const noexcept {
+  const Cell cell = locate(p_W);
+  return cell.corner == nullptr ? 0.0 : data_.slot_error_m[static_cast<std::size_t>(data_.brick_slot[cell.index])];
+}
+
+// The brick's one value, and the direction in which it grows from brick to brick.
+FieldSample DistanceField::coarse_sample(const Cell& cell) const noexcept {
+  Vec3 slope;
+  std::size_t stride = 1;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const int last = data_.bricks[static_cast<std::size_t>(axis)] - 1;
+    const std::size_t below = cell.brick[axis] > 0 ? stride : 0, above = cell.brick[axis] < last ? stride : 0;
+    slope[axis] = static_cast<double>(data_.coarse_m[cell.index + above]) -
+                  static_cast<double>(data_.coarse_m[cell.index - below]);
+    stride *= static_cast<std::size_t>(last) + 1;
+  }
+  const double scale = 1.0 / (2.0 * kBrickCells * data_.voxel_m);
+  return {data_.coarse_m[cell.index], unit_or(slope * scale, Vec3::UnitY()), false};
+}
+
+std::size_t DistanceField::bytes() const {
+  return data_.brick_slot.size() * sizeof(std::int32_t) + data_.coarse_m.size() * sizeof(float) +
+         data_.values_m.size() * sizeof(float) + data_.slot_error_m.size() * sizeof(float);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,106 @@
+#include "haptics/loop/live_loop.h"
+
+#include <pthread.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+
+#include "haptics/loop/run_tick.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr double kRingSeconds = 8;           // of ticks that the main thread may leave waiting
+constexpr double kLongStall = 20e-3;         // s: a longer one stops the force
+constexpr int kPriority = 80;
+
+std::int64_t monotonic_ns() noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * kSecond + now.tv_nsec;
+}
+
+void sleep_until(std::int64_t deadline_ns) noexcept {
+  const timespec until{static_cast<time_t>(deadline_ns / kSecond), static_cast<long>(deadline_ns % kSecond)};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
+  }
+}
+
+}  // namespace
+
+LiveLoop::LiveLoop(World& world, Device& device)
+    : world_(world),
+      device_(device),
+      events_(static_cast<std::size_t>(std::ceil(kRingSeconds / world.desc().tick_s))) {}
+
+LiveLoop::~LiveLoop() { stop(); }
+
+void LiveLoop::start() {
+  running_ = true;
+  thread_ = std::thread([this] { run(); });
+}
+
+void LiveLoop::stop() {
+  running_ = false;
+  if (thread_.joinable()) thread_.join();
+}
+
+RealTimeGrant LiveLoop::ask_for_real_time() {
+  RealTimeGrant grant;
+  sched_param priority{};
+  priority.sched_priority = kPriority;
+  if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority); error != 0)
+    grant.scheduling = "Real-time scheduling was refused (" + std::string(std::strerror(error)) +
+                       "), so other programs can delay a tick. To grant it, add to /etc/security/limits.conf: "
+                       "\"@users - rtprio " + std::to_string(kPriority) + "\" and log in anew.";
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+    grant.memory = "Locked memory was refused (" + std::string(std::strerror(errno)) +
+                   "), so swapping can delay a tick. To grant it, add to /etc/security/limits.conf: "
+                   "\"@users - memlock unlimited\" and log in anew.";
+  return grant;
+}
+
+// Each turn: sleep to the deadline, see how many ticks are due, run at most kCatchUp of them with the newest sample.
+void LiveLoop::run() {
+  grant_ = ask_for_real_time();
+  const double tick_s = world_.desc().tick_s;
+  const auto tick_ns = static_cast<std::int64_t>(std::llround(tick_s * 1e9));
+  std::int64_t deadline = monotonic_ns() + tick_ns;
+  while (running_.load(std::memory_order_relaxed)) {
+    sleep_until(deadline);
+    const std::int64_t late_ns = std::max<std::int64_t>(monotonic_ns() - deadline, 0);
+    const auto bucket = static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(late_ns) / 1000));
+    ++histogram_[std::min(bucket, histogram_.size() - 1)];
+
+    const std::int64_t due = 1 + late_ns / tick_ns;
+    const std::int64_t lost = std::max<std::int64_t>(due - kCatchUp, 0);
+    if (due > 1) late_.fetch_add(1, std::memory_order_relaxed);
+    if (lost > 0) {
+      lost_.fetch_add(static_cast<std::uint64_t>(lost), std::memory_order_relaxed);
+      device_.miss(static_cast<int>(std::min<std::int64_t>(lost, 1000)));
+    }
+    for (std::int64_t n = lost; n < due; ++n) {
+      std::array<Command, kMaxCommandsPerTick> commands;
+      std::size_t count = 0;
+      if (n == lost && static_cast<double>(late_ns) * 1e-9 >= kLongStall)
+        commands[count++] = {Command::Kind::watchdog};
+      while (count < commands.size() && commands_.pop(commands[count])) ++count;
+      TickEvent event;
+      run_tick(world_, device_, {commands.data(), count}, event);
+      event.lost_before = n == lost ? lost : 0;
+      event.wake_late_ns = late_ns;
+      if (!events_.push(event)) unrecorded_.fetch_add(1, std::memory_order_relaxed);
+      snapshot_.draft() = event.record;
+      snapshot_.publish();
+    }
+    deadline += due * tick_ns;
+  }
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,71 @@
+#pragma once
+// The haptic thread: step() at absolute deadlines. Everything else stays on its own side of two rings and a snapshot.
+
+#include <atomic>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <thread>
+
+#include "haptics/device/device.h"
+#include "haptics/loop/snapshot.h"
+#include "haptics/loop/spsc_ring.h"
+#include "haptics/loop/tick_event.h"
+#include "haptics/world/world.h"
+
+namespace fulcrum {
+
+// What the operating system granted. Each refusal is a sentence with what would grant it; empty when granted.
+struct RealTimeGrant {
+  std::string scheduling;  // SCHED_FIFO
+  std::string memory;      // locked memory
+};
+
+// How late ticks woke: bucket 0 counts those less than 1 us late, bucket i those less than 2^i us.
+using LateHistogram = std::array<std::uint64_t, 20>;
+
+class LiveLoop {
+ public:
+  static constexpr int kCatchUp = 5;  // ticks run at most after a gap; the rest are lost
+
+  LiveLoop(World& world, Device& device);
+  ~LiveLoop();  // stops
+  LiveLoop(const LiveLoop&) = delete;
+  LiveLoop& operator=(const LiveLoop&) = delete;
+
+  void start();
+  void stop();  // waits for the thread
+
+  // Main thread. False: the queue is full and the command was not taken.
+  bool send(const Command& command) { return commands_.push(command); }
+  // Main thread: every tick, in order. False: none is waiting.
+  bool next(TickEvent& event) { return events_.pop(event); }
+  // Main thread: the newest tick.
+  const TickRecord& newest() { return snapshot_.newest(); }
+
+  // Ticks that the main thread left in the ring until it was full. They ran, but no record of them is left.
+  std::uint64_t unrecorded() const { return unrecorded_.load(std::memory_order_relaxed); }
+  std::uint64_t late_ticks() const { return late_.load(std::memory_order_relaxed); }  // began a tick or more late
+  std::uint64_t lost_ticks() const { return lost_.load(std::memory_order_relaxed); }
+
+  // After stop().
+  const RealTimeGrant& grant() const { return grant_; }
+  const LateHistogram& late_histogram() const { return histogram_; }
+
+ private:
+  void run();
+  RealTimeGrant ask_for_real_time();
+
+  World& world_;
+  Device& device_;
+  SpscRing<Command> commands_{64};
+  SpscRing<TickEvent> events_;
+  Snapshot<TickRecord> snapshot_;
+  std::atomic<bool> running_{false};
+  std::atomic<std::uint64_t> unrecorded_{0}, late_{0}, lost_{0};
+  RealTimeGrant grant_;
+  LateHistogram histogram_{};
+  std::thread thread_;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,38 @@
+#include "haptics/math/rotation.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace fulcrum {
+
+Vec3 rotation_vector(const Quat& q) {
+  const double w = q.w();
+  const Vec3 v = q.vec();
+  const double sine = v.norm();
+  if (sine < 1e-9) return 2.0 * (w < 0 ? Vec3(-v) : v);  // sin(x) = x to rounding
+  const double angle = 2.0 * std::atan2(sine, std::abs(w));
+  double sign = w < 0 ? -1.0 : 1.0;
+  if (w == 0) {
+    const double first = v.x() != 0 ? v.x() : (v.y() != 0 ? v.y() : v.z());
+    sign = first < 0 ? -1.0 : 1.0;
+  }
+  return v * (sign * angle / sine);
+}
+
+Quat quaternion_exp(const Vec3& rotation) {
+  const double angle = rotation.norm();
+  const double half = 0.5 * angle;
+  const double scale = angle < 1e-8 ? 0.5 : std::sin(half) / angle;
+  const Vec3 v = rotation * scale;
+  return Quat(std::cos(half), v.x(), v.y(), v.z()).normalized();
+}
+
+Vec3 rotation_vector_near(const Quat& q, const Vec3& previous) {
+  const Vec3 shortest = rotation_vector(q);
+  const double angle = shortest.norm();
+  if (angle < 1e-9) return shortest;
+  const Vec3 longest = shortest * ((angle - 2.0 * std::numbers::pi) / angle);
+  return (shortest - previous).squaredNorm() <= (longest - previous).squaredNorm() ? shortest : longest;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,25 @@
+#include "haptics/safety/faults.h"
+
+namespace fulcrum {
+
+std::span<const FaultName> fault_names() {
+  static constexpr FaultName names[] = {
+      {kStopRequested, "stop_requested", "Stop was asked for."},
+      {kNotFinite, "not_finite", "The device or the simulation gave a value that is not a number."},
+      {kSampleStale, "sample_stale", "The device has sent nothing for more than 20 ms."},
+      {kDeviceLost, "device_lost", "The device is gone."},
+      {kWatchdog, "watchdog", "The haptic thread stood still for 20 ms or more."},
+      {kToolInside, "tool_inside", "The tool is deeper inside the scene than the contact model can push it out of."},
+      {kForceClamped, "force_clamped", "The force was limited to what the device may give."},
+      {kTorqueClamped, "torque_clamped", "The torque was limited to what the device may give."},
+      {kSlewLimited, "slew_limited", "The force changed no faster than the limit."},
+      {kMotorClamped, "motor_clamped", "A motor reached its limit and the force was scaled down."},
+      {kMotionLimited, "motion_limited", "The tool was slowed so that it could not pass a wall."},
+      {kStiffnessCapped, "stiffness_capped", "Contact stiffness was lowered to what the tick can hold."},
+      {kContactsReduced, "contacts_reduced", "More points touched than are kept; the shallowest were left out."},
+      {kEnergyBound, "energy_bound", "The haptic loop gave out more energy than its bound allows."},
+  };
+  return names;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,74 @@
+#include "haptics/safety/guard.h"
+
+#include <algorithm>
+
+#include "haptics/math/shortened.h"
+
+namespace fulcrum {
+
+Guard::Guard(const DeviceDesc& device, double tick_s) : device_(device), tick_s_(tick_s) {}
+
+std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> commands) noexcept {
+  std::uint32_t faults = 0;
+  if (!sample.X_DH.is_finite() || !(sample.X_DH.q.norm() > 0.5) || !(sample.age >= 0)) faults |= kNotFinite;
+  if (sample.age > kStaleSample) faults |= kSampleStale;
+  if (!sample.connected) faults |= kDeviceLost;
+  bool acknowledged = false;
+  for (const Command& command : commands) {
+    switch (command.kind) {
+      case Command::Kind::stop:
+        faults |= kStopRequested;
+        acknowledged = false;
+        break;
+      case Command::Kind::watchdog:
+        faults |= kWatchdog;
+        acknowledged = false;
+        break;
+      case Command::Kind::acknowledge:
+        acknowledged = true;
+        break;
+    }
+  }
+  if (faults != 0) {
+    stop();
+  } else if (acknowledged && stopped_) {
+    stopped_ = false;
+    gain_ = 0;
+  }
+  return faults;
+}
+
+void Guard::stop() noexcept {
+  if (stopped_) return;
+  stopped_ = true;
+  fall_ = 1.0;
+  falling_ = last_;
+}
+
+Wrench Guard::limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept {
+  if (stopped_) {
+    fall_ = std::max(0.0, fall_ - tick_s_ / kStopFall);
+    return falling_ * fall_;
+  }
+  gain_ = std::min(1.0, gain_ + tick_s_ / kRampIn);
+  const Wrench ramped = wanted_F_H_D * gain_;
+
+  Wrench F;
+  F.force = shortened(ramped.force, device_.renders_force ? device_.max_force : 0.0);
+  F.torque = shortened(ramped.torque, device_.renders_torque ? device_.max_torque : 0.0);
+  // An axis that the device has not is left out, which is no event; a limit that it has and that acts is one.
+  if (device_.renders_force && F.force != ramped.force) faults |= kForceClamped;
+  if (device_.renders_torque && F.torque != ramped.torque) faults |= kTorqueClamped;
+
+  const Vec3 force_step = shortened(F.force - last_.force, device_.max_force / kSlewTime * tick_s_);
+  const Vec3 torque_step = shortened(F.torque - last_.torque, device_.max_torque / kSlewTime * tick_s_);
+  const Wrench slewed{last_.force + force_step, last_.torque + torque_step};
+  constexpr double rounding = 1e-12;
+  if ((slewed.force - F.force).norm() > rounding || (slewed.torque - F.torque).norm() > rounding) {
+    faults |= kSlewLimited;
+    return slewed;
+  }
+  return F;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,41 @@
+#pragma once
+// The tool as a rigid body, and how it moves through one tick.
+
+#include "haptics/math/pose.h"
+#include "haptics/math/wrench.h"
+
+namespace fulcrum {
+
+enum class Integrator { semi_implicit_euler };
+
+struct BodyState {
+  Pose X_WT;
+  Twist V_WT;  // of T, in W
+};
+
+class RigidBody {
+ public:
+  // mass kg; inertia_T (3 x 3) kg m^2 about the centre of mass, symmetric positive definite.
+  RigidBody(double mass, const Mat3& inertia_T);
+
+  double mass() const { return mass_; }
+  double smallest_inertia() const { return smallest_inertia_; }  // kg m^2, principal
+  Mat3 inertia_W(const Quat& q_WT) const;
+  Mat3 inverse_inertia_W(const Quat& q_WT) const;
+  // S with S S = I, in W: critical damping of an anisotropic body is 2 sqrt(k) S.
+  Mat3 root_inertia_W(const Quat& q_WT) const;
+
+  // Velocity after tick_s under F_T_W: semi-implicit Euler, order 1. Stable for a spring up to 4 m / tick_s^2 without
+  // damping, and up to .6863 m / tick_s^2 with explicit critical damping.
+  Twist accelerate(const BodyState& state, const Wrench& F_T_W, double tick_s) const noexcept;
+
+  // The pose after tick_s at a constant twist, exact for it.
+  static Pose advance(const Pose& X_WT, const Twist& V_WT, double tick_s) noexcept;
+
+ private:
+  double mass_;
+  double smallest_inertia_;
+  Mat3 inertia_T_, inverse_inertia_T_, root_inertia_T_;
+};
+
+}  // namespace fulcrum

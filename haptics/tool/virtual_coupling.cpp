@@ -1,0 +1,36 @@
+#include "haptics/tool/virtual_coupling.h"
+
+#include <cmath>
+
+#include "haptics/math/rotation.h"
+#include "haptics/math/shortened.h"
+
+namespace fulcrum {
+
+VirtualCoupling::VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool)
+    : desc_(desc),
+      damping_(2.0 * desc.damping_ratio * std::sqrt(desc.stiffness * tool.mass())),
+      angular_damping_(2.0 * desc.damping_ratio * std::sqrt(desc.angular_stiffness)),
+      tool_(tool) {}
+
+Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept {
+  rotation_ = rotation_vector_near(X_WG.q * tool.X_WT.q.conjugate(), rotation_);
+  Wrench F;
+  // The sum is bounded too: a hand that flies past a held tool would push it with its damper alone.
+  F.force = saturated_spring(X_WG.p - tool.X_WT.p, desc_.stiffness, desc_.max_force) -
+            damping_ * (tool.V_WT.v - V_WG.v);
+  F.torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
+             angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
+  F.force = shortened(F.force, desc_.max_force);
+  F.torque = shortened(F.torque, desc_.max_torque);
+  return F;
+}
+
+Vec3 saturated_spring(const Vec3& d, double stiffness, double limit) noexcept {
+  const double length = d.norm();
+  const double x = stiffness * length / limit;
+  if (x < 1e-9) return stiffness * d;
+  return d * (-limit * std::expm1(-x) / length);
+}
+
+}  // namespace fulcrum

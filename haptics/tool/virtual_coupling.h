@@ -1,0 +1,41 @@
+#pragma once
+// Virtual coupling: a spring and damper in six axes between where the hand wants the tool and where the tool is.
+// J. E. Colgate, M. C. Stanley, J. M. Brown, "Issues in the haptic display of tool use", IROS 1995; W. A. McNeely,
+// K. D. Puterbaugh, J. J. Troy, "Voxel-based 6-DOF haptic rendering improvements", Haptics-e 3(7), 2006.
+
+#include "haptics/math/pose.h"
+#include "haptics/math/wrench.h"
+#include "haptics/tool/rigid_body.h"
+
+namespace fulcrum {
+
+struct CouplingDesc {
+  double stiffness = 800;          // N/m
+  double angular_stiffness = 1.5;  // N m/rad
+  double damping_ratio = 1;        // of critical, both
+  double max_force = 6;            // N, the saturation F_s of the spring
+  double max_torque = 0.3;         // N m, likewise
+};
+
+class VirtualCoupling {
+ public:
+  VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool);
+
+  // F_T_W, the wrench on the tool about T. X_WG, V_WG: where and how fast the hand wants the tool. Springs saturate as
+  // F_s (1 - exp(-k |d| / F_s)); a rotation past pi keeps the direction it was wound up in, up to 2 pi.
+  Wrench pull(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept;
+
+  void reset() noexcept { rotation_.setZero(); }
+
+ private:
+  CouplingDesc desc_;
+  double damping_;          // N s/m
+  double angular_damping_;  // 2 zeta sqrt(k_R): times the root of the inertia
+  RigidBody tool_;
+  Vec3 rotation_ = Vec3::Zero();  // (3) rad, the rotation vector of the tick before
+};
+
+// F_s (1 - exp(-k |d| / F_s)) d / |d|: a spring that yields at F_s. d (3), k per unit of d.
+Vec3 saturated_spring(const Vec3& d, double stiffness, double limit) noexcept;
+
+}  // namespace fulcrum

@@ -1,0 +1,39 @@
+#pragma once
+// A scene as plain data. World::build() turns it into what ticks; a part that is not named here is not built.
+
+#include <memory>
+
+#include "haptics/contact/contact_desc.h"
+#include "haptics/device/device.h"
+#include "haptics/device/mapping.h"
+#include "haptics/estimate/velocity.h"
+#include "haptics/geometry/distance_field.h"
+#include "haptics/geometry/pointshell.h"
+#include "haptics/math/pose.h"
+#include "haptics/tool/rigid_body.h"
+#include "haptics/tool/virtual_coupling.h"
+
+namespace fulcrum {
+
+struct ToolDesc {
+  double mass = 0.2;                  // kg
+  Mat3 inertia_T = Mat3::Identity();  // (3 x 3) kg m^2, about the centre of mass, in T
+  Pose X_HT;                          // the tool in the handle, when nothing touches it
+  Pose X_WT_start;                    // where the tool is at tick 0
+  bool weight = true;                 // gravity acts on the tool, and the hand feels it
+};
+
+struct SceneDesc {
+  double tick_s = 1e-3;
+  ToolDesc tool;
+  std::shared_ptr<const Pointshell> tool_shell;
+  std::shared_ptr<const DistanceField> scene_field;
+  ContactDesc contact;
+  Integrator integrator = Integrator::semi_implicit_euler;
+  CouplingDesc coupling;
+  VelocityEstimatorDesc velocity;
+  MappingDesc mapping;
+  DeviceDesc device;
+};
+
+}  // namespace fulcrum

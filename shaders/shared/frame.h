@@ -1,0 +1,29 @@
+// What every shader may know about a frame. World space, metres; colours linear.
+#ifndef FULCRUM_SHADERS_SHARED_FRAME_H
+#define FULCRUM_SHADERS_SHARED_FRAME_H
+
+#include "types.h"
+
+FULCRUM_GPU_BEGIN
+
+struct FrameData {
+  mat4 clip_from_world;    // reversed depth: 1 at the near plane, 0 infinitely far
+  mat4 shadow_from_world;  // clip space of the shadow map: depth 0 near the light, 1 far
+  vec4 eye;                // xyz position, w simulated time in s, wrapped to an hour
+  vec4 camera_right;       // xyz unit
+  vec4 camera_up;          // xyz unit
+  vec4 key_position;       // xyz position, w 1 for a spot, 0 for a directional light
+  vec4 key_direction;      // xyz unit, as the light travels; w cosine of the half angle where a spot ends
+  vec4 key_colour;         // rgb times intensity; w cosine of the half angle where a spot begins to fade
+  vec4 sky;                // rgb times intensity
+  vec4 ground;             // rgb times intensity
+  vec4 background_top;     // rgb
+  vec4 background_bottom;  // rgb
+  vec4 shadow;             // x 1/size of the map, y width of one of its texels in the world (m)
+};
+
+FULCRUM_GPU_SIZE(FrameData, 2 * 64 + 11 * 16);
+
+FULCRUM_GPU_END
+
+#endif

@@ -1,0 +1,144 @@
+// Truths: closed-form oscillators; the Phantom-like figures of Diolaiti, Niemeyer, Barbagli and Salisbury, "Stability
+// of haptic rendering", IEEE Trans. Robotics 22(2), 2006.
+
+#include "haptics/device/simulated_device.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+TEST(FrictionAxis, DampedOscillatorIsExactAtAnyTick) {
+  // m x'' = -c x' - k x, from x0 at rest: ground truth x(.05 s) = .3118725489962 mm.
+  for (double tick : {0.05, 0.01, 1e-3, 1e-4}) {
+    FrictionAxis axis{.mass = 0.05, .damping = 2, .friction = 0, .x = 1e-3, .v = 0};
+    const int ticks = static_cast<int>(std::lround(0.05 / tick));
+    for (int i = 0; i < ticks; ++i) axis.advance({.stiffness = 1000}, tick);
+    EXPECT_NEAR(axis.x, 0.3118725489962e-3, 1e-14) << tick;
+  }
+}
+
+TEST(FrictionAxis, CoulombFrictionStopsASlideWhereTheoryDoes) {
+  FrictionAxis axis{.mass = 0.1, .damping = 0, .friction = 0.05, .x = 0, .v = 0.2};
+  for (int i = 0; i < 1000; ++i) axis.advance({}, 1e-3);
+  EXPECT_EQ(axis.v, 0);
+  EXPECT_NEAR(axis.x, 0.1 * 0.2 * 0.2 / (2 * 0.05), 1e-12);  // m v^2 / (2 f_c)
+}
+
+TEST(FrictionAxis, SticksUntilTheHandPullsHardEnough) {
+  FrictionAxis axis{.mass = 0.1, .damping = 1, .friction = 0.5, .x = 0, .v = 0};
+  FrictionAxis::Load load{.stiffness = 100, .hand_x = 0.0049};  // .49 N
+  for (int i = 0; i < 100; ++i) axis.advance(load, 1e-3);
+  EXPECT_EQ(axis.x, 0);
+  load.hand_x = 0.0051;
+  for (int i = 0; i < 100; ++i) axis.advance(load, 1e-3);
+  EXPECT_GT(axis.x, 0);
+}
+
+TEST(FrictionAxis, OneLongTickIsManyShortOnes) {
+  FrictionAxis one{.mass = 0.072, .damping = 0.005, .friction = 0.038, .x = 0, .v = 0.03}, many = one;
+  const FrictionAxis::Load load{.force = -0.1, .stiffness = 300, .hand_damping = 3, .hand_x = 1e-3, .hand_v = 0.05};
+  one.advance(load, 0.02);
+  FrictionAxis::Load moving = load;
+  for (int i = 0; i < 2000; ++i) {
+    many.advance(moving, 1e-5);
+    moving.hand_x += moving.hand_v * 1e-5;
+  }
+  EXPECT_NEAR(one.x, many.x, 1e-12);
+  EXPECT_NEAR(one.v, many.v, 1e-10);
+}
+
+// A wall F = -K x on both sides, encoder steps of 28 um: settles or diverges as published.
+double amplitude_after(double K, double v0) {
+  SimulatedDeviceDesc desc;
+  desc.device = {.handle_mass = 0.072, .damping = 0.005, .friction = 0.038, .encoder_step = 28e-6};
+  desc.device.max_force = 1e9;
+  SimulatedDevice device(desc, Pose{});
+  device.push({v0, 0, 0});
+  double largest = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const double x = device.read().X_DH.p.x();
+    device.write({.F_H_D = {Vec3(-K * x, 0, 0), Vec3::Zero()}});
+    if (i > 5000) largest = std::max(largest, std::abs(device.X_DH().p.x()));
+  }
+  return largest;
+}
+
+TEST(SimulatedDevice, SampledWallSettlesOrDivergesAsPublished) {
+  const auto start = [](double K, double v0) { return v0 * std::sqrt(0.072 / K); };  // amplitude of the first swing
+  EXPECT_LT(amplitude_after(500, 0.1), start(500, 0.1));
+  EXPECT_GT(amplitude_after(500, 0.3), start(500, 0.3));
+  EXPECT_LT(amplitude_after(1000, 0.05), start(1000, 0.05));
+  EXPECT_GT(amplitude_after(1000, 0.2), start(1000, 0.2));
+  EXPECT_LT(amplitude_after(2000, 0.02), start(2000, 0.02));
+  EXPECT_GT(amplitude_after(2000, 0.1), start(2000, 0.1));
+}
+
+TEST(SimulatedDevice, BusDelayAndSampleAgeAreTicks) {
+  SimulatedDeviceDesc desc;
+  desc.device.friction = 0;
+  desc.device.damping = 0;
+  desc.device.encoder_step = 0;
+  desc.bus_delay_ticks = 2;
+  desc.sample_age_ticks = 1;
+  SimulatedDevice device(desc, Pose{});
+  const DeviceCommand push{.F_H_D = {Vec3(0.72, 0, 0), Vec3::Zero()}};
+  device.write(push);
+  device.write(push);
+  EXPECT_EQ(device.velocity().x(), 0);
+  device.write(push);
+  EXPECT_NEAR(device.velocity().x(), 0.72 / 0.072 * 1e-3, 1e-12);
+  EXPECT_EQ(device.read().X_DH.p.x(), 0);  // a tick old
+  EXPECT_EQ(device.read().age, 1e-3);
+}
+
+TEST(SimulatedDevice, EncodersStepAndDoNotDrift) {
+  SimulatedDeviceDesc desc;
+  desc.device.angular_friction = 0;
+  SimulatedDevice device(desc, Pose{});
+  device.push({0.013, 0, 0});
+  for (int i = 0; i < 300; ++i) {
+    device.write({.F_H_D = {Vec3::Zero(), Vec3::Zero()}});
+    const double steps = device.read().X_DH.p.x() / desc.device.encoder_step;
+    EXPECT_NEAR(steps, std::round(steps), 1e-9);
+    EXPECT_LE(std::abs(device.read().X_DH.p.x() - device.X_DH().p.x()), 0.5001 * desc.device.encoder_step);
+  }
+}
+
+// ground-truths.md: at a 60 ms stall a held force leaves only 17.5 N/m stable; a decaying one does no such harm.
+TEST(SimulatedDevice, ForceHeldThroughAStallDecays) {
+  SimulatedDeviceDesc desc;
+  desc.device = {.handle_mass = 0.1, .damping = 0.5, .friction = 0, .encoder_step = 0};
+  SimulatedDevice device(desc, Pose{});
+  device.write({.F_H_D = {Vec3(1, 0, 0), Vec3::Zero()}});
+  const double before = device.velocity().x();
+  device.miss(60);
+  EXPECT_LT(device.velocity().x() - before, 1.0 / 0.1 * 5e-3);
+}
+
+TEST(HandPath, TravelsOnAMinimumJerkProfileAndRests) {
+  const Pose a{Quat::Identity(), Vec3::Zero()}, b{Quat::Identity(), Vec3(1, 0, 0)};
+  const HandPath path({{a, 1, 0.5}, {b, 2, 3}});
+  EXPECT_EQ(path.at(0.4).p.x(), 0);
+  EXPECT_NEAR(path.at(1.5).p.x(), 0.5, 1e-12);
+  EXPECT_EQ(path.at(2.5).p.x(), 1);
+  EXPECT_EQ(path.duration(), 5.5);
+  EXPECT_NEAR((path.at(1.5 + 1e-4).p.x() - path.at(1.5).p.x()) / 1e-4, 1.875 / 2, 1e-4);  // peak speed
+}
+
+TEST(Tremor, HasTheStatedRmsAndTheSeedDecides) {
+  HandDesc desc;
+  const Tremor tremor(desc);
+  double sum = 0;
+  const int n = 60000;
+  for (int i = 0; i < n; ++i) sum += std::pow(tremor.at(i * 1e-3)[0], 2);
+  EXPECT_NEAR(std::sqrt(sum / n), desc.tremor, 0.15 * desc.tremor);
+  EXPECT_EQ(tremor.at(1.0), Tremor(desc).at(1.0));
+  desc.seed = 2;
+  EXPECT_NE(tremor.at(1.0), Tremor(desc).at(1.0));
+}
+
+}  // namespace
+}  // namespace fulcrum

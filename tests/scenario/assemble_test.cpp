@@ -1,0 +1,191 @@
+#include "engine/scenario/assemble.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/scenario/example.h"
+
+namespace fulcrum::scenario::test {
+namespace {
+
+// A box from `low` to `high` as a .glb with one part, "box", of one material, "steel".
+std::string box_glb(const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
+  std::string binary;
+  const auto put = [&binary](const void* data, std::size_t size) {
+    binary.append(static_cast<const char*>(data), size);
+  };
+  for (int corner = 0; corner < 8; ++corner) {
+    for (int axis = 0; axis < 3; ++axis) put(corner >> axis & 1 ? &high[axis] : &low[axis], 4);
+  }
+  const std::uint16_t indices[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
+                                     2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
+  put(indices, sizeof indices);
+  const auto vector = [](const Eigen::Vector3f& v) {
+    return "[" + std::to_string(v.x()) + "," + std::to_string(v.y()) + "," + std::to_string(v.z()) + "]";
+  };
+  std::string json =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"box"}],)"
+      R"("materials":[{"name":"steel","pbrMetallicRoughness":{"metallicFactor":1.0}}],)"
+      R"("meshes":[{"name":"box","primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],)"
+      R"("buffers":[{"byteLength":168}],"bufferViews":[{"buffer":0,"byteLength":96},)"
+      R"({"buffer":0,"byteOffset":96,"byteLength":72}],"accessors":[{"bufferView":0,)"
+      R"("componentType":5126,"count":8,"type":"VEC3","min":)" +
+      vector(low) + ",\"max\":" + vector(high) +
+      R"(},{"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string glb;
+  const auto word = [&glb](std::size_t value) {
+    const auto bits = static_cast<std::uint32_t>(value);
+    glb.append(reinterpret_cast<const char*>(&bits), 4);
+  };
+  glb = "glTF";
+  word(2);
+  word(12 + 8 + json.size() + 8 + binary.size());
+  word(json.size());
+  glb += "JSON" + json;
+  word(binary.size());
+  glb += std::string("BIN\0", 4) + binary;
+  return glb;
+}
+
+// A plate of 200 x 20 x 200 mm below the origin; a peg of 10 x 40 x 10 mm whose origin is at the middle of
+// its foot.
+class Assemble : public testing::Test {
+protected:
+  Assemble() {
+    folder_.write("scenarios/peg/block.glb", box_glb({-0.1F, -0.02F, -0.1F}, {0.1F, 0.0F, 0.1F}));
+    folder_.write("scenarios/peg/peg.glb", box_glb({-0.005F, 0.0F, -0.005F}, {0.005F, 0.04F, 0.005F}));
+  }
+
+  Scenario read(const std::vector<std::string>& overrides = {}, const std::string& more = "") {
+    auto scenario = load_scenario_text(std::string(kScenario) + more, folder_.peg(), overrides);
+    if (!scenario) ADD_FAILURE() << to_text(scenario.faults());
+    return scenario ? std::move(*scenario) : Scenario{};
+  }
+
+  Folder folder_;
+  BakeCache cache_{folder_.root() / "cache"};
+};
+
+const std::vector<std::string> kCoarse{"field.voxel=0.004", "field.band=0.012", "shell.spacing=0.003"};
+
+TEST_F(Assemble, PutsTheToolOnItsCentreOfMass) {
+  auto overrides = kCoarse;
+  overrides.insert(overrides.end(),
+                   {"tool.density=7850", "touch_point=[0, 0.04, 0]", "grasp.position=[0, 0.01, 0]"});
+  const Scenario scenario = read(overrides);
+  const auto models = load_models(scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  EXPECT_LT((models->p_MT - Vec3(0, 0.02, 0)).norm(), 1e-8);
+  ASSERT_EQ(models->notes.size(), 1u);
+  EXPECT_EQ(models->notes[0],
+            "the tool's centre of mass lies 20 mm from the origin of 'peg.glb'; the tool is moved and turned "
+            "about its "
+            "centre of mass");
+
+  const auto haptic = assemble_haptic(scenario, *models, cache_);
+  ASSERT_TRUE(haptic) << haptic.error().sentence;
+  const ToolDesc& tool = haptic->scene.tool;
+  const double mass = 7850 * 0.01 * 0.04 * 0.01;
+  EXPECT_NEAR(tool.mass, mass, mass * 1e-6);
+  EXPECT_NEAR(tool.inertia_T(1, 1), mass / 12 * (2 * 0.01 * 0.01), mass * 1e-10);
+  EXPECT_NEAR(tool.inertia_T(0, 0), mass / 12 * (0.01 * 0.01 + 0.04 * 0.04), mass * 1e-9);
+  // The model stays where the author put it: start, grasp, touch point and path move with T.
+  EXPECT_LT((tool.X_WT_start.p - Vec3(0, 0.12, 0)).norm(), 1e-8);
+  EXPECT_LT((tool.X_HT.p - Vec3(0, 0.03, 0)).norm(), 1e-8);
+  EXPECT_LT((haptic->task.touch_point - Vec3(0, 0.02, 0)).norm(), 1e-8);
+  ASSERT_EQ(haptic->hands.size(), 1u);
+  EXPECT_LT((haptic->hands[0].waypoints[0].X_WT.p - Vec3(0, 0.12, 0)).norm(), 1e-8);
+  EXPECT_LT((haptic->hands[0].waypoints[1].X_WT.p - Vec3(0, -0.02, 0)).norm(),
+            1e-8);  // turned upside down about x
+  EXPECT_LT((haptic->tool_T.bounds().center()).norm(), 1e-8);
+  EXPECT_NEAR(haptic->scene.tool_shell->max_radius_m, Vec3(0.005, 0.02, 0.005).norm(), 1e-6);
+}
+
+TEST_F(Assemble, CarriesTheScenarioIntoTheScene) {
+  const Scenario scenario = read(kCoarse);
+  const auto models = load_models(scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  const auto haptic = assemble_haptic(scenario, *models, cache_);
+  ASSERT_TRUE(haptic) << haptic.error().sentence;
+  EXPECT_EQ(haptic->scene.tick_s, 1e-3);
+  EXPECT_EQ(haptic->scene.contact.stiffness, 5000);
+  EXPECT_EQ(haptic->scene.device.name, "Test arm");
+  EXPECT_EQ(haptic->scene.tool.mass, ToolDesc{}.mass);  // neither mass nor density is given
+  EXPECT_EQ(haptic->task.dwell, 3);
+  EXPECT_NEAR(haptic->scene.scene_field->distance(Vec3(0, 0.01, 0)), 0.01, 1e-4);
+  EXPECT_NEAR(haptic->scene.scene_field->distance(Vec3(0, -0.005, 0)), -0.005, 1e-4);
+  EXPECT_EQ(haptic->scene_W.components.size(), 1u);
+}
+
+TEST_F(Assemble, TellsAboutTheBakes) {
+  const Scenario scenario = read(kCoarse);
+  const auto models = load_models(scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  std::vector<std::string> told;
+  double last = 0;
+  const auto progress = [&](std::string_view what, double fraction) {
+    if (told.empty() || told.back() != what) told.emplace_back(what);
+    last = fraction;
+  };
+  const auto first = assemble_haptic(scenario, *models, cache_, progress);
+  ASSERT_TRUE(first) << first.error().sentence;
+  EXPECT_EQ(told, (std::vector<std::string>{"pointshell", "distance field"}));
+  EXPECT_EQ(last, 1);
+  ASSERT_EQ(first->notes.size(), 3u);
+  EXPECT_NE(first->notes[1].find("baked in"), std::string::npos) << first->notes[1];
+  EXPECT_NE(first->notes[2].find("baked in"), std::string::npos) << first->notes[2];
+  const auto second = assemble_haptic(scenario, *models, cache_);
+  ASSERT_TRUE(second) << second.error().sentence;
+  EXPECT_NE(second->notes[1].find("from the cache"), std::string::npos) << second->notes[1];
+  EXPECT_NE(second->notes[2].find("from the cache"), std::string::npos) << second->notes[2];
+}
+
+TEST_F(Assemble, DrawsTheToolAboutItsCentreOfMass) {
+  const Scenario scenario = read({}, "materials: {steel: {base_colour: [1, 0, 0], roughness: 0.25}}\n");
+  const auto models = load_models(scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  const auto visual = assemble_visual(scenario, *models);
+  ASSERT_TRUE(visual) << visual.error().sentence;
+  const render::VisualDesc& desc = visual->desc;
+  ASSERT_EQ(desc.instances.size(), 2u);
+  EXPECT_FALSE(desc.instances[0].movable);
+  EXPECT_EQ(desc.instances[0].name, "block/box");
+  EXPECT_TRUE(desc.instances[1].movable);
+  EXPECT_NEAR(desc.instances[1].X_WM[3].y, 0.12F, 1e-6F);
+  for (const glm::vec3& p : desc.meshes[desc.instances[1].mesh].positions)
+    EXPECT_NEAR(std::abs(p.y), 0.02F, 1e-6F);
+  const render::Material& steel = desc.materials[desc.instances[1].material];
+  EXPECT_EQ(steel.base_colour, glm::vec3(1, 0, 0));
+  EXPECT_EQ(steel.roughness, 0.25F);
+  EXPECT_EQ(steel.metallic, 1.0F);  // as the model says
+  ASSERT_EQ(desc.markers.size(), 1u);
+  EXPECT_EQ(desc.markers[0].name, "hole");
+  EXPECT_EQ(desc.camera.eye, glm::vec3(0, 0.1F, 0.5F));
+  EXPECT_EQ(visual->views.size(), 1u);
+}
+
+TEST_F(Assemble, NamesThePlaceOfWhatIsWrong) {
+  const auto wrong_material = read({}, "materials: {stel: {roughness: 0.25}}\n");
+  const auto models = load_models(wrong_material);
+  ASSERT_TRUE(models) << models.error().sentence;
+  EXPECT_EQ(assemble_visual(wrong_material, *models).error().sentence,
+            "scenario.yaml:20:19: no model has a material 'stel'; did you mean 'steel'?");
+
+  const auto missing = load_models(read({"models.peg.file=none.glb"}));
+  ASSERT_FALSE(missing);
+  EXPECT_TRUE(missing.error().sentence.starts_with("--set models.peg.file=none.glb: model 'peg': "))
+      << missing.error().sentence;
+
+  const auto thin = read({"field.voxel=0.02", "field.band=0.06"});
+  const auto refused = assemble_haptic(thin, *models, cache_);
+  ASSERT_FALSE(refused);
+  EXPECT_TRUE(refused.error().sentence.starts_with("the scene's distance field: "))
+      << refused.error().sentence;
+}
+
+}  // namespace
+}  // namespace fulcrum::scenario::test

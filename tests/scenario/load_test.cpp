@@ -1,0 +1,192 @@
+#include "engine/scenario/load.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/scenario/content.h"
+#include "tests/scenario/example.h"
+
+namespace fulcrum::scenario::test {
+namespace {
+
+// What a file leaves out is what the descriptions of the haptic core say.
+TEST(Load, DefaultsAreThoseOfTheDescs) {
+  const Folder folder;
+  const auto scenario = load_scenario(folder.peg() / kScenarioFile);
+  ASSERT_TRUE(scenario) << to_text(scenario.faults());
+  EXPECT_EQ(scenario->title, "Peg");
+  EXPECT_EQ(scenario->time_limit, 10);
+  EXPECT_EQ(scenario->tick_rate_Hz, 1000);
+  EXPECT_EQ(scenario->contact.stiffness, 5000);
+  EXPECT_EQ(scenario->contact.dissipation, ContactDesc{}.dissipation);
+  EXPECT_EQ(scenario->coupling.max_force, CouplingDesc{}.max_force);
+  EXPECT_EQ(scenario->velocity_estimator.kind, VelocityEstimatorDesc{}.kind);
+  EXPECT_EQ(scenario->velocity_estimator.cutoff_Hz, VelocityEstimatorDesc{}.cutoff_Hz);
+  EXPECT_EQ(scenario->field.voxel_m, FieldDesc{}.voxel_m);
+  EXPECT_EQ(scenario->shell.spacing_m, PointshellDesc{}.spacing_m);
+  EXPECT_EQ(scenario->device.desc.name, "Test arm");
+  EXPECT_EQ(scenario->device.desc.max_force, 3);
+  EXPECT_EQ(scenario->device.desc.friction, DeviceDesc{}.friction);
+  EXPECT_EQ(scenario->device.mapping.clutch_button, -1);
+  EXPECT_EQ(scenario->dwell, 3);
+  EXPECT_FALSE(scenario->tool.density);
+  EXPECT_FALSE(scenario->tool.mass);
+  EXPECT_TRUE(scenario->tool.weight);
+  EXPECT_EQ(scenario->tool.X_WM_start.p, Vec3(0, 0.1, 0));
+  ASSERT_EQ(scenario->hands.size(), 1u);
+  ASSERT_EQ(scenario->hands[0].waypoints.size(), 2u);
+  EXPECT_EQ(scenario->hands[0].waypoints[0].dwell, 0.5);
+  EXPECT_EQ(scenario->hands[0].waypoints[1].travel, 2);
+  EXPECT_EQ(scenario->hands[0].waypoints[1].X_WT.q.x(), 1);
+  ASSERT_TRUE(scenario->light);
+  EXPECT_EQ(scenario->light->colour, render::KeyLight{}.colour);
+  EXPECT_EQ(scenario->ambient.sky, render::Ambient{}.sky);
+  EXPECT_EQ(scenario->models[1].role, ModelRole::tool);
+  EXPECT_EQ(scenario->models[1].file.path, folder.peg() / "peg.glb");
+  EXPECT_EQ(scenario->models[1].file.where, (folder.peg() / kScenarioFile).string() + ":7:15");
+}
+
+TEST(Load, ReadsTheOtherForms) {
+  const Folder folder;
+  const auto read = [&](const std::string& lines) {
+    auto scenario = load_scenario_text(std::string(kScenario) + lines, folder.peg());
+    if (!scenario) ADD_FAILURE() << to_text(scenario.faults());
+    return scenario ? std::move(*scenario) : Scenario{};
+  };
+  EXPECT_FALSE(read("light: none\n").light);
+  const auto spot = read("light: {kind: spot, position: [0, 1, 0], cone_deg: 90}\n").light;
+  ASSERT_TRUE(spot);
+  EXPECT_EQ(spot->kind, render::KeyLight::Kind::spot);
+  EXPECT_EQ(spot->position, glm::vec3(0, 1, 0));
+  EXPECT_FLOAT_EQ(spot->cone_rad, 1.5707964F);
+  EXPECT_EQ(spot->intensity, render::KeyLight{}.intensity);
+  EXPECT_EQ(read("velocity_estimator: difference\n").velocity_estimator.kind,
+            VelocityEstimatorKind::difference);
+  // sRGB half is linear 0.214; a list is linear already.
+  const auto coloured = read("background: {top: \"#808080\", bottom: [0.5, 0, 1]}\n").background;
+  EXPECT_NEAR(coloured.top.x, 0.21586F, 1e-5F);
+  EXPECT_EQ(coloured.bottom, glm::vec3(0.5F, 0.0F, 1.0F));
+  const auto material = read("materials: {bare steel: {roughness: 0.25}}\n").materials.at(0);
+  EXPECT_EQ(material.name, "bare steel");
+  EXPECT_EQ(material.roughness, 0.25);
+  EXPECT_FALSE(material.metallic);
+}
+
+TEST(Load, MakesNearlyUnitRotationsUnit) {
+  const Folder folder;
+  const auto scenario = load_scenario_text(
+      replaced(kScenario, "position: [0, 0.1, 0]", "orientation: [0.7072, 0.7072, 0, 0]"), folder.peg());
+  ASSERT_TRUE(scenario) << to_text(scenario.faults());
+  EXPECT_NEAR(scenario->tool.X_WM_start.q.w(), std::sqrt(0.5), 1e-15);
+}
+
+// A tape keeps the texts; what it builds is what was built, though the files have changed or gone.
+TEST(Load, RepeatsFromTheTextsItKept) {
+  const Folder folder;
+  const std::vector<std::string> overrides{"seed=5"};
+  const auto first = load_scenario(folder.peg() / kScenarioFile, overrides);
+  ASSERT_TRUE(first) << to_text(first.faults());
+  EXPECT_EQ(first->texts.scenario, "scenario.yaml");
+  ASSERT_EQ(first->texts.files.size(), 3u);
+  EXPECT_EQ(first->texts.files.at("scenario.yaml"), kScenario);
+  EXPECT_EQ(first->texts.files.at("sure.yaml"), kHandPath);
+  EXPECT_EQ(first->texts.files.at("devices/test_arm.yaml"), kDevice);
+
+  folder.write("scenarios/peg/sure.yaml", "broken");
+  folder.write("devices/test_arm.yaml", "broken");
+  const auto again = load_scenario_texts(first->texts, folder.peg(), overrides);
+  ASSERT_TRUE(again) << to_text(again.faults());
+  EXPECT_EQ(again->seed, 5);
+  EXPECT_EQ(again->device.desc.max_force, 3);
+  EXPECT_EQ(again->hands[0].waypoints.size(), 2u);
+  EXPECT_EQ(again->texts.files, first->texts.files);
+
+  SourceTexts incomplete = first->texts;
+  incomplete.files.erase("sure.yaml");
+  const auto refused = load_scenario_texts(incomplete, folder.peg(), overrides);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_text(refused.faults()),
+            "scenario.yaml:17:16: cannot read 'sure.yaml': the texts at hand do not include "
+            "it; did you mean 'sure.yaml'?");
+}
+
+TEST(Load, OfWhatIsNoFile) {
+  const Folder folder;
+  const auto missing = load_scenario(folder.peg() / "none.yaml");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(to_text(missing.faults()),
+            (folder.peg() / "none.yaml").string() + ": cannot read the scenario: No such file or directory");
+  const auto directory = load_scenario(folder.peg());
+  ASSERT_FALSE(directory);
+  EXPECT_NE(to_text(directory.faults()).find("it is a folder"), std::string::npos);
+}
+
+TEST(Content, IsFoundByNameOrPath) {
+  const Folder folder;
+  const std::vector<std::filesystem::path> roots{folder.root()};
+  const auto file = folder.peg() / kScenarioFile;
+  EXPECT_EQ(*find_scenario("peg", roots), file);
+  EXPECT_EQ(*find_scenario(file.string(), roots), file);
+  EXPECT_EQ(*find_scenario(folder.peg().string(), roots), file);
+  EXPECT_EQ(find_scenario("pge", roots).error().sentence,
+            "there is no scenario 'pge'; did you mean 'peg'? `fulcrum list` shows them all");
+  EXPECT_EQ(find_scenario("x/y.yaml", roots).error().sentence,
+            "there is no scenario file 'x/y.yaml'; `fulcrum list` shows the ones that have a name");
+  EXPECT_NE(find_scenario("peg", {}).error().sentence.find("FULCRUM_CONTENT"), std::string::npos);
+}
+
+TEST(Content, IsListedWithWhatIsWrongWithIt) {
+  const Folder folder;
+  std::filesystem::create_directories(folder.root() / "scenarios" / "broken");
+  std::filesystem::create_directories(folder.root() / "scenarios" / "empty");
+  folder.write("scenarios/broken/scenario.yaml", "fulcrum: 3\n");
+  const auto listings = list_scenarios({folder.root()});
+  ASSERT_EQ(listings.size(), 2u);
+  EXPECT_EQ(listings[0].name, "broken");
+  EXPECT_NE(listings[0].fault.find("format 3"), std::string::npos);
+  EXPECT_EQ(listings[1].name, "peg");
+  EXPECT_EQ(listings[1].title, "Peg");
+  EXPECT_EQ(listings[1].about, "A peg and a hole.");
+  EXPECT_EQ(listings[1].fault, "");
+}
+
+TEST(Content, ThatComesWithTheProgramReads) {
+  const std::filesystem::path root = std::filesystem::path(FULCRUM_SOURCE_DIR) / "content";
+  for (const auto& listing : list_scenarios({root})) EXPECT_EQ(listing.fault, "") << listing.name;
+  const auto piping = load_scenario(root / "scenarios" / "piping" / kScenarioFile);
+  ASSERT_TRUE(piping) << to_text(piping.faults());
+  EXPECT_GE(piping->checkpoints.size(), 4u);
+  EXPECT_EQ(piping->views.size(), 4u);
+  ASSERT_GE(piping->hands.size(), 2u);
+  for (const HandEntry& hand : piping->hands) {
+    const Pose& first = hand.waypoints.front().X_WT;
+    EXPECT_LT((first.p - piping->tool.X_WM_start.p).norm(), 1e-6)
+        << hand.name << " does not begin at the start pose";
+    EXPECT_LT(first.q.angularDistance(piping->tool.X_WM_start.q), 1e-5) << hand.name;
+    EXPECT_LT(HandPath(hand.waypoints).duration(), piping->time_limit) << hand.name;
+  }
+  // The expert's hand itself brings the touch point to every checkpoint, in order and for the dwell time.
+  const auto expert = std::find_if(piping->hands.begin(), piping->hands.end(),
+                                   [](const HandEntry& hand) { return hand.name == "expert"; });
+  ASSERT_NE(expert, piping->hands.end());
+  const HandPath path(expert->waypoints);
+  std::size_t next = 0;
+  double inside = 0;
+  for (double t = 0; t < path.duration() && next < piping->checkpoints.size(); t += 0.01) {
+    const Checkpoint& checkpoint = piping->checkpoints[next];
+    const bool is_inside =
+        (path.at(t) * piping->tool.touch_point - checkpoint.position).norm() < checkpoint.radius;
+    inside = is_inside ? inside + 0.01 : 0;
+    if (inside > piping->dwell) {
+      ++next;
+      inside = 0;
+    }
+  }
+  EXPECT_EQ(next, piping->checkpoints.size());
+}
+
+}  // namespace
+}  // namespace fulcrum::scenario::test

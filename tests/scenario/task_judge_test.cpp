@@ -1,0 +1,133 @@
+#include "engine/scenario/task_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace fulcrum::scenario {
+namespace {
+
+const TaskDesc kTask{{{"a", Vec3(0, 0, 0), 0.01}, {"b", Vec3(1, 0, 0), 0.01}}, 0.003, Vec3(0.1, 0, 0)};
+constexpr double kTick = 1e-3;
+
+TickRecord record(std::int64_t tick, const Vec3& p_WC) {
+  TickRecord result;
+  result.tick = tick;
+  result.X_WT.p = p_WC - kTask.touch_point;
+  return result;
+}
+
+void judge(TaskJudge& judge, std::int64_t first, std::int64_t last, const Vec3& p_WC) {
+  for (std::int64_t tick = first; tick <= last; ++tick) judge.judge(record(tick, p_WC));
+}
+
+const Vec3 kAtA(0, 0.009, 0), kAtB(1, 0, 0), kAway(0, 0.5, 0);
+
+TEST(TaskJudge, ReachesAfterTheDwellTime) {
+  TaskJudge task(kTask, kTick);
+  judge(task, 0, 9, kAway);
+  EXPECT_FALSE(task.state().inside);
+  judge(task, 10, 12, kAtA);  // 2 ms since it came in
+  EXPECT_EQ(task.state().step, 0u);
+  EXPECT_TRUE(task.state().inside);
+  EXPECT_DOUBLE_EQ(task.state().dwell_progress, 2.0 / 3.0);
+  judge(task, 13, 13, kAtA);  // 3 ms
+  EXPECT_EQ(task.state().step, 1u);
+  EXPECT_DOUBLE_EQ(task.state().reached[0].value(), 0.013);
+  EXPECT_EQ(task.state().dwell_progress, 0);
+  EXPECT_FALSE(task.state().completed);
+  EXPECT_FALSE(task.completion_time());
+}
+
+TEST(TaskJudge, LeavingStartsTheCountAnew) {
+  TaskJudge task(kTask, kTick);
+  judge(task, 0, 2, kAtA);
+  judge(task, 3, 3, kAway);
+  EXPECT_EQ(task.state().dwell_progress, 0);
+  judge(task, 4, 6, kAtA);
+  EXPECT_EQ(task.state().step, 0u);
+  judge(task, 7, 7, kAtA);
+  EXPECT_EQ(task.state().step, 1u);
+}
+
+TEST(TaskJudge, TakesTheCheckpointsInOrder) {
+  TaskJudge task(kTask, kTick);
+  judge(task, 0, 99, kAtB);  // the second one first: counts for nothing
+  EXPECT_EQ(task.state().step, 0u);
+  judge(task, 100, 103, kAtA);
+  EXPECT_EQ(task.state().step, 1u);
+  judge(task, 104, 107, kAtB);
+  EXPECT_TRUE(task.state().completed);
+  EXPECT_EQ(task.state().step, 2u);
+  EXPECT_DOUBLE_EQ(task.completion_time().value(), 0.107);
+  judge(task, 108, 200, kAway);  // nothing is undone
+  EXPECT_TRUE(task.state().completed);
+  EXPECT_DOUBLE_EQ(task.completion_time().value(), 0.107);
+}
+
+// Two checkpoints in one place: the time spent at the first does not count for the second.
+TEST(TaskJudge, CountsEachCheckpointFromItsOwnBeginning) {
+  TaskJudge task({{{"a", Vec3(0, 0, 0), 0.1}, {"b", Vec3(0, 0, 0), 0.1}}, 0.003, kTask.touch_point}, kTick);
+  judge(task, 0, 3, Vec3::Zero());
+  EXPECT_EQ(task.state().step, 1u);
+  judge(task, 4, 6, Vec3::Zero());
+  EXPECT_EQ(task.state().step, 1u);
+  judge(task, 7, 7, Vec3::Zero());
+  EXPECT_TRUE(task.state().completed);
+}
+
+TEST(TaskJudge, LostTicksNeitherCountNorBreakTheCount) {
+  TaskJudge task(kTask, kTick);
+  judge(task, 0, 1, kAtA);
+  judge(task, 60, 61, kAtA);  // 58 ticks were lost to a stall
+  EXPECT_EQ(task.state().step, 1u);
+  EXPECT_DOUBLE_EQ(task.state().reached[0].value(), 0.061);
+}
+
+// 3 s of ticks of 1/3000 s, whose sum would not come to 3 s exactly.
+TEST(TaskJudge, CountsTicksNotSeconds) {
+  TaskDesc desc = kTask;
+  desc.dwell = 3;
+  TaskJudge task(desc, 1.0 / 3000);
+  judge(task, 0, 8999, kAtA);
+  EXPECT_EQ(task.state().step, 0u);
+  judge(task, 9000, 9000, kAtA);
+  EXPECT_EQ(task.state().step, 1u);
+  EXPECT_DOUBLE_EQ(task.state().reached[0].value(), 3);
+}
+
+TEST(TaskJudge, WithoutDwellATouchIsEnough) {
+  TaskDesc desc = kTask;
+  desc.dwell = 0;
+  TaskJudge task(desc, kTick);
+  judge(task, 5, 5, kAtA);
+  judge(task, 6, 6, kAtB);
+  EXPECT_TRUE(task.state().completed);
+}
+
+TEST(TaskJudge, TheTouchPointTurnsWithTheTool) {
+  TaskJudge task(kTask, kTick);
+  TickRecord turned;
+  turned.X_WT.q = Quat(Eigen::AngleAxisd(std::acos(-1.0) / 2, Vec3::UnitZ()));
+  turned.X_WT.p = Vec3(0, -0.1, 0);  // the touch point, 0.1 m along x of the tool, is at the origin
+  for (turned.tick = 0; turned.tick < 4; ++turned.tick) task.judge(turned);
+  EXPECT_EQ(task.state().step, 1u);
+}
+
+TEST(TaskJudge, NotANumberIsNowhere) {
+  TaskJudge task(kTask, kTick);
+  judge(task, 0, 2, kAtA);
+  judge(task, 3, 3, Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_FALSE(task.state().inside);
+  EXPECT_EQ(task.state().step, 0u);
+}
+
+TEST(TaskJudge, WithoutCheckpointsThereIsNothingToComplete) {
+  TaskJudge task({{}, 3, Vec3::Zero()}, kTick);
+  EXPECT_TRUE(task.state().completed);
+  EXPECT_FALSE(task.completion_time());
+}
+
+}  // namespace
+}  // namespace fulcrum::scenario

@@ -1,0 +1,87 @@
+// The comparer itself, and PNG files there and back.
+
+#include "image_compare.h"
+
+#include <gtest/gtest.h>
+
+namespace fulcrum::test {
+namespace {
+namespace fs = std::filesystem;
+
+render::Picture grey(std::uint32_t width, std::uint32_t height) {
+  render::Picture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height * 4, 128)};
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
+    picture.rgba[i] = 255;
+  }
+  return picture;
+}
+
+fs::path fresh_folder() {
+  const fs::path folder =
+      fs::path(testing::TempDir()) /
+      (std::string("fulcrum_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+TEST(ImageCompare, TheSamePicturePasses) {
+  const Comparison result = compare(grey(8, 4), grey(8, 4), {});
+  EXPECT_TRUE(result.passed);
+  EXPECT_EQ(result.largest_lsb, 0);
+  EXPECT_EQ(result.differing_pixels, 0U);
+}
+
+TEST(ImageCompare, CountsPixelsAndTheLargestDifference) {
+  render::Picture other = grey(8, 4);
+  other.rgba[0] = 129;
+  other.rgba[1] = 127;  // the same pixel
+  other.rgba[21] = 125;
+  const Comparison result = compare(other, grey(8, 4), {.max_lsb = 3, .max_pixels = 2, .failure_folder = {}});
+  EXPECT_TRUE(result.passed);
+  EXPECT_EQ(result.largest_lsb, 3);
+  EXPECT_EQ(result.differing_pixels, 2U);
+  EXPECT_FALSE(compare(other, grey(8, 4), {.max_lsb = 2, .max_pixels = 2, .failure_folder = {}}).passed);
+  EXPECT_FALSE(compare(other, grey(8, 4), {.max_lsb = 3, .max_pixels = 1, .failure_folder = {}}).passed);
+}
+
+TEST(ImageCompare, AnotherSizeFails) {
+  EXPECT_FALSE(compare(grey(8, 4), grey(4, 8), {}).passed);
+}
+
+TEST(ImageCompare, AFailureLeavesTwoPictures) {
+  const fs::path folder = fresh_folder();
+  ASSERT_TRUE(render::write_png(folder / "scene.png", grey(8, 4)));
+  render::Picture other = grey(8, 4);
+  other.rgba[4] = 138;
+  const Comparison result = compare(other, folder / "scene.png",
+                                    {.max_lsb = 2, .max_pixels = 50, .failure_folder = folder / "failed"});
+  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(read_png(folder / "failed/scene.actual.png").value().rgba, other.rgba);
+  const render::Picture diff = read_png(folder / "failed/scene.diff.png").value();
+  EXPECT_EQ(diff.rgba[4], 160);  // 10 times 16
+  EXPECT_EQ(diff.rgba[0], 0);
+}
+
+TEST(ImageCompare, AMissingGoldenFailsAndKeepsThePicture) {
+  const fs::path folder = fresh_folder();
+  const Comparison result =
+      compare(grey(8, 4), folder / "none.png", {.max_lsb = 2, .max_pixels = 50, .failure_folder = folder});
+  EXPECT_FALSE(result.passed);
+  EXPECT_TRUE(fs::exists(folder / "none.actual.png"));
+}
+
+TEST(Png, AFolderThatIsNotThereIsNamed) {
+  const auto written = render::write_png("/nonexistent/picture.png", grey(2, 2));
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().find("/nonexistent/picture.png"), std::string::npos);
+}
+
+TEST(Png, AFullDiskIsNamed) {
+  const auto written = render::write_png("/dev/full", grey(64, 64));
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().find("disk full"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fulcrum::test

@@ -1,0 +1,109 @@
+// Text and gauges over a picture.
+
+#include "engine/ui/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/ui/peak_hold.h"
+#include "image_compare.h"
+#include "test_scene.h"
+
+namespace fulcrum::ui {
+namespace {
+
+OverlayState full_state() {
+  OverlayState state;
+  state.scenario = "Piping";
+  state.force_N = {4.0, 8.0};
+  state.torque_Nm = {0.05, 0.2};
+  state.checkpoints = {
+      {"Reach", {render::MarkerState::Show::done, 1.0F}},
+      {"Turn, and a name that is much too long for its line", {render::MarkerState::Show::dwelling, 0.5F}}};
+  state.device = "Simulated hand";
+  state.message = "Hold still.";
+  state.keys = {{"Esc", "Stop all force"}};
+  state.mapping = {"The mouse moves the tool."};
+  return state;
+}
+
+class OverlayTest : public testing::Test {
+protected:
+  void TearDown() override {
+    for (const std::string& message : gpu_.instance.messages()) {
+      ADD_FAILURE() << message;
+    }
+  }
+
+  render::Picture draw(const OverlayState& state) {
+    const vulkan::Result<void> prepared = overlay_->prepare(state, renderer_->plan().picture);
+    EXPECT_TRUE(prepared) << (prepared ? "" : prepared.error());
+    render::FrameState frame;
+    frame.overlay = overlay_.get();
+    EXPECT_TRUE(renderer_->frame(frame));
+    return renderer_->read_back().value();
+  }
+
+  test::Gpu gpu_ = test::make_gpu();
+  render::RenderOptions options_{{640, 360}, {1, 0, 1.0F}, {}};
+  std::unique_ptr<render::Renderer> renderer_ =
+      std::move(render::Renderer::create(*gpu_.device, {}, options_).value());
+  std::unique_ptr<Overlay> overlay_ = std::move(Overlay::create(*gpu_.device).value());
+};
+
+TEST_F(OverlayTest, DrawsTheSameTwice) {
+  const render::Picture first = draw(full_state());
+  const render::Picture second = draw(full_state());
+  EXPECT_TRUE(test::compare(first, second, {.max_lsb = 0, .max_pixels = 0, .failure_folder = {}}).passed);
+}
+
+TEST_F(OverlayTest, AStopIsARedBandFromEdgeToEdge) {
+  OverlayState state = full_state();
+  state.force = Force::stopped;
+  state.stop_reason = "Esc pressed";
+  const render::Picture picture = draw(state);
+  for (const float x : {0.01F, 0.97F}) {
+    const glm::vec3 band = test::mean(picture, x, 0.26F, x + 0.02F, 0.34F);
+    EXPECT_GT(band.r, 150.0F);
+    EXPECT_LT(band.g, 70.0F);
+  }
+}
+
+TEST_F(OverlayTest, TheKeyListShowsOnlyWhenAskedFor) {
+  OverlayState state = full_state();
+  const glm::vec3 without = test::mean(draw(state), 0.4F, 0.4F, 0.6F, 0.6F);
+  state.keys_visible = true;
+  const glm::vec3 with = test::mean(draw(state), 0.4F, 0.4F, 0.6F, 0.6F);
+  EXPECT_LT(with.g, without.g - 10.0F);
+}
+
+TEST_F(OverlayTest, ADeviceWithoutTorqueHasNoTorqueDial) {
+  OverlayState state = full_state();
+  state.message.clear();
+  const float with = test::mean(draw(state), 0.20F, 0.75F, 0.30F, 0.95F).g;
+  state.torque_Nm = {};
+  const float without = test::mean(draw(state), 0.20F, 0.75F, 0.30F, 0.95F).g;
+  EXPECT_GT(without, with + 10.0F);
+}
+
+TEST_F(OverlayTest, FollowsThePictureToAnotherSize) {
+  draw(full_state());
+  ASSERT_TRUE(renderer_->resize({1280, 720}));
+  EXPECT_EQ(draw(full_state()).width, 1280U);
+  ASSERT_TRUE(renderer_->resize({200, 100}));
+  draw(full_state());
+}
+
+TEST(PeakHold, HoldsThenFallsToTheValue) {
+  PeakHold peak;
+  EXPECT_DOUBLE_EQ(peak.add(2.0, 0.0), 2.0);
+  EXPECT_DOUBLE_EQ(peak.add(1.0, 1.0), 2.0);
+  double last = 2.0;
+  for (int i = 0; i < 100; ++i) {
+    last = peak.add(1.0, 1.6 + 0.05 * i);
+  }
+  EXPECT_DOUBLE_EQ(last, 1.0);
+  EXPECT_DOUBLE_EQ(peak.add(0.5, 0.0), 0.5);  // a run that starts again
+}
+
+}  // namespace
+}  // namespace fulcrum::ui

@@ -1,0 +1,121 @@
+// What is planned follows the scene, needs no device, and names what is wrong.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "test_scene.h"
+
+namespace fulcrum::render {
+namespace {
+
+const BuildItem* find(const std::vector<BuildItem>& items, const std::string& name, const std::string& kind) {
+  const auto found = std::find_if(items.begin(), items.end(), [&](const BuildItem& item) {
+    return item.name == name && item.kind == kind;
+  });
+  return found == items.end() ? nullptr : &*found;
+}
+
+RenderPlan planned(const VisualDesc& desc, const RenderOptions& options = {}) {
+  Result<RenderPlan> made = plan(desc, options);
+  EXPECT_TRUE(made) << (made ? "" : made.error());
+  return made.value();
+}
+
+std::string complaint(const VisualDesc& desc, const RenderOptions& options = {}) {
+  const Result<RenderPlan> made = plan(desc, options);
+  return made ? "" : made.error();
+}
+
+TEST(Plan, HoldsEverythingThatAFullSceneShows) {
+  const RenderPlan all = planned(test::make_scene());
+  for (const char* pipeline : {"surfaces", "shadows", "markers", "background", "tone mapping"}) {
+    EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
+  }
+  EXPECT_TRUE(all.left_out.empty());
+  EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);
+  EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 1280U * 720U * 8U * 4U);
+}
+
+TEST(Plan, LeavesOutMarkersWithoutCheckpoints) {
+  VisualDesc desc = test::make_scene();
+  desc.markers.clear();
+  const RenderPlan plan = planned(desc);
+  EXPECT_FALSE(plan.markers);
+  EXPECT_EQ(find(plan.built, "markers", "pipeline"), nullptr);
+  EXPECT_EQ(find(plan.left_out, "markers", "pipeline")->note, "the scene has no checkpoints");
+}
+
+TEST(Plan, LeavesOutShadowsForEachOfItsReasons) {
+  const auto reason = [](const VisualDesc& desc, int size = 2048) {
+    RenderOptions options;
+    options.quality.shadow_size = size;
+    const RenderPlan plan = planned(desc, options);
+    EXPECT_EQ(plan.shadow_size, 0);
+    EXPECT_EQ(find(plan.built, "shadow map", "image"), nullptr);
+    return find(plan.left_out, "shadow map", "image")->note;
+  };
+  VisualDesc desc = test::make_scene();
+  EXPECT_EQ(reason(desc, 0), "the quality setting switches shadows off");
+  for (Instance& instance : desc.instances) {
+    instance.casts_shadow = false;
+  }
+  EXPECT_EQ(reason(desc), "nothing in the scene throws a shadow");
+  desc.key_light->casts_shadow = false;
+  EXPECT_EQ(reason(desc), "the scene's key light throws no shadow");
+  desc.key_light.reset();
+  EXPECT_EQ(reason(desc), "the scene has no key light");
+}
+
+TEST(Plan, ScalesTheSceneAndNotThePicture) {
+  RenderOptions options;
+  options.extent = {640, 360};
+  options.quality = {1, 1024, 0.5F};
+  const RenderPlan plan = planned(test::make_scene(), options);
+  EXPECT_EQ(plan.scene, (Extent{320, 180}));
+  EXPECT_EQ(plan.picture, (Extent{640, 360}));
+  EXPECT_EQ(find(plan.built, "scene samples", "image"), nullptr);
+}
+
+TEST(Plan, AnEmptySceneIsABackground) {
+  const RenderPlan plan = planned(VisualDesc{});
+  EXPECT_FALSE(plan.surfaces);
+  EXPECT_EQ(find(plan.built, "vertices", "buffer"), nullptr);
+}
+
+TEST(Plan, NamesWhatIsWrong) {
+  VisualDesc desc = test::make_scene();
+  desc.instances[1].mesh = 9;
+  EXPECT_NE(complaint(desc).find("instance 1 (box) shows mesh 9"), std::string::npos);
+
+  desc = test::make_scene();
+  desc.instances[2].X_WM[0][0] = -1.0F;
+  EXPECT_NE(complaint(desc).find("mirrors or flattens"), std::string::npos);
+
+  desc = test::make_scene();
+  desc.meshes[2].normals.pop_back();
+  EXPECT_NE(complaint(desc).find("mesh 2 (ball)"), std::string::npos);
+
+  desc = test::make_scene();
+  desc.meshes[1].indices[0] = 1000;
+  EXPECT_NE(complaint(desc).find("index 1000"), std::string::npos);
+
+  desc = test::make_scene();
+  desc.markers[0].radius = 0.0F;
+  EXPECT_NE(complaint(desc).find("marker 0 (above the box)"), std::string::npos);
+}
+
+TEST(Plan, RefusesOptionsOutOfRange) {
+  RenderOptions options;
+  options.quality.samples = 2;
+  EXPECT_NE(complaint(test::make_scene(), options).find("use 1 or 4"), std::string::npos);
+  options = {};
+  options.quality.resolution_scale = 2.0F;
+  EXPECT_NE(complaint(test::make_scene(), options).find("0.25 to 1"), std::string::npos);
+  options = {};
+  options.extent = {0, 720};
+  EXPECT_NE(complaint(test::make_scene(), options).find("0 x 720"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fulcrum::render

@@ -1,0 +1,64 @@
+// Choosing the quality from frame times.
+
+#include "engine/render/quality.h"
+
+#include <gtest/gtest.h>
+
+namespace fulcrum::render {
+namespace {
+
+/// A machine on which a frame costs `cost(quality)`; returns where the choice settles.
+template <class Cost>
+Quality settled(AutoQuality& choice, Cost cost) {
+  for (int i = 0; i < 1000; ++i) {
+    choice.add(cost(choice.quality()));
+  }
+  return choice.quality();
+}
+
+double pixels_cost(const Quality& q, double full_s) {
+  const double samples = q.samples == 4 ? 1.0 : 0.5;
+  return full_s * samples * static_cast<double>(q.resolution_scale * q.resolution_scale);
+}
+
+TEST(AutoQuality, AFastMachineKeepsTheBest) {
+  AutoQuality choice(1.0 / 30.0);
+  EXPECT_EQ(settled(choice, [](const Quality& q) { return pixels_cost(q, 0.002); }), Quality{});
+}
+
+TEST(AutoQuality, ASlowMachineEndsWithinItsBudget) {
+  AutoQuality choice(1.0 / 30.0);
+  const auto cost = [](const Quality& q) { return pixels_cost(q, 0.120); };
+  EXPECT_LE(cost(settled(choice, cost)), 1.0 / 30.0);
+}
+
+TEST(AutoQuality, AHopelessMachineEndsAtTheLowestAndStays) {
+  AutoQuality choice(1.0 / 30.0);
+  const Quality lowest = settled(choice, [](const Quality&) { return 1.0; });
+  EXPECT_EQ(lowest.shadow_size, 0);
+  EXPECT_FALSE(choice.add(1.0));
+}
+
+TEST(AutoQuality, DoesNotSwingBetweenTwoLevels) {
+  AutoQuality choice(1.0 / 30.0);
+  // 4 samples cost three budgets, one sample a tenth of one: going back up would only lead down again.
+  const auto cost = [](const Quality& q) { return q.samples == 4 ? 0.1 : 0.003; };
+  settled(choice, cost);
+  int changes = 0;
+  for (int i = 0; i < 1000; ++i) {
+    changes += choice.add(cost(choice.quality())) ? 1 : 0;
+  }
+  EXPECT_EQ(changes, 0);
+  EXPECT_EQ(choice.quality().samples, 1);
+}
+
+TEST(AutoQuality, IgnoresTheFirstFrames) {
+  AutoQuality choice(1.0 / 30.0);
+  EXPECT_FALSE(choice.add(3.0));
+  EXPECT_FALSE(choice.add(3.0));
+  EXPECT_FALSE(choice.add(3.0));
+  EXPECT_EQ(settled(choice, [](const Quality&) { return 0.001; }), Quality{});
+}
+
+}  // namespace
+}  // namespace fulcrum::render

@@ -1,0 +1,167 @@
+// Drawing, with the validation layers watching: every test ends with their silence.
+
+#include "engine/render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/ext/matrix_transform.hpp>
+
+#include "image_compare.h"
+#include "test_scene.h"
+
+namespace fulcrum::render {
+namespace {
+
+class RendererTest : public testing::Test {
+protected:
+  void TearDown() override {
+    for (const std::string& message : gpu_.instance.messages()) {
+      ADD_FAILURE() << message;
+    }
+  }
+
+  std::unique_ptr<Renderer> make(const VisualDesc& desc, const RenderOptions& options) {
+    auto made = Renderer::create(*gpu_.device, desc, options);
+    if (!made) {
+      throw std::runtime_error(made.error());
+    }
+    return std::move(made.value());
+  }
+
+  /// One frame of the scene as described, its markers in `states`.
+  Picture draw(Renderer& renderer, const VisualDesc& desc, std::span<const MarkerState> states = {}) {
+    std::vector<glm::mat4> poses;
+    for (const Instance& instance : desc.instances) {
+      if (instance.movable) {
+        poses.push_back(instance.X_WM);
+      }
+    }
+    FrameState state;
+    state.X_WM = poses;
+    state.markers = states;
+    state.camera = desc.camera;
+    const Result<void> drawn = renderer.frame(state);
+    EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error());
+    return renderer.read_back().value();
+  }
+
+  test::Gpu gpu_ = test::make_gpu();
+  RenderOptions small_{{320, 180}, {4, 512, 1.0F}, {}};
+};
+
+TEST_F(RendererTest, TwoRenderersDrawTheSamePicture) {
+  const VisualDesc desc = test::make_scene();
+  const Picture first = draw(*make(desc, small_), desc);
+  const Picture second = draw(*make(desc, small_), desc);
+  const test::Comparison result =
+      test::compare(first, second, {.max_lsb = 0, .max_pixels = 0, .failure_folder = {}});
+  EXPECT_TRUE(result.passed) << result.sentence;
+}
+
+TEST_F(RendererTest, TheBoxIsRedAndStandsAtTheLeft) {
+  const VisualDesc desc = test::make_scene();
+  const Picture picture = draw(*make(desc, small_), desc);
+  const glm::vec3 box = test::mean(picture, 0.33F, 0.55F, 0.40F, 0.65F);
+  EXPECT_GT(box.r, 2.0F * box.g);
+}
+
+TEST_F(RendererTest, TheBallThrowsAShadowThatMovesWithIt) {
+  VisualDesc desc = test::make_scene();
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  const auto under = [](const Picture& p) { return test::mean(p, 0.63F, 0.56F, 0.67F, 0.60F).g; };
+  const float shadowed = under(draw(*renderer, desc));
+  desc.instances[2].X_WM = glm::translate(glm::mat4(1.0F), {0.3F, 0.3F, -0.4F});
+  const float lit = under(draw(*renderer, desc));
+  EXPECT_GT(lit, shadowed + 25.0F);
+}
+
+TEST_F(RendererTest, AShadowMapThatIsKeptDrawsTheSamePicture) {
+  const VisualDesc desc = test::make_scene();
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  const Picture drawn = draw(*renderer, desc);
+  const Picture kept = draw(*renderer, desc);
+  EXPECT_TRUE(test::compare(drawn, kept, {.max_lsb = 0, .max_pixels = 0, .failure_folder = {}}).passed);
+}
+
+TEST_F(RendererTest, AMarkerGlowsInTheColourOfItsState) {
+  using Show = MarkerState::Show;
+  const VisualDesc desc = test::make_scene();
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  const auto at_marker = [&](MarkerState state) {
+    return test::mean(draw(*renderer, desc, {&state, 1}), 0.36F, 0.17F, 0.38F, 0.22F);
+  };
+  const glm::vec3 hidden = at_marker({Show::hidden, 0.0F});
+  const glm::vec3 next = at_marker({Show::next, 0.0F}) - hidden;
+  const glm::vec3 dwelling = at_marker({Show::dwelling, 0.5F}) - hidden;
+  const glm::vec3 done = at_marker({Show::done, 1.0F}) - hidden;
+  EXPECT_GT(next.b, next.r + 20.0F);
+  EXPECT_GT(dwelling.r, dwelling.b + 20.0F);
+  EXPECT_GT(done.g, done.r + 10.0F);
+}
+
+TEST_F(RendererTest, LessIsBuiltForLessAndStillDrawn) {
+  VisualDesc desc = test::make_scene();
+  desc.markers.clear();
+  desc.key_light.reset();
+  const std::unique_ptr<Renderer> dim = make(desc, small_);
+  EXPECT_FALSE(dim->plan().markers);
+  EXPECT_EQ(dim->plan().shadow_size, 0);
+  const Picture picture = draw(*dim, desc);
+  EXPECT_GT(test::mean(picture, 0.0F, 0.0F, 1.0F, 1.0F).g, 10.0F);
+  const VisualDesc nothing;
+  draw(*make(nothing, small_), nothing);
+}
+
+TEST_F(RendererTest, ASpotLightsItsConeOnly) {
+  VisualDesc desc = test::make_scene();
+  desc.key_light->kind = KeyLight::Kind::spot;
+  desc.key_light->position = {0.0F, 1.0F, 0.0F};
+  desc.key_light->cone_rad = 0.5F;
+  desc.key_light->intensity = 6.0F;
+  const Picture picture = draw(*make(desc, small_), desc);
+  const float inside = test::mean(picture, 0.48F, 0.65F, 0.52F, 0.70F).g;
+  const float outside = test::mean(picture, 0.02F, 0.90F, 0.10F, 0.98F).g;
+  EXPECT_GT(inside, outside + 30.0F);
+}
+
+TEST_F(RendererTest, ResizesAndChangesQualityInPlace) {
+  const VisualDesc desc = test::make_scene();
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  draw(*renderer, desc);
+  ASSERT_TRUE(renderer->resize({200, 100}));
+  EXPECT_FALSE(renderer->read_back());  // nothing is drawn yet at this size
+  EXPECT_EQ(draw(*renderer, desc).width, 200U);
+  ASSERT_TRUE(renderer->set_quality({1, 0, 0.5F}));
+  EXPECT_EQ(draw(*renderer, desc).height, 100U);
+  EXPECT_EQ(renderer->plan().scene, (Extent{100, 50}));
+  ASSERT_TRUE(renderer->set_quality({4, 256, 1.0F}));
+  draw(*renderer, desc);
+  EXPECT_FALSE(renderer->set_quality({3, 256, 1.0F}));
+  EXPECT_EQ(renderer->quality().samples, 4);
+}
+
+TEST_F(RendererTest, AStateThatDoesNotFitIsRefusedWithASentence) {
+  const VisualDesc desc = test::make_scene();
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  const Result<void> none = renderer->frame({});
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().find("0 poses, but the scene has 1"), std::string::npos);
+  const std::vector<MarkerState> two(2);
+  FrameState state;
+  state.X_WM = {&desc.instances[2].X_WM, 1};
+  state.markers = two;
+  EXPECT_FALSE(renderer->frame(state));
+}
+
+TEST_F(RendererTest, OneSampleAndFourAgreeAwayFromEdges) {
+  const VisualDesc desc = test::make_scene();
+  RenderOptions one = small_;
+  one.quality.samples = 1;
+  const Picture a = draw(*make(desc, small_), desc);
+  const Picture b = draw(*make(desc, one), desc);
+  const glm::vec3 difference = test::mean(a, 0.0F, 0.8F, 1.0F, 1.0F) - test::mean(b, 0.0F, 0.8F, 1.0F, 1.0F);
+  EXPECT_LT(glm::length(difference), 1.0F);
+}
+
+}  // namespace
+}  // namespace fulcrum::render

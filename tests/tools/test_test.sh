@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# tools/test: what it installs, builds and asks of ctest.
+# shellcheck source=tests/tools/machine.sh
+. "$(dirname "$(readlink -f "$0")")/machine.sh"
+test="$tree/tools/test"
+
+fresh
+on "$tree/tools/run" --build
+echo "installed g++" >"$box/installed"
+: >"$box/log"
+on "$test"
+expect "installs the tests' packages" "$(cat "$box/log")" "*install *libgtest-dev*xvfb*"
+expect "turns the tests on" "$(cat "$box/log")" "*cmake --preset release -DFULCRUM_TESTS=ON*"
+expect "builds everything" "$(grep -e --build "$box/log")" "!(*--target*)"
+expect "leaves out long" "$code:$out" "0:ctest --preset release --no-tests=error -LE ^long\$ | shader cache off: true | jobs: [1-9]*"
+
+: >"$box/log"
+on "$test" --all
+expect "--all" "$out" "ctest --preset release --no-tests=error | *"
+expect "nothing is configured again" "$(grep -c -e --preset\ release\ -D "$box/log" || true)" 0
+on "$test" -R "A name" --output-on-failure
+expect "ctest's arguments" "$out" "*-LE ^long\$ -R A name --output-on-failure | *"
+on "$test" -LE gpu
+expect "one more label to leave out" "$out" "*-LE gpu|^long\$ | *"
+on "$test" --sanitize tsan
+expect "--sanitize tsan" "$code:$out:$(cat "$box/log")" "0:ctest --preset tsan *-LE ^no-tsan\$|^long\$*:*cmake --build --preset tsan*"
+on "$test" --all --sanitize asan
+expect "--all --sanitize asan" "$out" "ctest --preset asan *-LE ^no-asan\$ | *"
+on "$test" --sanitize speed
+expect "an unknown sanitizer" "$code:$err" "2:*asan or tsan*"
+fake ctest <<<'exit 8'
+on "$test"
+expect "ctest's exit code" "$code" 8
