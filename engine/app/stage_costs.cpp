@@ -54,7 +54,7 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
 
   const RigidBody body(scene.tool.mass, scene.tool.inertia_T);
   ContactQuery query(scene.tool_shell, scene.scene_field);
-  PenaltyResponse response(scene.contact, body, scene.tick_s);
+  PenaltyResponse response(scene.contact, body, scene.tick_s, scene.integrator);
   RegionTracker regions(scene.contact.region_radius);
   VirtualCoupling coupling(scene.coupling, body);
   VelocityEstimator velocity(scene.velocity, scene.tick_s);

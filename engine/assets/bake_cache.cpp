@@ -60,7 +60,8 @@ Found read_checked(const fs::path& path, std::vector<std::byte>& content) {
   return file && sha256_hex(content) == checksum ? Found::whole : Found::damaged;
 }
 
-// Written beside its place and moved there: other processes see the old file or the new one, never half of one.
+// Written beside its place and moved there: other processes see the old file or the new one, never half of
+// one.
 bool write_checked(const fs::path& path, std::span<const std::byte> content) {
   std::error_code fault;
   fs::create_directories(path.parent_path(), fault);
@@ -83,7 +84,8 @@ bool write_checked(const fs::path& path, std::span<const std::byte> content) {
 }
 
 template <class T, class Parse, class Bake>
-Result<Baked<T>> load_or_bake(const fs::path& folder, const std::string& name, const Parse& parse, const Bake& bake) {
+Result<Baked<T>> load_or_bake(const fs::path& folder, const std::string& name, const Parse& parse,
+                              const Bake& bake) {
   const fs::path path = folder / name;
   std::string note;
   if (!folder.empty()) {
@@ -92,7 +94,8 @@ Result<Baked<T>> load_or_bake(const fs::path& folder, const std::string& name, c
     if (found == Found::whole) {
       if (std::optional<T> value = parse(content)) return Baked<T>{std::move(*value), true, ""};
     }
-    if (found != Found::nothing) note = "The cached bake " + path.string() + " was damaged and has been made anew.";
+    if (found != Found::nothing)
+      note = "The cached bake " + path.string() + " was damaged and has been made anew.";
   }
   Result<T> made = bake();
   if (!made) return made.error();

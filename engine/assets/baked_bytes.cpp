@@ -10,8 +10,12 @@ namespace {
 
 using Xyz = std::array<double, 3>;
 
-Xyz xyz(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-Vec3 vec3(const Xyz& v) { return {v[0], v[1], v[2]}; }
+Xyz xyz(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Vec3 vec3(const Xyz& v) {
+  return {v[0], v[1], v[2]};
+}
 
 std::vector<Xyz> all_xyz(const std::vector<Vec3>& vectors) {
   std::vector<Xyz> result;
@@ -34,9 +38,10 @@ bool is_of_one_piece(const FieldData& field) {
     bricks *= along;
   }
   const std::size_t slots = field.slot_error_m.size();
-  return bricks == static_cast<double>(field.brick_slot.size()) && field.coarse_m.size() == field.brick_slot.size() &&
-         field.values_m.size() == slots * kBrickValues && field.voxel_m > 0.0 && std::isfinite(field.voxel_m) &&
-         field.origin.allFinite() && field.surface_box.min().allFinite() && field.surface_box.max().allFinite() &&
+  return bricks == static_cast<double>(field.brick_slot.size()) &&
+         field.coarse_m.size() == field.brick_slot.size() && field.values_m.size() == slots * kBrickValues &&
+         field.voxel_m > 0.0 && std::isfinite(field.voxel_m) && field.origin.allFinite() &&
+         field.surface_box.min().allFinite() && field.surface_box.max().allFinite() &&
          std::all_of(field.brick_slot.begin(), field.brick_slot.end(), [slots](std::int32_t slot) {
            return slot == kNoBrick || (slot >= 0 && static_cast<std::size_t>(slot) < slots);
          });
@@ -48,7 +53,8 @@ std::vector<std::byte> to_bytes(const DistanceField& field) {
   const FieldData& data = field.data();
   ByteWriter out;
   for (const Vec3& v : {data.origin, data.surface_box.min(), data.surface_box.max()}) out.value(xyz(v));
-  for (const double x : {data.voxel_m, data.band_m, data.error_bound_m, data.thinnest_feature_m}) out.value(x);
+  for (const double x : {data.voxel_m, data.band_m, data.error_bound_m, data.thinnest_feature_m})
+    out.value(x);
   out.value(data.bricks);
   out.vector(data.brick_slot);
   out.vector(data.coarse_m);
@@ -63,7 +69,8 @@ std::optional<DistanceField> field_from_bytes(std::span<const std::byte> bytes) 
   data.origin = vec3(in.value<Xyz>());
   const Vec3 low = vec3(in.value<Xyz>()), high = vec3(in.value<Xyz>());
   data.surface_box = Box3(low, high);
-  for (double* x : {&data.voxel_m, &data.band_m, &data.error_bound_m, &data.thinnest_feature_m}) *x = in.value<double>();
+  for (double* x : {&data.voxel_m, &data.band_m, &data.error_bound_m, &data.thinnest_feature_m})
+    *x = in.value<double>();
   data.bricks = in.value<std::array<std::int32_t, 3>>();
   data.brick_slot = in.vector<std::int32_t>();
   data.coarse_m = in.vector<float>();

@@ -17,7 +17,8 @@ inline constexpr std::string_view kBakeFormat = "fulcrum bake 1";
 std::vector<std::byte> to_bytes(const DistanceField& field);
 std::vector<std::byte> to_bytes(const Pointshell& shell);
 
-// Nothing if the bytes are not of one piece: lengths that disagree, indices out of range, numbers that are not finite.
+// Nothing if the bytes are not of one piece: lengths that disagree, indices out of range, numbers that are
+// not finite.
 std::optional<DistanceField> field_from_bytes(std::span<const std::byte> bytes);
 std::optional<Pointshell> pointshell_from_bytes(std::span<const std::byte> bytes);
 

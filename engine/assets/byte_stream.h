@@ -10,7 +10,7 @@
 namespace fulcrum {
 
 class ByteWriter {
- public:
+public:
   template <class T>
   void value(const T& v) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -23,7 +23,7 @@ class ByteWriter {
   }
   const std::vector<std::byte>& bytes() const { return bytes_; }
 
- private:
+private:
   template <class T, std::size_t N>
   void array(std::span<T, N> v) {
     const auto raw = std::as_bytes(v);
@@ -34,7 +34,7 @@ class ByteWriter {
 
 // Reading past the end fails, is remembered, and yields zeros.
 class ByteReader {
- public:
+public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
   template <class T>
@@ -57,7 +57,7 @@ class ByteReader {
   }
   bool finished_well() const { return !failed_ && rest_.empty(); }
 
- private:
+private:
   void take(void* to, std::size_t count) {
     failed_ = failed_ || count > rest_.size();
     if (failed_ || count == 0) return;

@@ -47,28 +47,32 @@ void check_glb(std::span<const std::byte> bytes) {
     throw GltfFault("it is not a binary glTF file; export the model as glTF 2.0 (.glb)");
   }
   if (bytes.size() < kGlbHeader) throw GltfFault("it ends within its header; copy or export it again");
-  if (word(bytes, 4) != 2) throw GltfFault("it is not of glTF version 2; export the model as glTF 2.0 (.glb)");
+  if (word(bytes, 4) != 2)
+    throw GltfFault("it is not of glTF version 2; export the model as glTF 2.0 (.glb)");
   if (word(bytes, 8) > bytes.size()) {
-    throw GltfFault("it is truncated: " + std::to_string(bytes.size()) + " of " + std::to_string(word(bytes, 8)) +
-                    " bytes are there; copy or export it again");
+    throw GltfFault("it is truncated: " + std::to_string(bytes.size()) + " of " +
+                    std::to_string(word(bytes, 8)) + " bytes are there; copy or export it again");
   }
   const std::size_t json_bytes = word(bytes, 12);
-  if (json_bytes > bytes.size() - kGlbHeader) throw GltfFault("its description is cut off; copy or export it again");
+  if (json_bytes > bytes.size() - kGlbHeader)
+    throw GltfFault("its description is cut off; copy or export it again");
   check_depth({reinterpret_cast<const char*>(bytes.data()) + kGlbHeader, json_bytes});
 }
 
 void check_extensions(const tinygltf::Model& file) {
   for (const std::string& extension : file.extensionsRequired) {
-    const bool compressed = extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
-                            extension == "KHR_mesh_quantization";
+    const bool compressed = extension == "KHR_draco_mesh_compression" ||
+                            extension == "EXT_meshopt_compression" || extension == "KHR_mesh_quantization";
     if (compressed) {
-      throw GltfFault("it needs " + extension + ", which is not supported; export it without mesh compression");
+      throw GltfFault("it needs " + extension +
+                      ", which is not supported; export it without mesh compression");
     }
   }
 }
 
 // Textures are left out, so images are not decoded.
-bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
+                void*) {
   return true;
 }
 
@@ -96,8 +100,10 @@ std::string one_line(std::string text) {
 }
 
 // folder: where the files lie that the file names; none if it may not name any.
-Model parse(std::span<const std::byte> bytes, bool binary, const std::optional<std::filesystem::path>& folder) {
-  if (bytes.size() > std::numeric_limits<unsigned>::max()) throw GltfFault("it is larger than 4 GB; simplify it");
+Model parse(std::span<const std::byte> bytes, bool binary,
+            const std::optional<std::filesystem::path>& folder) {
+  if (bytes.size() > std::numeric_limits<unsigned>::max())
+    throw GltfFault("it is larger than 4 GB; simplify it");
   const auto size = static_cast<unsigned>(bytes.size());
   const auto* text = reinterpret_cast<const char*>(bytes.data());
   tinygltf::TinyGLTF loader;
@@ -109,14 +115,16 @@ Model parse(std::span<const std::byte> bytes, bool binary, const std::optional<s
   bool read = false;
   if (binary) {
     check_glb(bytes);
-    read = loader.LoadBinaryFromMemory(&file, &fault, &warning, reinterpret_cast<const unsigned char*>(text), size,
-                                       base);
+    read = loader.LoadBinaryFromMemory(&file, &fault, &warning, reinterpret_cast<const unsigned char*>(text),
+                                       size, base);
   } else {
     check_depth({text, size});
     read = loader.LoadASCIIFromString(&file, &fault, &warning, text, size, base);
   }
   check_extensions(file);
-  if (!read) throw GltfFault("it cannot be read as glTF (" + one_line(fault) + "); export it again as glTF 2.0 (.glb)");
+  if (!read)
+    throw GltfFault("it cannot be read as glTF (" + one_line(fault) +
+                    "); export it again as glTF 2.0 (.glb)");
   return model_from_gltf(file);
 }
 
@@ -129,7 +137,9 @@ Result<Model> parse_guarded(std::span<const std::byte> bytes, bool binary,
   } catch (const GltfFault& fault) {
     sentence.append(": ").append(fault.what()).append(".");
   } catch (const std::exception& fault) {
-    sentence.append(": it is damaged (").append(one_line(fault.what())).append("); export it again as glTF 2.0 (.glb).");
+    sentence.append(": it is damaged (")
+        .append(one_line(fault.what()))
+        .append("); export it again as glTF 2.0 (.glb).");
   }
   return Error{std::move(sentence)};
 }
@@ -144,7 +154,8 @@ Result<Model> load_gltf(const std::filesystem::path& path) {
   const std::string name = path.string();
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
-    return Error{name + ": there is no such file; check the path, or build the models (the build generates them)."};
+    return Error{name +
+                 ": there is no such file; check the path, or build the models (the build generates them)."};
   }
   if (!std::filesystem::is_regular_file(path, ignored)) {
     return Error{name + ": it is a folder or a device, not a file; name a .glb or .gltf file."};
@@ -160,7 +171,8 @@ Result<Model> load_gltf(const std::filesystem::path& path) {
   if (!file) {
     return Error{name + ": it cannot be read (" + std::strerror(errno) + "); check its permissions."};
   }
-  return parse_guarded(std::as_bytes(std::span(content)), path.extension() != ".gltf", path.parent_path(), name);
+  return parse_guarded(std::as_bytes(std::span(content)), path.extension() != ".gltf", path.parent_path(),
+                       name);
 }
 
 }  // namespace fulcrum

@@ -30,15 +30,17 @@ Elements locate(const tinygltf::Model& file, const tinygltf::Accessor& accessor,
   const tinygltf::BufferView& view = at(file.bufferViews, accessor.bufferView, "buffer view");
   const tinygltf::Buffer& buffer = at(file.buffers, view.buffer, "buffer");
   if (view.byteOffset > buffer.data.size() || view.byteLength > buffer.data.size() - view.byteOffset) {
-    throw GltfFault("a buffer view reaches beyond its buffer; the file is truncated or damaged, export it again");
+    throw GltfFault(
+        "a buffer view reaches beyond its buffer; the file is truncated or damaged, export it again");
   }
   const std::size_t stride = view.byteStride == 0 ? element_bytes : view.byteStride;
   const bool fits = accessor.count > 0 && stride >= element_bytes && accessor.byteOffset <= view.byteLength &&
                     view.byteLength - accessor.byteOffset >= element_bytes &&
                     (view.byteLength - accessor.byteOffset - element_bytes) / stride >= accessor.count - 1;
   if (!fits) {
-    throw GltfFault("an accessor is empty or reaches beyond its buffer view; the file is truncated or damaged, "
-                    "export it again");
+    throw GltfFault(
+        "an accessor is empty or reaches beyond its buffer view; the file is truncated or damaged, "
+        "export it again");
   }
   return {buffer.data.data() + view.byteOffset + accessor.byteOffset, stride, accessor.count};
 }
@@ -60,8 +62,9 @@ std::vector<std::uint32_t> read_scalars(const Elements& elements) {
 std::vector<Vec3> read_vectors(const tinygltf::Model& file, int index) {
   const tinygltf::Accessor& accessor = at(file.accessors, index, "accessor");
   if (accessor.type != TINYGLTF_TYPE_VEC3 || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
-    throw GltfFault("its positions or normals are quantised or not three-dimensional, which is not supported; export "
-                    "it with 32-bit floats and without compression");
+    throw GltfFault(
+        "its positions or normals are quantised or not three-dimensional, which is not supported; export "
+        "it with 32-bit floats and without compression");
   }
   const Elements elements = locate(file, accessor, 3 * sizeof(float));
   std::vector<Vec3> result;
@@ -71,7 +74,8 @@ std::vector<Vec3> read_vectors(const tinygltf::Model& file, int index) {
     std::memcpy(xyz, elements.first + i * elements.stride, sizeof(xyz));
     result.emplace_back(xyz[0], xyz[1], xyz[2]);
     if (!result.back().allFinite()) {
-      throw GltfFault("vertex " + std::to_string(i) + " of a mesh is not a finite number; repair the mesh and export "
+      throw GltfFault("vertex " + std::to_string(i) +
+                      " of a mesh is not a finite number; repair the mesh and export "
                       "it again");
     }
   }

@@ -21,7 +21,8 @@ Eigen::Affine3d local_transform(const tinygltf::Node& node) {
   const auto has = [&node](const std::vector<double>& numbers, std::size_t wanted) {
     if (numbers.empty()) return false;
     if (numbers.size() != wanted || !all_finite(numbers)) {
-      throw GltfFault("node '" + node.name + "' has a transform that is not made of finite numbers; export it again");
+      throw GltfFault("node '" + node.name +
+                      "' has a transform that is not made of finite numbers; export it again");
     }
     return true;
   };
@@ -32,8 +33,10 @@ Eigen::Affine3d local_transform(const tinygltf::Node& node) {
   }
   if (has(node.translation, 3)) local.translate(Vec3(node.translation.data()));
   if (has(node.rotation, 4)) {
-    const Quat q(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);  // the file says x, y, z, w
-    if (!(q.norm() > 0.0)) throw GltfFault("node '" + node.name + "' has no rotation but zero; export it again");
+    const Quat q(node.rotation[3], node.rotation[0], node.rotation[1],
+                 node.rotation[2]);  // the file says x, y, z, w
+    if (!(q.norm() > 0.0))
+      throw GltfFault("node '" + node.name + "' has no rotation but zero; export it again");
     local.rotate(q.normalized());
   }
   if (has(node.scale, 3)) local.scale(Vec3(node.scale.data()));
@@ -67,7 +70,9 @@ ModelMaterial material_from(const tinygltf::Material& source) {
   const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
   ModelMaterial material;
   material.name = source.name;
-  const auto fraction = [](double x) { return static_cast<float>(std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 1.0); };
+  const auto fraction = [](double x) {
+    return static_cast<float>(std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 1.0);
+  };
   for (std::size_t i = 0; i < 3; ++i) {
     material.base_colour[i] = i < pbr.baseColorFactor.size() ? fraction(pbr.baseColorFactor[i]) : 1.0f;
   }
@@ -147,18 +152,20 @@ void place(ModelPart& part, const Eigen::Affine3d& X_MN) {
   for (Vec3& p : part.positions) {
     p = X_MN * p;
     if (!p.allFinite()) {
-      throw GltfFault("part '" + part.name + "' is moved or scaled out of all bounds; check its node's transform");
+      throw GltfFault("part '" + part.name +
+                      "' is moved or scaled out of all bounds; check its node's transform");
     }
   }
   for (Vec3& n : part.normals) n = for_normals * n;
   make_unit(part.normals);
   if (determinant < 0.0) {  // a mirror turns triangles inside out
-    for (std::size_t i = 0; i < part.indices.size(); i += 3) std::swap(part.indices[i + 1], part.indices[i + 2]);
+    for (std::size_t i = 0; i < part.indices.size(); i += 3)
+      std::swap(part.indices[i + 1], part.indices[i + 2]);
   }
 }
 
 class Walk {
- public:
+public:
   explicit Walk(const tinygltf::Model& file) : file_(file), seen_(file.nodes.size(), false) {}
 
   std::vector<ModelPart> parts() {
@@ -178,7 +185,7 @@ class Walk {
     return std::move(parts_);
   }
 
- private:
+private:
   const tinygltf::Node& visit(int index) {
     if (index < 0 || static_cast<std::size_t>(index) >= file_.nodes.size()) {
       throw GltfFault("it refers to a node that it does not hold; export it again");
@@ -191,7 +198,8 @@ class Walk {
 
   void add_mesh(const tinygltf::Node& node, const Eigen::Affine3d& X_MN) {
     if (static_cast<std::size_t>(node.mesh) >= file_.meshes.size()) {
-      throw GltfFault("node '" + node.name + "' refers to a mesh that the file does not hold; export it again");
+      throw GltfFault("node '" + node.name +
+                      "' refers to a mesh that the file does not hold; export it again");
     }
     const tinygltf::Mesh& mesh = file_.meshes[static_cast<std::size_t>(node.mesh)];
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
@@ -225,7 +233,8 @@ Model model_from_gltf(const tinygltf::Model& file) {
   if (model.parts.empty()) {
     throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
   }
-  for (const tinygltf::Material& material : file.materials) model.materials.push_back(material_from(material));
+  for (const tinygltf::Material& material : file.materials)
+    model.materials.push_back(material_from(material));
   model.materials.push_back({});
   return model;
 }
@@ -236,7 +245,8 @@ TriangleMesh to_triangle_mesh(const Model& model) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.positions.begin(), part.positions.end());
     for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
-      mesh.triangles.push_back({first + part.indices[i], first + part.indices[i + 1], first + part.indices[i + 2]});
+      mesh.triangles.push_back(
+          {first + part.indices[i], first + part.indices[i + 1], first + part.indices[i + 2]});
     }
   }
   return mesh;

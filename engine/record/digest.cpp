@@ -51,7 +51,7 @@ private:
 std::uint64_t digest(const TickRecord& record) {
   // A field that is added to TickRecord does not compile here until it is added to this list.
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load,
-               energy_port, force_gain, faults, stopped, clutched] = record;
+               energy_port, energy_unrendered, force_gain, faults, stopped, clutched] = record;
   Fnv fnv;
   fnv.add(tick);
   fnv.add(X_WH);
@@ -66,6 +66,7 @@ std::uint64_t digest(const TickRecord& record) {
     fnv.add(load);
   }
   fnv.add(energy_port);
+  fnv.add(energy_unrendered);
   fnv.add(force_gain);
   fnv.add(faults);
   fnv.add(stopped);

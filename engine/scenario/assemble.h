@@ -44,7 +44,8 @@ struct HapticAssembly {
       notes;  // sentences: from the cache or baked in how long; what the cache had to say
 };
 
-// `what` is being baked, "distance field"; `fraction` runs from 0 to 1. Called on the calling thread.
+// `what` is being baked, "distance field"; `fraction` runs from 0 to 1, in whole percents. Called on the
+// calling thread.
 using BakeProgress = std::function<void(std::string_view what, double fraction)>;
 
 Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedModels& models,

@@ -32,12 +32,16 @@ class Baking {
 public:
   Baking(std::string_view what, const BakeProgress& progress) : what_(what), progress_(progress) { tell(0); }
 
-  void tell(double fraction) const {
+  // Tells of whole percents: a bake reports far more often than anyone can look.
+  void tell(double fraction) {
+    const int percent = static_cast<int>(100 * fraction);
+    if (percent == told_percent_) return;
+    told_percent_ = percent;
     if (progress_) progress_(what_, fraction);
   }
 
   template <class T>
-  void finish(const Baked<T>& baked, const std::string& size, std::vector<std::string>& notes) const {
+  void finish(const Baked<T>& baked, const std::string& size, std::vector<std::string>& notes) {
     tell(1);
     char seconds[32];
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
@@ -50,6 +54,7 @@ public:
 private:
   std::string_view what_;
   const BakeProgress& progress_;
+  int told_percent_ = -1;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
@@ -86,13 +91,13 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   scene.mapping = scenario.device.mapping;
   scene.device = scenario.device.desc;
 
-  const Baking shell_baking("pointshell", progress);
+  Baking shell_baking("pointshell", progress);
   auto shell = cache.pointshell(result.tool_T, scenario.shell);
   if (!shell) return Error{"the tool's pointshell: " + shell.error().sentence};
   shell_baking.finish(*shell, std::to_string(shell->value.size()) + " points", result.notes);
   scene.tool_shell = std::make_shared<const Pointshell>(std::move(shell->value));
 
-  const Baking field_baking("distance field", progress);
+  Baking field_baking("distance field", progress);
   auto field =
       cache.field(result.scene_W, scenario.field, [&](double fraction) { field_baking.tell(fraction); });
   if (!field) return Error{"the scene's distance field: " + field.error().sentence};

@@ -83,9 +83,11 @@ Checked<Scenario> load(const std::string& text, const std::string& source, const
   auto root = parse_yaml(text, source);
   if (!root) return root.faults();
 
-  Scenario described;  // takes what listing the keys appends to it
-  const auto keys = list_keys([&](KeyVisitor& visitor) { describe_scenario(visitor, described); });
-  if (Faults faults = apply_overrides(*root, overrides, keys); !faults.empty()) return faults;
+  if (!overrides.empty()) {
+    Scenario described;  // takes what listing the keys appends to it
+    const auto keys = list_keys([&](KeyVisitor& visitor) { describe_scenario(visitor, described); });
+    if (Faults faults = apply_overrides(*root, overrides, keys); !faults.empty()) return faults;
+  }
 
   Scenario scenario;
   std::error_code error;

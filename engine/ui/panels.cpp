@@ -24,6 +24,7 @@ struct Fact {
 
 std::vector<Fact> facts_of(const TickHealth& ticks) {
   const auto trouble = [](std::uint64_t count) { return count > 0 ? theme::kWarn : theme::kText; };
+  if (ticks.rate_Hz <= 0) return {};  // not by the clock: there is nothing to tell
   return {
       {"Haptic rate", format("%.0f Hz", ticks.rate_Hz)},
       {"CPU per tick", format("%.0f", ticks.cpu_p50_us) + " / " + format("%.0f \u00B5s", ticks.cpu_p99_us)},

@@ -1,6 +1,8 @@
 #pragma once
-// One brick of a distance field: its lattice values, and how far their interpolant is from the exact distance.
+// One brick of a distance field: its lattice values, and how far their interpolant is from the exact
+// distance.
 
+#include <array>
 #include <span>
 
 #include "haptics/bake/union_distance.h"
@@ -8,14 +10,30 @@
 
 namespace fulcrum {
 
-// values: (9^3) m, filled with the exact distance at corner + voxel_m (i, j, k), x fastest.
-void fill_brick(UnionDistance& exact, const Vec3& corner, double voxel_m, std::span<float> values);
+struct BrickPlace {
+  Vec3 corner;     // (3) m, the lowest
+  double voxel_m;  // cell edge
+  double exact_m;  // |distance| up to which lattice values have to be exact
+};
 
-// The largest |interpolant - exact| in m, measured and then given a margin; at most sqrt(3)/2 voxel.
+// values: (9^3) m at corner + voxel_m (i, j, k), x fastest. First the brick's own, i, j, k < 8. Beyond
+// exact_m a value may be a lower bound that is still beyond it: what the neighbour just filled says, less the
+// way from there.
+void fill_own_values(UnionDistance& exact, const BrickPlace& place, std::span<float> values);
+
+// Then the rest, copied from the bricks next to it where they have values. Bit b of a neighbour's number says
+// that it lies one brick further along axis b; null: it has no values.
+using Neighbours = std::array<const float*, 8>;
+void fill_shared_values(UnionDistance& exact, const BrickPlace& place, const Neighbours& neighbours,
+                        std::span<float> values);
+
+// The largest |interpolant - exact| in m where lattice values are exact, measured and then given a margin; at
+// most sqrt(3)/2 voxel.
 //
-// Where the lattice bends little the error is h^2/8 (|f_xx| + |f_yy| + |f_zz|) by its second differences (ground
-// truths, distance fields). In the cells that bend most the exact distance is asked at the centre, at three of the
-// faces' centres, and at the surface point nearest to the centre: the error peaks at the surface's edges and corners.
-double measure_brick(UnionDistance& exact, const Vec3& corner, double voxel_m, std::span<const float> values);
+// Where the lattice bends little the error is h^2/8 (|f_xx| + |f_yy| + |f_zz|) by its second differences
+// (ground truths, distance fields). In the cells that bend most the exact distance is asked at the centre, at
+// three of the faces' centres, and at the surface point nearest to the centre: the error peaks at the
+// surface's edges and corners.
+double measure_brick(UnionDistance& exact, const BrickPlace& place, std::span<const float> values);
 
 }  // namespace fulcrum

@@ -8,7 +8,9 @@ namespace {
 constexpr int kDeepest = 6;  // leaves of 1/64 of the solid's extent
 
 Vec3 child_centre(const Vec3& centre, double half_edge, std::uint32_t octant) {
-  const auto side = [&](std::uint32_t bit) { return (octant >> bit & 1u) != 0 ? 0.5 * half_edge : -0.5 * half_edge; };
+  const auto side = [&](std::uint32_t bit) {
+    return (octant >> bit & 1u) != 0 ? 0.5 * half_edge : -0.5 * half_edge;
+  };
   return centre + Vec3(side(0), side(1), side(2));
 }
 
@@ -41,7 +43,8 @@ void Containment::divide(std::uint32_t cell, const Vec3& centre, double half_edg
   cells_[cell].first_child = first_child;
   cells_.resize(cells_.size() + 8);
   for (std::uint32_t octant = 0; octant < 8; ++octant) {
-    divide(first_child + octant, child_centre(centre, half_edge, octant), 0.5 * half_edge, list, depth + 1, distance);
+    divide(first_child + octant, child_centre(centre, half_edge, octant), 0.5 * half_edge, list, depth + 1,
+           distance);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Which components of a solid can hold a given point: an octree whose leaves list them. What is not listed at a point
-// does not hold it; the distance to a component being 1-Lipschitz, one question at a cell's centre settles the cell.
+// Which components of a solid can hold a given point: an octree whose leaves list them. What is not listed at
+// a point does not hold it; the distance to a component being 1-Lipschitz, one question at a cell's centre
+// settles the cell.
 
 #include <cstdint>
 #include <functional>
@@ -12,7 +13,7 @@
 namespace fulcrum {
 
 class Containment {
- public:
+public:
   struct Candidate {
     std::uint32_t component;
     std::uint32_t hint;  // its triangle nearest to the cell's centre
@@ -25,13 +26,13 @@ class Containment {
 
   std::span<const Candidate> candidates(const Vec3& p) const;
 
- private:
+private:
   struct Cell {
-    std::uint32_t first_child = 0;  // of eight; 0: a leaf
+    std::uint32_t first_child = 0;       // of eight; 0: a leaf
     std::uint32_t first = 0, count = 0;  // of a leaf's list in lists_
   };
-  void divide(std::uint32_t cell, const Vec3& centre, double half_edge, std::span<const Candidate> parent, int depth,
-              const Distance& distance);
+  void divide(std::uint32_t cell, const Vec3& centre, double half_edge, std::span<const Candidate> parent,
+              int depth, const Distance& distance);
 
   Vec3 centre_ = Vec3::Zero();
   double half_edge_ = 0.0;

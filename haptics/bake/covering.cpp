@@ -14,8 +14,9 @@ using Piece = std::array<Vec3, 3>;
 
 }  // namespace
 
-// Branch and bound: within a piece of a triangle nothing is farther from the points than its centroid is, plus the
-// centroid's distance to the farthest corner. Pieces that could exceed the bound so far are cut into two.
+// Branch and bound: within a piece of a triangle nothing is farther from the points than its centroid is,
+// plus the centroid's distance to the farthest corner. Pieces that could exceed the bound so far are cut into
+// two.
 double covering_radius(const Solid& solid, const PointGrid& grid, double seen) {
   double farthest = seen, proven = seen;
   std::vector<Piece> pieces;
@@ -26,18 +27,19 @@ double covering_radius(const Solid& solid, const PointGrid& grid, double seen) {
       Piece piece = pieces.back();
       pieces.pop_back();
       const Vec3 centroid = (piece[0] + piece[1] + piece[2]) / 3.0;
-      const double distance = grid.nearest(centroid, std::numeric_limits<double>::infinity(), [](const SurfacePoint&) {
-                                    return true;
-                                  }).distance;
-      const double radius = std::max({(piece[0] - centroid).norm(), (piece[1] - centroid).norm(),
-                                      (piece[2] - centroid).norm()});
+      const double distance = grid.nearest(centroid, std::numeric_limits<double>::infinity(),
+                                           [](const SurfacePoint&) { return true; })
+                                  .distance;
+      const double radius = std::max(
+          {(piece[0] - centroid).norm(), (piece[1] - centroid).norm(), (piece[2] - centroid).norm()});
       farthest = std::max(farthest, distance);
       if (distance + radius <= kSlack * farthest) {
         proven = std::max(proven, distance + radius);
         continue;
       }
       const auto length = [&piece](std::size_t e) { return (piece[(e + 1) % 3] - piece[e]).squaredNorm(); };
-      const std::size_t longest = length(0) >= length(1) ? (length(0) >= length(2) ? 0 : 2) : (length(1) >= length(2) ? 1 : 2);
+      const std::size_t longest =
+          length(0) >= length(1) ? (length(0) >= length(2) ? 0 : 2) : (length(1) >= length(2) ? 1 : 2);
       const Vec3 middle = 0.5 * (piece[longest] + piece[(longest + 1) % 3]);
       Piece other = piece;
       piece[longest] = middle;

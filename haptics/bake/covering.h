@@ -6,7 +6,8 @@
 
 namespace fulcrum {
 
-// A bound in m that no point of the surface exceeds. `seen`: a distance known to occur, which the bound is at least.
+// A bound in m that no point of the surface exceeds. `seen`: a distance known to occur, which the bound is at
+// least.
 double covering_radius(const Solid& solid, const PointGrid& grid, double seen);
 
 }  // namespace fulcrum

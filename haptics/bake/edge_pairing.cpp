@@ -44,8 +44,9 @@ std::vector<double> angles_about(const TriangleMesh& mesh, std::span<const HalfE
   return angles;
 }
 
-// A forward triangle has its solid on the side of smaller angles, a backward one on that of larger angles. Wedges are
-// closed smallest first; two faces in one place are back to back, a wedge of a whole turn, not of none.
+// A forward triangle has its solid on the side of smaller angles, a backward one on that of larger angles.
+// Wedges are closed smallest first; two faces in one place are back to back, a wedge of a whole turn, not of
+// none.
 void pair_fan(const TriangleMesh& mesh, std::span<const HalfEdge> fan, std::vector<std::uint32_t>& across) {
   struct Wedge {
     double angle;

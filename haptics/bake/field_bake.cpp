@@ -16,12 +16,14 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLargestField = 2e9;  // bytes
+constexpr double kLargestField = 2e9;     // bytes
 constexpr double kThinnestVoxels = 1.99;  // two, and room for the rounding of a wall of exactly two
-constexpr int kBlockBricks = 4;        // bricks along a block's edge; a block shares its list of near components
-constexpr double kClassifyShare = 0.1; // of the whole work, for the progress
+constexpr int kBlockBricks = 4;  // bricks along a block's edge; a block shares its list of near components
+constexpr double kClassifyShare = 0.1;  // of the whole work, for the progress
 
-double brick_radius(double voxel_m) { return std::numbers::sqrt3 / 2.0 * kBrickCells * voxel_m; }
+double brick_radius(double voxel_m) {
+  return std::numbers::sqrt3 / 2.0 * kBrickCells * voxel_m;
+}
 
 std::optional<Error> check_desc(const FieldDesc& desc) {
   if (!(desc.voxel_m > 0.0) || !std::isfinite(desc.voxel_m)) {
@@ -29,17 +31,17 @@ std::optional<Error> check_desc(const FieldDesc& desc) {
                  " m: 0.001 suits hand tools."};
   }
   if (!(desc.band_m >= 2.0 * desc.voxel_m) || !std::isfinite(desc.band_m)) {
-    return Error{"A distance field's band must be at least two voxels (" + spell_mm(2.0 * desc.voxel_m) + "), not " +
-                 spell_mm(desc.band_m) + ": six voxels serve most tools."};
+    return Error{"A distance field's band must be at least two voxels (" + spell_mm(2.0 * desc.voxel_m) +
+                 "), not " + spell_mm(desc.band_m) + ": six voxels serve most tools."};
   }
   return std::nullopt;
 }
 
 std::optional<Error> check_walls(const ThinSpot& spot, double voxel_m) {
   if (spot.thickness_m >= kThinnestVoxels * voxel_m) return std::nullopt;
-  return Error{"A wall near " + spell(spot.place) + " is " + spell_mm(spot.thickness_m) + " thick, and a voxel of " +
-               spell_mm(voxel_m) + " cannot show it: use a voxel of " + spell_mm(spot.thickness_m / 3.0) +
-               " or less, or make the wall thicker."};
+  return Error{"A wall near " + spell(spot.place) + " is " + spell_mm(spot.thickness_m) +
+               " thick, and a voxel of " + spell_mm(voxel_m) + " cannot show it: use a voxel of " +
+               spell_mm(spot.thickness_m / 3.0) + " or less, or make the wall thicker."};
 }
 
 // Bricks over the solid's bounds, grown by the band.
@@ -51,9 +53,9 @@ std::optional<Error> lay_grid(const FieldDesc& desc, FieldData& field) {
   constexpr double kBytesPerBrick = sizeof(std::int32_t) + sizeof(float);
   if (bricks.prod() * kBytesPerBrick > kLargestField) {
     const double scale = std::cbrt(bricks.prod() * kBytesPerBrick / kLargestField);
-    return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels over " + spell_mm(size.maxCoeff()) +
-                 " would have too many bricks to index: use a voxel of " + spell_mm(1.05 * scale * desc.voxel_m) +
-                 " or more, or remove far-away parts."};
+    return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels over " +
+                 spell_mm(size.maxCoeff()) + " would have too many bricks to index: use a voxel of " +
+                 spell_mm(1.05 * scale * desc.voxel_m) + " or more, or remove far-away parts."};
   }
   field.voxel_m = desc.voxel_m;
   field.band_m = desc.band_m;
@@ -68,10 +70,11 @@ std::optional<Error> lay_grid(const FieldDesc& desc, FieldData& field) {
 }
 
 class Baker {
- public:
+public:
   Baker(const Solid& solid, const TriangleDistance& exact, const FieldDesc& desc, FieldData& field)
       : solid_(solid), exact_(exact), threads_(desc.threads), field_(field) {
-    for (std::size_t axis = 0; axis < 3; ++axis) blocks_[axis] = (field.bricks[axis] + kBlockBricks - 1) / kBlockBricks;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      blocks_[axis] = (field.bricks[axis] + kBlockBricks - 1) / kBlockBricks;
   }
 
   // Signs and coarse values of all bricks, and which of them are in band.
@@ -79,7 +82,8 @@ class Baker {
     const auto count = static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
                        static_cast<std::size_t>(blocks_[2]);
     near_.resize(count);
-    for_each_piece(count, threads_, [this](std::size_t block) { classify_block(block); }, progress);
+    for_each_piece(
+        count, threads_, [this](std::size_t block) { classify_block(block); }, progress);
     for (std::size_t index = 0; index < field_.brick_slot.size(); ++index) {
       if (field_.brick_slot[index] == kNoBrick) continue;
       field_.brick_slot[index] = static_cast<std::int32_t>(in_band_.size());
@@ -92,11 +96,17 @@ class Baker {
   void fill(const std::function<void(double)>& progress) {
     field_.values_m.resize(in_band_.size() * kBrickValues);
     field_.slot_error_m.resize(in_band_.size());
-    for_each_piece(in_band_.size(), threads_, [this](std::size_t slot) { fill_slot(slot); }, progress);
+    const auto upto = [&progress](double from, double to) {
+      return [&progress, from, to](double fraction) { progress(from + (to - from) * fraction); };
+    };
+    for_each_piece(
+        in_band_.size(), threads_, [this](std::size_t slot) { fill_slot(slot); }, upto(0.0, 0.7));
+    for_each_piece(
+        in_band_.size(), threads_, [this](std::size_t slot) { finish_slot(slot); }, upto(0.7, 1.0));
     field_.error_bound_m = *std::max_element(field_.slot_error_m.begin(), field_.slot_error_m.end());
   }
 
- private:
+private:
   using Place = std::array<std::int32_t, 3>;
 
   static Place place_of(std::size_t index, const Place& counts) {
@@ -134,20 +144,61 @@ class Baker {
     const double radius = brick_radius(field_.voxel_m);
     const double distance = near(brick_centre(brick));
     const std::size_t index = index_of(brick, field_.bricks);
-    // Nothing in the brick is nearer to the surface than its centre by more than its radius. Rounded towards zero.
+    // Nothing in the brick is nearer to the surface than its centre by more than its radius. Rounded towards
+    // zero.
     const double least = std::max(std::abs(distance) - radius, 0.0);
     field_.coarse_m[index] = std::nextafter(static_cast<float>(std::copysign(least, distance)), 0.0f);
-    if (std::abs(distance) <= field_.band_m + radius) field_.brick_slot[index] = 0;  // numbered once all are known
+    if (reaches_band(near, brick_centre(brick), distance))
+      field_.brick_slot[index] = 0;  // numbered once all are known
+  }
+
+  // A brick between surely and surely not is settled by its octants.
+  bool reaches_band(UnionDistance& near, const Vec3& centre, double distance) const {
+    const double radius = brick_radius(field_.voxel_m);
+    if (std::abs(distance) <= field_.band_m) return true;
+    if (std::abs(distance) > field_.band_m + radius) return false;
+    const double quarter = 0.25 * kBrickCells * field_.voxel_m;
+    for (unsigned octant = 0; octant < 8; ++octant) {
+      const auto side = [&](unsigned axis) { return (octant >> axis & 1u) != 0 ? quarter : -quarter; };
+      if (std::abs(near(centre + Vec3(side(0), side(1), side(2)))) <= field_.band_m + 0.5 * radius)
+        return true;
+    }
+    return false;
+  }
+
+  UnionDistance distance_near(const Place& brick) const {
+    const Place block{brick[0] / kBlockBricks, brick[1] / kBlockBricks, brick[2] / kBlockBricks};
+    return {*near_[index_of(block, blocks_)], brick_centre(brick), brick_radius(field_.voxel_m)};
+  }
+  BrickPlace geometry_of(const Place& brick) const {
+    return {brick_corner(brick), field_.voxel_m, field_.band_m + std::numbers::sqrt3 * field_.voxel_m};
+  }
+  std::span<float> values_of(std::size_t slot) {
+    return std::span(field_.values_m).subspan(slot * kBrickValues, kBrickValues);
   }
 
   void fill_slot(std::size_t slot) {
     const Place brick = place_of(in_band_[slot], field_.bricks);
-    const Place block{brick[0] / kBlockBricks, brick[1] / kBlockBricks, brick[2] / kBlockBricks};
-    UnionDistance exact(*near_[index_of(block, blocks_)], brick_centre(brick), brick_radius(field_.voxel_m));
-    const std::span<float> values = std::span(field_.values_m).subspan(slot * kBrickValues, kBrickValues);
-    fill_brick(exact, brick_corner(brick), field_.voxel_m, values);
-    field_.slot_error_m[slot] =
-        static_cast<float>(measure_brick(exact, brick_corner(brick), field_.voxel_m, values));
+    UnionDistance exact = distance_near(brick);
+    fill_own_values(exact, geometry_of(brick), values_of(slot));
+  }
+
+  void finish_slot(std::size_t slot) {
+    const Place brick = place_of(in_band_[slot], field_.bricks);
+    Neighbours neighbours{};
+    for (unsigned which = 1; which < neighbours.size(); ++which) {
+      Place there = brick;
+      bool in_grid = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        there[axis] += static_cast<std::int32_t>(which >> axis & 1u);
+        in_grid = in_grid && there[axis] < field_.bricks[axis];
+      }
+      const std::int32_t other = in_grid ? field_.brick_slot[index_of(there, field_.bricks)] : kNoBrick;
+      if (other != kNoBrick) neighbours[which] = values_of(static_cast<std::size_t>(other)).data();
+    }
+    UnionDistance exact = distance_near(brick);
+    fill_shared_values(exact, geometry_of(brick), neighbours, values_of(slot));
+    field_.slot_error_m[slot] = static_cast<float>(measure_brick(exact, geometry_of(brick), values_of(slot)));
   }
 
   const Solid& solid_;
@@ -181,8 +232,9 @@ Result<DistanceField> bake_field(const Solid& solid, const FieldDesc& desc, cons
   baker.classify(report(0.0, kClassifyShare));
   const double bytes = static_cast<double>(baker.in_band()) * kBrickValues * sizeof(float);
   if (bytes > kLargestField) {
-    return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels would need " + spell(bytes * 1e-9) +
-                 " GB: use a voxel of " + spell_mm(1.05 * desc.voxel_m * std::sqrt(bytes / kLargestField)) +
+    return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels would need " +
+                 spell(bytes * 1e-9) + " GB: use a voxel of " +
+                 spell_mm(1.05 * desc.voxel_m * std::sqrt(bytes / kLargestField)) +
                  " or more, or a narrower band than " + spell_mm(desc.band_m) + "."};
   }
   baker.fill(report(kClassifyShare, 1.0));

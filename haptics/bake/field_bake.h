@@ -12,14 +12,14 @@ namespace fulcrum {
 struct FieldDesc {
   double voxel_m = 1e-3;  // cell edge
   double band_m = 6e-3;   // how far from the surface the field is stored in full; at least two voxels
-  unsigned threads = 0;   // 0: as many as the machine has. The result is the same, bit for bit, for any number
+  unsigned threads = 0;  // 0: as many as the machine has. The result is the same, bit for bit, for any number
 };
 
 using Progress = std::function<void(double fraction)>;  // 0 to 1, called from the calling thread only
 
-// Refused, with the numbers that would serve: voxel or band that is not positive and finite, a wall thinner than two
-// voxels (the field would have no inside there, ground truths: below about three it is already soft), a grid of more
-// than 2 GB.
+// Refused, with the numbers that would serve: voxel or band that is not positive and finite, a wall thinner
+// than two voxels (the field would have no inside there, ground truths: below about three it is already
+// soft), a grid of more than 2 GB.
 Result<DistanceField> bake_field(const Solid& solid, const FieldDesc& desc, const Progress& progress = {});
 
 }  // namespace fulcrum

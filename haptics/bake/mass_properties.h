@@ -9,8 +9,8 @@ namespace fulcrum {
 
 struct MassProperties {
   double volume_m3 = 0.0;
-  Vec3 centre = Vec3::Zero();    // (3) m
-  Mat3 inertia = Mat3::Zero();   // (3 x 3) m^5 about centre: times density, kg m^2
+  Vec3 centre = Vec3::Zero();   // (3) m
+  Mat3 inertia = Mat3::Zero();  // (3 x 3) m^5 about centre: times density, kg m^2
 };
 
 // Where components overlap, the overlap counts once for each of them.

@@ -13,7 +13,7 @@
 namespace fulcrum {
 
 class PointGrid {
- public:
+public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
   explicit PointGrid(double cube_m) : cube_m_(cube_m) {}
@@ -40,7 +40,7 @@ class PointGrid {
     return best.distance <= reach_m ? best : Nearest{};
   }
 
- private:
+private:
   using Cube = Eigen::Vector3i;
 
   Cube cube_of(const Vec3& p) const { return (p / cube_m_).array().floor().cast<int>(); }

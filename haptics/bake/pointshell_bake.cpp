@@ -16,12 +16,13 @@ namespace {
 
 constexpr double kMostPoints = 4e6;
 constexpr double kSamplesPerPoint = 32.0;
-// Random discs that keep a distance r and leave no gap number .697/r^2 per area (jamming at 54.7 % of the plane,
-// E. L. Hinrichsen, J. Feder, T. Jossang, J. Stat. Phys. 44, 1986). At this many spacings they number as the
-// triangular lattice of that spacing.
+// Random discs that keep a distance r and leave no gap number .697/r^2 per area (jamming at 54.7 % of the
+// plane, E. L. Hinrichsen, J. Feder, T. Jossang, J. Stat. Phys. 44, 1986). At this many spacings they number
+// as the triangular lattice of that spacing.
 constexpr double kDiscSpacings = 0.777;
 constexpr double kPointsPerSpacingSquared = 1.1547;  // of the triangular lattice, 2/sqrt(3)
-// Points of surfaces that face more than 72 degrees apart do not crowd each other: the two sides of a thin plate.
+// Points of surfaces that face more than 72 degrees apart do not crowd each other: the two sides of a thin
+// plate.
 constexpr double kSameSide = 0.3;
 
 auto facing(const Vec3& normal) {
@@ -39,8 +40,8 @@ Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& des
   const double area = surface_area(solid);
   const double expected = kPointsPerSpacingSquared * area / spacing_squared;
   if (expected > kMostPoints) {
-    return Error{"A pointshell with " + spell_mm(desc.spacing_m) + " spacing would have about " + spell(expected) +
-                 " points: use a spacing of " +
+    return Error{"A pointshell with " + spell_mm(desc.spacing_m) + " spacing would have about " +
+                 spell(expected) + " points: use a spacing of " +
                  spell_mm(1.05 * desc.spacing_m * std::sqrt(expected / kMostPoints)) + " or more."};
   }
 
@@ -54,14 +55,16 @@ Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& des
     if (near.index == PointGrid::kNone) grid.add(sample);
   }
 
-  // Each sample's area goes to the nearest point that faces its way, which no farther than its own disc there is.
+  // Each sample's area goes to the nearest point that faces its way, which no farther than its own disc there
+  // is.
   std::vector<double> areas(grid.points().size(), 0.0);
   double seen = 0.0;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     const SurfacePoint& sample = samples.points[i];
     areas[grid.nearest(sample.position, desc.spacing_m, facing(sample.normal)).index] += samples.areas_m2[i];
     seen = std::max(
-        seen, grid.nearest(sample.position, desc.spacing_m, [](const SurfacePoint&) { return true; }).distance);
+        seen,
+        grid.nearest(sample.position, desc.spacing_m, [](const SurfacePoint&) { return true; }).distance);
   }
 
   std::vector<Vec3> positions, normals;

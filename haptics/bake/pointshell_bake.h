@@ -10,14 +10,15 @@
 namespace fulcrum {
 
 struct PointshellDesc {
-  double spacing_m = 1.5e-3;                  // wanted distance between neighbours
+  double spacing_m = 1.5e-3;                    // wanted distance between neighbours
   double sharp_angle_rad = 0.5235987755982988;  // 30 degrees: edges that bend more carry points of their own
-  std::uint64_t seed = 1;                     // of the sampling; same seed, same shell
+  std::uint64_t seed = 1;                       // of the sampling; same seed, same shell
 };
 
-// Points in the solid's own frame (see transformed()), spaced evenly over the surface, with corners and sharp edges
-// kept. Area weights sum to the surface area of all components; the covering radius is a proven bound.
-// Refused: spacing that is not positive and finite, or so fine that the shell would have more than 4 million points.
+// Points in the solid's own frame (see transformed()), spaced evenly over the surface, with corners and sharp
+// edges kept. Area weights sum to the surface area of all components; the covering radius is a proven bound.
+// Refused: spacing that is not positive and finite, or so fine that the shell would have more than 4 million
+// points.
 Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& desc);
 
 }  // namespace fulcrum

@@ -19,9 +19,16 @@ inline std::string spell(double value) {
 
 inline std::string spell(const Vec3& p) {
   std::string text = "(";
-  return text.append(spell(p.x())).append(", ").append(spell(p.y())).append(", ").append(spell(p.z())).append(") m");
+  return text.append(spell(p.x()))
+      .append(", ")
+      .append(spell(p.y()))
+      .append(", ")
+      .append(spell(p.z()))
+      .append(") m");
 }
 
-inline std::string spell_mm(double metres) { return spell(metres * 1e3) + " mm"; }
+inline std::string spell_mm(double metres) {
+  return spell(metres * 1e3) + " mm";
+}
 
 }  // namespace fulcrum

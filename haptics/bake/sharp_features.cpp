@@ -15,7 +15,9 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
-Vec3 eigen(const OpenMesh::Vec3d& v) { return {v[0], v[1], v[2]}; }
+Vec3 eigen(const OpenMesh::Vec3d& v) {
+  return {v[0], v[1], v[2]};
+}
 
 Mesh to_openmesh(const Solid& solid) {
   Mesh mesh;
@@ -30,9 +32,12 @@ Mesh to_openmesh(const Solid& solid) {
 }
 
 class SharpEdges {
- public:
+public:
   SharpEdges(const Solid& solid, double angle)
-      : mesh_(to_openmesh(solid)), angle_(angle), sharp_(mesh_.n_edges(), false), walked_(mesh_.n_edges(), false) {
+      : mesh_(to_openmesh(solid)),
+        angle_(angle),
+        sharp_(mesh_.n_edges(), false),
+        walked_(mesh_.n_edges(), false) {
     for (const auto edge : mesh_.edges()) {
       sharp_[index(edge)] = std::abs(mesh_.calc_dihedral_angle(edge)) > angle_;
     }
@@ -56,13 +61,15 @@ class SharpEdges {
     return points;
   }
 
- private:
+private:
   using Halfedge = OpenMesh::SmartHalfedgeHandle;
   using Vertex = OpenMesh::SmartVertexHandle;
 
   static std::size_t index(const OpenMesh::EdgeHandle& edge) { return static_cast<std::size_t>(edge.idx()); }
   Vec3 position(const Vertex& vertex) const { return eigen(mesh_.point(vertex)); }
-  Vec3 along(const Halfedge& edge) const { return (position(edge.to()) - position(edge.from())).normalized(); }
+  Vec3 along(const Halfedge& edge) const {
+    return (position(edge.to()) - position(edge.from())).normalized();
+  }
 
   // Where sharp edges end, meet, or turn.
   bool is_corner(const Vertex& vertex) const {

@@ -12,8 +12,9 @@ struct SurfacePoint {
   Vec3 normal = Vec3::UnitY();   // (3) unit, outward; on an edge or corner the mean of the faces'
 };
 
-// Points on edges whose faces' normals differ by more than sharp_angle_rad: first the corners, where such edges end,
-// meet or turn by more than that angle; then points at most spacing_m apart along the edges between them.
+// Points on edges whose faces' normals differ by more than sharp_angle_rad: first the corners, where such
+// edges end, meet or turn by more than that angle; then points at most spacing_m apart along the edges
+// between them.
 std::vector<SurfacePoint> sharp_points(const Solid& solid, double sharp_angle_rad, double spacing_m);
 
 }  // namespace fulcrum

@@ -100,7 +100,7 @@ Error describe(const EdgePairing& pairing) {
 
 // Disjoint sets of numbers; the lowest of each stands for it.
 class Sets {
- public:
+public:
   explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
@@ -112,7 +112,7 @@ class Sets {
     parent_[std::max(i, j)] = std::min(i, j);
   }
 
- private:
+private:
   std::vector<std::uint32_t> parent_;
 };
 
@@ -176,8 +176,9 @@ std::optional<Error> measure_volumes(Solid& solid) {
     const std::string where = "A closed surface of " + std::to_string(component.triangle_count) +
                               " triangles around " + spell(centre);
     if (component.volume_m3 < -flat) {
-      return Error{where + " is wound inside out: recalculate its normals to point outside; if it is meant as a "
-                           "cavity, connect it to the surface around it."};
+      return Error{where +
+                   " is wound inside out: recalculate its normals to point outside; if it is meant as a "
+                   "cavity, connect it to the surface around it."};
     }
     return Error{where + " has no volume: remove it, or give it thickness."};
   }
@@ -197,8 +198,9 @@ Result<Solid> build_solid(const TriangleMesh& soup) {
   std::uint32_t dropped = 0;
   const TriangleMesh welded = weld(soup, dropped);
   if (welded.triangles.empty()) {
-    return Error{"All " + std::to_string(dropped) +
-                 " triangles of the mesh have two corners in one place: check its scale and export it again."};
+    return Error{
+        "All " + std::to_string(dropped) +
+        " triangles of the mesh have two corners in one place: check its scale and export it again."};
   }
   const EdgePairing pairing = pair_edges(welded);
   if (!pairing.complete()) return describe(pairing);

@@ -28,10 +28,10 @@ struct Solid {
   Box3 bounds() const;
 };
 
-// Welds vertices at equal positions, pairs edges, and checks each connected surface. An edge that 2n triangles
-// share, n each way, is n edges of surfaces that touch there.
-// Refused, with numbers, a place and a remedy: no triangles, indices out of range, vertices that are not finite,
-// holes, edges that cannot be paired, surfaces wound inside out or inconsistently, surfaces without volume.
+// Welds vertices at equal positions, pairs edges, and checks each connected surface. An edge that 2n
+// triangles share, n each way, is n edges of surfaces that touch there. Refused, with numbers, a place and a
+// remedy: no triangles, indices out of range, vertices that are not finite, holes, edges that cannot be
+// paired, surfaces wound inside out or inconsistently, surfaces without volume.
 Result<Solid> build_solid(const TriangleMesh& soup);
 
 }  // namespace fulcrum

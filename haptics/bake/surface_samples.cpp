@@ -7,10 +7,10 @@
 namespace fulcrum {
 namespace {
 
-// SplitMix64, G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014). The
-// standard library's distributions may differ from one library to the next; this does not.
+// SplitMix64, G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014).
+// The standard library's distributions may differ from one library to the next; this does not.
 class Random {
- public:
+public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
   std::uint64_t bits() {
     std::uint64_t z = state_ += 0x9e3779b97f4a7c15ull;
@@ -20,12 +20,13 @@ class Random {
   }
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }  // in [0, 1)
 
- private:
+private:
   std::uint64_t state_;
 };
 
 std::array<Vec3, 3> corners(const Solid& solid, const Triangle& triangle) {
-  return {solid.mesh.vertices[triangle[0]], solid.mesh.vertices[triangle[1]], solid.mesh.vertices[triangle[2]]};
+  return {solid.mesh.vertices[triangle[0]], solid.mesh.vertices[triangle[1]],
+          solid.mesh.vertices[triangle[2]]};
 }
 
 }  // namespace

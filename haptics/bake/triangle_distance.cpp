@@ -13,7 +13,9 @@ Vec3 unit_or_zero(const Vec3& v) {
   return length > 0.0 ? Vec3(v / length) : Vec3(Vec3::Zero());
 }
 
-double angle_between(const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); }
+double angle_between(const Vec3& u, const Vec3& v) {
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
 
 }  // namespace
 
@@ -37,9 +39,10 @@ TriangleDistance::TriangleDistance(const Solid& solid)
   for (const SolidComponent& component : solid.components) {
     all.push_back({static_cast<std::uint32_t>(all.size()), component.first_triangle});
   }
-  containment_.emplace(solid.bounds(), all, [this](std::uint32_t component, const Vec3& p, std::uint32_t& hint) {
-    return component_distance(component, p, hint);
-  });
+  containment_.emplace(solid.bounds(), all,
+                       [this](std::uint32_t component, const Vec3& p, std::uint32_t& hint) {
+                         return component_distance(component, p, hint);
+                       });
 }
 
 Vec3 TriangleDistance::pseudonormal(std::uint32_t triangle, TriangleFeature feature) const {
@@ -55,7 +58,8 @@ Vec3 TriangleDistance::pseudonormal(std::uint32_t triangle, TriangleFeature feat
     case TriangleFeature::corner0:
     case TriangleFeature::corner1:
     case TriangleFeature::corner2: {
-      const auto corner = static_cast<std::size_t>(feature) - static_cast<std::size_t>(TriangleFeature::corner0);
+      const auto corner =
+          static_cast<std::size_t>(feature) - static_cast<std::size_t>(TriangleFeature::corner0);
       return vertex_normals_[triangles_[triangle][corner]];
     }
   }
@@ -66,14 +70,16 @@ bool TriangleDistance::is_inside(const Vec3& p, const TriangleTree::Nearest& nea
   return (p - nearest.point).dot(pseudonormal(nearest.triangle, nearest.feature)) < 0.0;
 }
 
-double TriangleDistance::component_distance(std::uint32_t component, const Vec3& p, std::uint32_t& hint) const {
+double TriangleDistance::component_distance(std::uint32_t component, const Vec3& p,
+                                            std::uint32_t& hint) const {
   const TriangleTree::Nearest nearest = tree_.nearest(tree_.of_component(component), p, kEverything, hint);
   if (nearest.triangle == TriangleTree::kNone) return kEverything;  // p is not a number
   hint = nearest.triangle;
   return is_inside(p, nearest) ? -std::sqrt(nearest.squared) : std::sqrt(nearest.squared);
 }
 
-// Components that may hold p are asked in full. Of all others p is outside, and the closest triangle of all decides.
+// Components that may hold p are asked in full. Of all others p is outside, and the closest triangle of all
+// decides.
 ClosestPoint TriangleDistance::closest_below(const Vec3& p, double limit) const {
   ClosestPoint best;
   best.distance = limit;
@@ -93,7 +99,9 @@ ClosestPoint TriangleDistance::closest_below(const Vec3& p, double limit) const 
   return best;
 }
 
-double TriangleDistance::signed_distance(const Vec3& p) const { return closest(p).distance; }
+double TriangleDistance::signed_distance(const Vec3& p) const {
+  return closest(p).distance;
+}
 
 double TriangleDistance::signed_distance_within(const Vec3& p, double r) const {
   return closest_below(p, r).distance;
@@ -103,7 +111,8 @@ ClosestPoint TriangleDistance::closest(const Vec3& p) const {
   return closest_below(p, kEverything);
 }
 
-std::optional<Crossing> TriangleDistance::crossing(TriangleTree::Root root, const Vec3& p0, const Vec3& p1) const {
+std::optional<Crossing> TriangleDistance::crossing(TriangleTree::Root root, const Vec3& p0,
+                                                   const Vec3& p1) const {
   const std::optional<TriangleTree::Hit> hit = tree_.first_hit(root, p0, p1);
   if (!hit) return std::nullopt;
   return Crossing{hit->triangle, hit->fraction, (p1 - p0).dot(face_normals_[hit->triangle]) < 0.0};

@@ -1,10 +1,11 @@
 #pragma once
-// The exact signed distance to a solid's triangles: the reference the distance field is made from and judged by.
+// The exact signed distance to a solid's triangles: the reference the distance field is made from and judged
+// by.
 //
-// Sign: the angle-weighted pseudonormal of the closest feature, per component; J. A. Baerentzen and H. Aanaes,
-// "Signed distance computation using the angle weighted pseudonormal" (IEEE TVCG 11(3), 2005).
-// Union: the minimum over the components. Outside that is the distance to the union. Inside it is minus the depth
-// in the component in which the point lies deepest: at most the depth in the union, never more.
+// Sign: the angle-weighted pseudonormal of the closest feature, per component; J. A. Baerentzen and H.
+// Aanaes, "Signed distance computation using the angle weighted pseudonormal" (IEEE TVCG 11(3), 2005). Union:
+// the minimum over the components. Outside that is the distance to the union. Inside it is minus the depth in
+// the component in which the point lies deepest: at most the depth in the union, never more.
 
 #include <cstdint>
 #include <optional>
@@ -17,21 +18,21 @@
 namespace fulcrum {
 
 struct ClosestPoint {
-  double distance = 0.0;          // m, signed
-  Vec3 point = Vec3::Zero();      // (3) m, on the surface
-  Vec3 normal = Vec3::UnitY();    // (3) unit, outward pseudonormal there
-  std::uint32_t triangle = 0;     // into Solid::mesh.triangles
+  double distance = 0.0;        // m, signed
+  Vec3 point = Vec3::Zero();    // (3) m, on the surface
+  Vec3 normal = Vec3::UnitY();  // (3) unit, outward pseudonormal there
+  std::uint32_t triangle = 0;   // into Solid::mesh.triangles
 };
 
 struct Crossing {
-  std::uint32_t triangle = 0;   // into Solid::mesh.triangles
-  double fraction = 0.0;        // of the way from p0 to p1
-  bool entering = false;        // from the outer side of the triangle to the inner one
+  std::uint32_t triangle = 0;  // into Solid::mesh.triangles
+  double fraction = 0.0;       // of the way from p0 to p1
+  bool entering = false;       // from the outer side of the triangle to the inner one
 };
 
 // Const and safe to call from several threads at once.
 class TriangleDistance {
- public:
+public:
   explicit TriangleDistance(const Solid& solid);
 
   double signed_distance(const Vec3& p) const;
@@ -39,17 +40,17 @@ class TriangleDistance {
   double signed_distance_within(const Vec3& p, double r) const;
   ClosestPoint closest(const Vec3& p) const;
 
-  // The first triangle met on the way from p0 to p1; edges and vertices belong to every triangle they bound, so
-  // that no path slips between two of them. Segments that lie in a triangle's plane do not cross it.
+  // The first triangle met on the way from p0 to p1; edges and vertices belong to every triangle they bound,
+  // so that no path slips between two of them. Segments that lie in a triangle's plane do not cross it.
   std::optional<Crossing> first_crossing(const Vec3& p0, const Vec3& p1) const;
 
-  // One component alone. `hint` is a triangle of it to try first (Solid::mesh order), and becomes the closest one:
-  // neighbouring points cost less. The answer does not depend on it.
+  // One component alone. `hint` is a triangle of it to try first (Solid::mesh order), and becomes the closest
+  // one: neighbouring points cost less. The answer does not depend on it.
   double component_distance(std::uint32_t component, const Vec3& p, std::uint32_t& hint) const;
   Vec3 closest_on(std::uint32_t triangle, const Vec3& p) const { return tree_.closest_on(triangle, p); }
   std::optional<Crossing> first_crossing_of(std::uint32_t component, const Vec3& p0, const Vec3& p1) const;
 
- private:
+private:
   bool is_inside(const Vec3& p, const TriangleTree::Nearest& nearest) const;
   Vec3 pseudonormal(std::uint32_t triangle, TriangleFeature feature) const;
   ClosestPoint closest_below(const Vec3& p, double limit) const;

@@ -8,8 +8,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kSliver = 1e-6;             // height over length
-constexpr double kRounding = 1.0 - 1e-6;     // of squared bounds; that of coordinates is in the slack
+constexpr double kSliver = 1e-6;           // height over length
+constexpr float kRounding = 1.0f + 4e-6f;  // of squared bounds; that of coordinates is in the slack
 
 struct Waiting {
   std::uint32_t reference;
@@ -28,7 +28,8 @@ std::size_t push_sorted(std::array<Waiting, N>& stack, std::size_t top, std::siz
   return top + 1;
 }
 
-// Halves along the longest extent of the centres, at the median; ties by reference, so that the order is total.
+// Halves along the longest extent of the centres, at the median; ties by reference, so that the order is
+// total.
 template <class Item>
 std::size_t split(std::span<Item> items) {
   Box3 centres;
@@ -63,7 +64,8 @@ TriangleTree::TriangleTree(const Solid& solid) : place_(solid.mesh.triangles.siz
   for (const SolidComponent& component : solid.components) {
     std::vector<Item> items;
     items.reserve(component.triangle_count);
-    for (std::uint32_t t = component.first_triangle; t < component.first_triangle + component.triangle_count; ++t) {
+    for (std::uint32_t t = component.first_triangle; t < component.first_triangle + component.triangle_count;
+         ++t) {
       const Triangle& corner = solid.mesh.triangles[t];
       const Vec3 &a = solid.mesh.vertices[corner[0]], &b = solid.mesh.vertices[corner[1]],
                  &c = solid.mesh.vertices[corner[2]];
@@ -94,8 +96,8 @@ TriangleTree::Root TriangleTree::make_leaf(std::span<const Item> items, const So
     corners_[kLeafTriangles * index + i] = {v[0], v[1], v[2], items[i].reference};
 
     const Vec3 cross = (v[1] - v[0]).cross(v[2] - v[0]);
-    const double longest = std::max({(v[1] - v[0]).squaredNorm(), (v[2] - v[1]).squaredNorm(),
-                                     (v[0] - v[2]).squaredNorm()});
+    const double longest =
+        std::max({(v[1] - v[0]).squaredNorm(), (v[2] - v[1]).squaredNorm(), (v[0] - v[2]).squaredNorm()});
     const bool sliver = cross.norm() < kSliver * longest;  // its plane is rounding: bounds of zero
     const Vec3 n = sliver ? Vec3(Vec3::Zero()) : Vec3(cross.normalized());
     for (std::size_t f = 0; f < 4; ++f) {
@@ -109,16 +111,6 @@ TriangleTree::Root TriangleTree::make_leaf(std::span<const Item> items, const So
   }
   leaves_.push_back(leaf);
   return kLeafBit | (static_cast<std::uint32_t>(items.size()) << 28) | index;
-}
-
-// Squares of lower bounds of the four distances from centre_ + q.
-Eigen::Array4f TriangleTree::leaf_bounds(const Leaf& leaf, const Eigen::Vector3f& q) const {
-  const auto beyond = [&q](const Fence& fence) -> Eigen::Array4f {
-    return fence.normal[0] * q.x() + fence.normal[1] * q.y() + fence.normal[2] * q.z() + fence.offset;
-  };
-  const Eigen::Array4f above = (beyond(leaf[0]).abs() - slack_).max(0.0f);
-  const Eigen::Array4f aside = (beyond(leaf[1]).max(beyond(leaf[2])).max(beyond(leaf[3])) - slack_).max(0.0f);
-  return above.square() + aside.square();
 }
 
 TriangleTree::Root TriangleTree::build(std::span<Item> items, bool of_triangles, const Solid& solid) {
@@ -146,7 +138,8 @@ TriangleTree::Root TriangleTree::build(std::span<Item> items, bool of_triangles,
   nodes_.push_back(node);
   for (std::size_t i = 0; i < count; ++i) {
     const Box3 box = box_of(parts[i]);
-    const Eigen::Vector3f low = (box.min() - centre_).cast<float>(), high = (box.max() - centre_).cast<float>();
+    const Eigen::Vector3f low = (box.min() - centre_).cast<float>(),
+                          high = (box.max() - centre_).cast<float>();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       node.low[axis][static_cast<Eigen::Index>(i)] = low[static_cast<Eigen::Index>(axis)] - slack_;
       node.high[axis][static_cast<Eigen::Index>(i)] = high[static_cast<Eigen::Index>(axis)] + slack_;
@@ -157,15 +150,39 @@ TriangleTree::Root TriangleTree::build(std::span<Item> items, bool of_triangles,
   return index;
 }
 
+// Squares of lower bounds of the distances from centre_ + q to four boxes.
+Eigen::Array4f TriangleTree::bounds_of(const Node& node, const Eigen::Vector3f& q) {
+  const Eigen::Array4f x = (node.low[0] - q.x()).max(q.x() - node.high[0]).max(0.0f);
+  const Eigen::Array4f y = (node.low[1] - q.y()).max(q.y() - node.high[1]).max(0.0f);
+  const Eigen::Array4f z = (node.low[2] - q.z()).max(q.z() - node.high[2]).max(0.0f);
+  return x * x + y * y + z * z;
+}
+
+// The same for the four triangles of a leaf.
+Eigen::Array4f TriangleTree::bounds_of(const Leaf& leaf, const Eigen::Vector3f& q, float slack) {
+  std::array<Eigen::Array4f, 4> beyond;
+  for (std::size_t f = 0; f < 4; ++f) {
+    beyond[f] =
+        leaf[f].normal[0] * q.x() + leaf[f].normal[1] * q.y() + leaf[f].normal[2] * q.z() + leaf[f].offset;
+  }
+  const Eigen::Array4f above = (beyond[0].abs() - slack).max(0.0f);
+  const Eigen::Array4f aside = (beyond[1].max(beyond[2]).max(beyond[3]) - slack).max(0.0f);
+  return above * above + aside * aside;
+}
+
 TriangleTree::Nearest TriangleTree::nearest(Root root, const Vec3& p, double limit_squared,
                                             std::uint32_t hint) const {
   Nearest best;
+  float reach = 0.0f;  // bounds above it cannot matter: the best so far, and the rounding of squared bounds
+  const auto set_reach = [&] { reach = static_cast<float>(best.squared) * kRounding; };
   best.squared = limit_squared;
+  set_reach();
   const auto look_at = [&](const Corners& corners) {
     const TrianglePoint found = closest_on_triangle(p, corners.a, corners.b, corners.c);
     // Ties go to the lower index, so that the answer depends neither on the hint nor on the walk.
     if (found.squared < best.squared || (found.squared == best.squared && corners.triangle < best.triangle)) {
       best = {found.squared, corners.triangle, found.feature, found.point};
+      set_reach();
     }
   };
   if (hint != kNone && place_[hint] != kNone) look_at(corners_[place_[hint]]);
@@ -176,28 +193,25 @@ TriangleTree::Nearest TriangleTree::nearest(Root root, const Vec3& p, double lim
   std::size_t top = 1;
   while (top > 0) {
     const Waiting next = stack[--top];
-    // Boxes are grown by more than their rounding; the factor covers that of the squares.
-    if (static_cast<double>(next.bound) * kRounding > best.squared) continue;
+    if (next.bound > reach) continue;
+    alignas(16) std::array<float, 4> bounds;
+    Eigen::Map<Eigen::Array4f, Eigen::Aligned16> all(bounds.data());
     if (is_leaf(next.reference)) {
       const std::uint32_t leaf = leaf_index(next.reference);
-      const Eigen::Array4f bounds = leaf_bounds(leaves_[leaf], q);
+      all = bounds_of(leaves_[leaf], q, slack_);
       for (std::uint32_t i = 0; i < leaf_count(next.reference); ++i) {
-        if (static_cast<double>(bounds[i]) * kRounding > best.squared) continue;
-        look_at(corners_[kLeafTriangles * leaf + i]);
+        if (bounds[i] <= reach) look_at(corners_[kLeafTriangles * leaf + i]);
       }
       continue;
     }
     const Node& node = nodes_[next.reference];
-    const auto outside = [&](std::size_t axis) {
-      const float x = q[static_cast<Eigen::Index>(axis)];
-      return (node.low[axis] - x).max(x - node.high[axis]).max(0.0f).square();
-    };
-    const Eigen::Array4f bounds = outside(0) + outside(1) + outside(2);
+    all = bounds_of(node, q);
     const std::size_t base = top;
     for (std::size_t i = 0; i < 4; ++i) {
-      const float bound = bounds[static_cast<Eigen::Index>(i)];
-      if (node.child[i] == kNone || static_cast<double>(bound) * kRounding > best.squared) continue;
-      top = push_sorted(stack, top, base, {node.child[i], bound});
+      // An empty place is infinitely far; so is every place of a point that is, and then all have to be
+      // tried.
+      if (bounds[i] <= reach && node.child[i] != kNone)
+        top = push_sorted(stack, top, base, {node.child[i], bounds[i]});
     }
   }
   return best;

@@ -1,6 +1,6 @@
 #pragma once
-// A tree of boxes, four to a node, over a solid's triangles: one subtree per component and nodes above them that join
-// the subtrees. Answers do not depend on the order in which the tree is walked.
+// A tree of boxes, four to a node, over a solid's triangles: one subtree per component and nodes above them
+// that join the subtrees. Answers do not depend on the order in which the tree is walked.
 
 #include <array>
 #include <cstdint>
@@ -14,15 +14,15 @@
 namespace fulcrum {
 
 class TriangleTree {
- public:
+public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
   using Root = std::uint32_t;
 
   struct Nearest {
-    double squared = 0.0;             // m^2, of the distance
-    std::uint32_t triangle = kNone;   // into Solid::mesh.triangles; kNone: nothing within the limit
+    double squared = 0.0;            // m^2, of the distance
+    std::uint32_t triangle = kNone;  // into Solid::mesh.triangles; kNone: nothing within the limit
     TriangleFeature feature = TriangleFeature::face;
-    Vec3 point = Vec3::Zero();        // (3) m
+    Vec3 point = Vec3::Zero();  // (3) m
   };
   struct Hit {
     std::uint32_t triangle = 0;  // into Solid::mesh.triangles
@@ -45,9 +45,10 @@ class TriangleTree {
   // The first triangle that the segment meets; of several at one place, the one with the lowest index.
   std::optional<Hit> first_hit(Root root, const Vec3& p0, const Vec3& p1) const;
 
- private:
+private:
   static constexpr Root kLeafBit = 0x80000000u;  // of a reference: a leaf, 3 bits of count, 28 bits of place
-  static constexpr std::size_t kStack = 256;     // 16 levels of four hold 2^32 triangles; three siblings wait on each
+  static constexpr std::size_t kStack =
+      256;  // 16 levels of four hold 2^32 triangles; three siblings wait on each
   static constexpr std::uint32_t kLeafTriangles = 4;
   static bool is_leaf(Root reference) { return (reference & kLeafBit) != 0; }
   static std::uint32_t leaf_count(Root reference) { return (reference >> 28) & 7u; }
@@ -61,8 +62,8 @@ class TriangleTree {
     Vec3 a, b, c;
     std::uint32_t triangle;
   };
-  // Four triangles of a leaf, each as its plane and, across it, its three edges: plane distance and the largest
-  // distance beyond an edge bound the distance to the triangle from below, for all four at once.
+  // Four triangles of a leaf, each as its plane and, across it, its three edges: plane distance and the
+  // largest distance beyond an edge bound the distance to the triangle from below, for all four at once.
   struct Fence {
     std::array<Eigen::Array4f, 3> normal;  // unit; [0] the plane's, then outwards across the edges
     Eigen::Array4f offset;
@@ -75,12 +76,13 @@ class TriangleTree {
 
   Root build(std::span<Item> items, bool of_triangles, const Solid& solid);
   Root make_leaf(std::span<const Item> items, const Solid& solid);
-  Eigen::Array4f leaf_bounds(const Leaf& leaf, const Eigen::Vector3f& q) const;
+  static Eigen::Array4f bounds_of(const Node& node, const Eigen::Vector3f& q);
+  static Eigen::Array4f bounds_of(const Leaf& leaf, const Eigen::Vector3f& q, float slack);
 
   std::vector<Node> nodes_;
   std::vector<Leaf> leaves_;
-  std::vector<Corners> corners_;            // (leaves x 4), a leaf's at four times its index
-  std::vector<std::uint32_t> place_;        // (m) where a triangle lies in corners_, kNone: it has no area
+  std::vector<Corners> corners_;      // (leaves x 4), a leaf's at four times its index
+  std::vector<std::uint32_t> place_;  // (m) where a triangle lies in corners_, kNone: it has no area
   std::vector<Root> component_roots_;
   Root whole_ = kNone;
   Vec3 centre_ = Vec3::Zero();

@@ -1,7 +1,8 @@
-// Segment against triangle. The edge tests use triple products about the segment's start: for two triangles that
-// share an edge they are each other's exact negation, so that no segment passes between them (the idea of S. Woop,
-// C. Benthin, I. Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013, without its shear). Around a vertex
-// rounding could still turn every triangle of the fan away; so each reaches beyond its edges by that rounding.
+// Segment against triangle. The edge tests use triple products about the segment's start: for two triangles
+// that share an edge they are each other's exact negation, so that no segment passes between them (the idea
+// of S. Woop, C. Benthin, I. Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013, without its
+// shear). Around a vertex rounding could still turn every triangle of the fan away; so each reaches beyond
+// its edges by that rounding.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,8 @@ constexpr double kFractionSlack = 1e-12;  // consecutive segments share an end: 
 std::optional<double> meet(const Vec3& p0, const Vec3& along, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 A = a - p0, B = b - p0, C = c - p0;
   const double u = along.dot(C.cross(B)), v = along.dot(A.cross(C)), w = along.dot(B.cross(A));
-  const double slack = kProductSlack * along.norm() * std::max({A.squaredNorm(), B.squaredNorm(), C.squaredNorm()});
+  const double slack =
+      kProductSlack * along.norm() * std::max({A.squaredNorm(), B.squaredNorm(), C.squaredNorm()});
   const bool any_below = std::min({u, v, w}) < -slack;
   const bool any_above = std::max({u, v, w}) > slack;
   if (any_below == any_above) return std::nullopt;  // on different sides, or in the plane
@@ -76,7 +78,8 @@ std::optional<TriangleTree::Hit> TriangleTree::first_hit(Root root, const Vec3& 
     }
     const Node& node = nodes_[next];
     for (std::size_t i = 0; i < 4; ++i) {
-      if (node.child[i] != kNone && enters_box(node, static_cast<Eigen::Index>(i)) <= limit) stack[top++] = node.child[i];
+      if (node.child[i] != kNone && enters_box(node, static_cast<Eigen::Index>(i)) <= limit)
+        stack[top++] = node.child[i];
     }
   }
   return first;

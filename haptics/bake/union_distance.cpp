@@ -10,7 +10,8 @@ constexpr double kRounding = 1e-9;  // m, far above the rounding of distances an
 
 }  // namespace
 
-UnionDistance::UnionDistance(const TriangleDistance& exact, const Solid& solid, const Vec3& centre, double radius)
+UnionDistance::UnionDistance(const TriangleDistance& exact, const Solid& solid, const Vec3& centre,
+                             double radius)
     : exact_(&exact) {
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = 0; k < solid.components.size(); ++k) {
@@ -35,7 +36,8 @@ UnionDistance::UnionDistance(const UnionDistance& parent, const Vec3& centre, do
   keep_near(radius);
 }
 
-// Whatever is farther at the centre than the nearest by more than twice the radius is farther everywhere in the ball.
+// Whatever is farther at the centre than the nearest by more than twice the radius is farther everywhere in
+// the ball.
 void UnionDistance::keep_near(double radius) {
   const double limit = at_centre_ + 2.0 * radius + kRounding;
   std::erase_if(candidates_, [limit](const Candidate& candidate) { return candidate.distance > limit; });
@@ -58,7 +60,9 @@ std::size_t UnionDistance::ask(const Vec3& p) {
   return last_;
 }
 
-double UnionDistance::operator()(const Vec3& p) { return candidates_[ask(p)].distance; }
+double UnionDistance::operator()(const Vec3& p) {
+  return candidates_[ask(p)].distance;
+}
 
 double UnionDistance::closest(const Vec3& p, Vec3& point) {
   const Candidate& nearest = candidates_[ask(p)];

@@ -1,7 +1,7 @@
 #pragma once
-// The distance to a union of components near one place: only those components are asked that can be the nearest
-// there, each from the triangle that was nearest last time. Exact: what is left out is left out because the distance
-// is 1-Lipschitz.
+// The distance to a union of components near one place: only those components are asked that can be the
+// nearest there, each from the triangle that was nearest last time. Exact: what is left out is left out
+// because the distance is 1-Lipschitz.
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace fulcrum {
 
 class UnionDistance {
- public:
+public:
   // Everything that can be nearest within `radius` of `centre`.
   UnionDistance(const TriangleDistance& exact, const Solid& solid, const Vec3& centre, double radius);
   // What of `parent` can be nearest within a smaller ball inside the parent's.
@@ -22,7 +22,7 @@ class UnionDistance {
   // Like that, with the closest point of the surface.
   double closest(const Vec3& p, Vec3& point);
 
- private:
+private:
   struct Candidate {
     std::uint32_t component;
     std::uint32_t hint;  // the triangle nearest to `asked`

@@ -35,15 +35,18 @@ ThinSpot thinnest_wall(const Solid& solid, const TriangleDistance& exact, unsign
     const double lift = 1e-7 * across;  // off the wall the ray starts from
     ThinSpot& spot = thinnest[k];
     spot.thickness_m = across;
-    for (std::uint32_t t = component.first_triangle; t < component.first_triangle + component.triangle_count; ++t) {
+    for (std::uint32_t t = component.first_triangle; t < component.first_triangle + component.triangle_count;
+         ++t) {
       const Vec3 n = unit_normal(solid, t);
       for (const Vec3& place : places_on(solid, t)) {
         const Vec3 from = place - lift * n;
-        const auto hit = exact.first_crossing_of(static_cast<std::uint32_t>(k), from, place - spot.thickness_m * n);
+        const auto hit =
+            exact.first_crossing_of(static_cast<std::uint32_t>(k), from, place - spot.thickness_m * n);
         if (!hit || hit->entering || unit_normal(solid, hit->triangle).dot(n) > kFacing) continue;
         const double thickness = lift + hit->fraction * (spot.thickness_m - lift);
         if (thickness >= spot.thickness_m) continue;
-        // A washer on a flange is as thick as both: a face that another component covers is no face of the union.
+        // A washer on a flange is as thick as both: a face that another component covers is no face of the
+        // union.
         const Vec3 outside_here = place + lift * n, outside_there = place - (thickness + lift) * n;
         if (exact.signed_distance(outside_here) < 0.0 || exact.signed_distance(outside_there) < 0.0) continue;
         spot = {thickness, place};

@@ -11,8 +11,9 @@ struct ThinSpot {
   Vec3 place = Vec3::Zero();  // (3) m, on one of its two faces
 };
 
-// An estimate: from four points of every triangle straight inwards to the facing wall of the same component. Walls
-// that lean by more than 26 degrees against each other meet in an edge; that is a corner, not a thin wall.
+// An estimate: from four points of every triangle straight inwards to the facing wall of the same component.
+// Walls that lean by more than 26 degrees against each other meet in an edge; that is a corner, not a thin
+// wall.
 ThinSpot thinnest_wall(const Solid& solid, const TriangleDistance& exact, unsigned threads);
 
 }  // namespace fulcrum

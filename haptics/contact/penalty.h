@@ -9,9 +9,9 @@
 //     f_i = share_i k d_i max(0, 1 + c u_i) nhat_i,   u the approach speed
 // (Hunt and Crossley 1975, J. Applied Mechanics 42), continuous at first touch and never pulling.
 //
-// Stability: with 1/m_i = 1/m + (r x n)^T I^-1 (r x n), the largest eigenvalue of M^-1 K is at most sum k_i / m_i.
+// Stability under semi-implicit Euler: with 1/m_i = 1/m + (r x n)^T I^-1 (r x n), the largest eigenvalue of M^-1 K is at most sum k_i / m_i.
 // That sum is capped at kStiffnessShare / T^2 and the dampers' at kDampingShare / T, which keeps T^2 w^2 < 4 - 2 T c
-// for semi-implicit Euler with room for the coupling.
+// with room for the coupling. Implicit Euler needs no cap and gets the linearisation instead.
 
 #include <array>
 #include <cstdint>
@@ -29,7 +29,7 @@ inline constexpr double kDampingShare = 0.5;
 
 class PenaltyResponse {
  public:
-  PenaltyResponse(const ContactDesc& desc, const RigidBody& tool, double tick_s);
+  PenaltyResponse(const ContactDesc& desc, const RigidBody& tool, double tick_s, Integrator integrator);
 
   struct Answer {
     Wrench F_T_W;                   // on the tool, about T
@@ -37,17 +37,27 @@ class PenaltyResponse {
   };
   Answer push(const ContactSet& set, const BodyState& tool) noexcept;
 
+  // Adds that of the last push().
+  void linearise(const ContactSet& set, const BodyState& tool, Linearisation& around) const noexcept;
+
   // Force on the tool from each contact of the last push(), (n x 3) N in W.
   std::span<const Vec3> forces() const { return {force_.data(), count_}; }
 
  private:
+  struct Scale {
+    double stiffness = 1, dissipation = 1;
+  };
+  Scale cap(std::span<const Contact> contacts, const BodyState& tool) const noexcept;
   void share_stiffness(std::span<const Contact> contacts) noexcept;
 
   ContactDesc desc_;
   RigidBody tool_;
   double tick_s_;
+  bool capped_;
   std::size_t count_ = 0;
   std::array<double, kMaxContacts> share_{};
+  std::array<double, kMaxContacts> stiffness_{};  // N/m, of each contact at the last push
+  std::array<double, kMaxContacts> damping_{};    // N s/m, likewise; 0 where the damper had let go
   std::array<Vec3, kMaxContacts> force_{};
 };
 

@@ -10,7 +10,9 @@ constexpr int kStepY = kBrickSide;
 constexpr int kStepZ = kBrickSide * kBrickSide;
 constexpr double kNoDirection = 1e-6;  // a gradient shorter than this (it should be 1) points nowhere
 
-double mix(double a, double b, double t) { return a + (b - a) * t; }
+double mix(double a, double b, double t) {
+  return a + (b - a) * t;
+}
 
 Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
   const double length = v.norm();
@@ -25,7 +27,8 @@ struct Trilinear {
 
 double interpolate(const float* corner, const Vec3& t) {
   const auto along_x = [&](int step) { return mix(corner[step], corner[step + 1], t.x()); };
-  return mix(mix(along_x(0), along_x(kStepY), t.y()), mix(along_x(kStepZ), along_x(kStepZ + kStepY), t.y()), t.z());
+  return mix(mix(along_x(0), along_x(kStepY), t.y()), mix(along_x(kStepZ), along_x(kStepZ + kStepY), t.y()),
+             t.z());
 }
 
 Trilinear interpolate_with_slope(const float* corner, const Vec3& t) {
@@ -48,14 +51,14 @@ Trilinear interpolate_with_slope(const float* corner, const Vec3& t) {
 struct DistanceField::Cell {
   bool in_grid = false;
   Eigen::Vector3i brick = Eigen::Vector3i::Zero();
-  std::size_t index = 0;           // of the brick
-  const float* corner = nullptr;   // the cell's lowest lattice value; null out of band
-  Vec3 t = Vec3::Zero();           // (3) 0 to 1 within the cell
+  std::size_t index = 0;          // of the brick
+  const float* corner = nullptr;  // the cell's lowest lattice value; null out of band
+  Vec3 t = Vec3::Zero();          // (3) 0 to 1 within the cell
 };
 
 DistanceField::DistanceField(FieldData data) : data_(std::move(data)), cells_per_m_(1.0 / data_.voxel_m) {
-  const Eigen::Vector3d cells = Eigen::Vector3i(data_.bricks[0], data_.bricks[1], data_.bricks[2]).cast<double>() *
-                                kBrickCells;
+  const Eigen::Vector3d cells =
+      Eigen::Vector3i(data_.bricks[0], data_.bricks[1], data_.bricks[2]).cast<double>() * kBrickCells;
   grid_box_ = Box3(data_.origin, data_.origin + cells * data_.voxel_m);
 }
 
@@ -72,8 +75,8 @@ DistanceField::Cell DistanceField::locate(const Vec3& p_W) const noexcept {
     cell.brick[axis] = i / kBrickCells;
     within[axis] = i % kBrickCells;
   }
-  cell.index = static_cast<std::size_t>((cell.brick.z() * data_.bricks[1] + cell.brick.y()) * data_.bricks[0] +
-                                        cell.brick.x());
+  cell.index = static_cast<std::size_t>(
+      (cell.brick.z() * data_.bricks[1] + cell.brick.y()) * data_.bricks[0] + cell.brick.x());
   const std::int32_t slot = data_.brick_slot[cell.index];
   if (slot != kNoBrick) {
     const int offset = within.x() + kStepY * within.y() + kStepZ * within.z();
@@ -99,7 +102,7 @@ FieldSample DistanceField::sample(const Vec3& p_W) const noexcept {
   const Cell cell = locate(p_W);
   if (cell.corner != nullptr) {
     const Trilinear found = interpolate_with_slope(cell.corner, cell.t);
-    FieldSample result{found.value, found.slope * cells_per_m_, true};
+    FieldSample result{found.value, found.slope * cells_per_m_, std::abs(found.value) <= data_.band_m};
     if (result.gradient.norm() > kNoDirection) {
       result.gradient.normalize();
     } else {
@@ -114,7 +117,11 @@ FieldSample DistanceField::sample(const Vec3& p_W) const noexcept {
 
 double DistanceField::local_error_m(const Vec3& p_W) const noexcept {
   const Cell cell = locate(p_W);
-  return cell.corner == nullptr ? 0.0 : data_.slot_error_m[static_cast<std::size_t>(data_.brick_slot[cell.index])];
+  if (cell.corner == nullptr) return 0.0;
+  const double measured = data_.slot_error_m[static_cast<std::size_t>(data_.brick_slot[cell.index])];
+  if (std::abs(interpolate(cell.corner, cell.t)) <= data_.band_m) return measured;
+  // At a distance d the level sets bend by at most 1/d in two directions: h^2/8 (1/d + 1/d).
+  return std::max(measured, data_.voxel_m * data_.voxel_m / (4.0 * data_.band_m));
 }
 
 // The brick's one value, and the direction in which it grows from brick to brick.

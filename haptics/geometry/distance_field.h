@@ -2,11 +2,16 @@
 // The signed distance to a solid, sampled on a sparse grid: positive outside, negative inside, metres.
 //
 // The grid is cut into bricks of 8^3 cells. A brick that comes within the band of the surface stores its 9^3
-// lattice values (the ninth layer repeats the neighbour's first, so that a look-up touches one brick); any other
-// brick stores one number that never over-estimates. What a look-up promises:
-//   in band      |value - exact| <= error_bound_m(), measured at bake; never more than sqrt(3)/2 voxel, because
-//                the exact distance is 1-Lipschitz and the lattice values are exact
-//   elsewhere    the sign is right and |value| <= |exact|
+// lattice values (the ninth layer repeats the neighbour's first, so that a look-up touches one brick); any
+// other brick stores one number that never over-estimates. What a look-up promises:
+//   |value| <= band_m()   |value - exact| <= sqrt(3)/2 voxel, proven: the exact distance is 1-Lipschitz and
+//   the lattice
+//                         values are exact. Mostly far less: local_error_m(p) <= error_bound_m() is measured
+//                         at bake (one place in a thousand of the piping scene exceeds its local one, by up
+//                         to a quarter voxel)
+//   elsewhere             the sign is right and |value| <= |exact| + local_error_m(p): a lower bound, coarser
+//   and
+//                         coarser, and not continuous
 // "Exact" is the minimum over the solid's components: the distance to the union outside; inside, the depth in
 // the component in which the point lies deepest, which is at most the depth in the union.
 
@@ -21,40 +26,45 @@
 namespace fulcrum {
 
 struct FieldSample {
-  double distance = 0.0;           // m
-  Vec3 gradient = Vec3::UnitY();   // (3) unit: the direction in which distance grows
-  bool in_band = false;            // false: distance is a lower bound, gradient a coarse guess
+  double distance = 0.0;          // m
+  Vec3 gradient = Vec3::UnitY();  // (3) unit: the direction in which distance grows
+  bool in_band = false;  // |distance| <= band; else distance is a lower bound, gradient a coarse guess
 };
 
-inline constexpr int kBrickCells = 8;                        // cells along a brick's edge
-inline constexpr int kBrickSide = kBrickCells + 1;           // lattice values along a brick's edge
+inline constexpr int kBrickCells = 8;               // cells along a brick's edge
+inline constexpr int kBrickSide = kBrickCells + 1;  // lattice values along a brick's edge
 inline constexpr int kBrickValues = kBrickSide * kBrickSide * kBrickSide;
 inline constexpr std::int32_t kNoBrick = -1;
-inline constexpr double kFarOutside_m = 1e6;  // the answer for points that are not numbers, and the largest one
+inline constexpr double kFarOutside_m =
+    1e6;  // the answer for points that are not numbers, and the largest one
 
 // The stored numbers. Bricks run x fastest, then y, then z; so do the values inside a brick.
 struct FieldData {
-  Vec3 origin = Vec3::Zero();             // (3) m, the lowest corner of brick (0,0,0)
-  double voxel_m = 0.0;                   // cell edge
-  double band_m = 0.0;                    // the surface's neighbourhood that is stored in full
-  std::array<std::int32_t, 3> bricks{};   // (3) bricks along x, y, z
-  std::vector<std::int32_t> brick_slot;   // (bricks) slot of its values, kNoBrick: not in band
-  std::vector<float> coarse_m;            // (bricks) sign of the centre, magnitude <= |exact| anywhere in the brick
-  std::vector<float> values_m;            // (slots x 9^3) exact distance at the lattice points
-  std::vector<float> slot_error_m;        // (slots) largest |value - exact| measured in that brick
-  Box3 surface_box;                       // m, bounds of the solid
-  double error_bound_m = 0.0;             // largest of slot_error_m
-  double thinnest_feature_m = 0.0;        // thinnest wall met at bake
+  Vec3 origin = Vec3::Zero();            // (3) m, the lowest corner of brick (0,0,0)
+  double voxel_m = 0.0;                  // cell edge
+  double band_m = 0.0;                   // the surface's neighbourhood that is stored in full
+  std::array<std::int32_t, 3> bricks{};  // (3) bricks along x, y, z
+  std::vector<std::int32_t> brick_slot;  // (bricks) slot of its values, kNoBrick: not in band
+  std::vector<float> coarse_m;  // (bricks) sign of the centre, magnitude <= |exact| anywhere in the brick
+  // (slots x 9^3) at the lattice points: exact up to band_m + sqrt(3) voxel_m, so that every cell which the
+  // band reaches is exact; beyond that the right sign and a lower bound that is itself beyond it.
+  std::vector<float> values_m;
+  std::vector<float> slot_error_m;  // (slots) largest |value - exact| measured in that brick
+  Box3 surface_box;                 // m, bounds of the solid
+  double error_bound_m = 0.0;       // largest of slot_error_m
+  double thinnest_feature_m = 0.0;  // thinnest wall met at bake
 };
 
 class DistanceField {
- public:
+public:
   explicit DistanceField(FieldData data);  // data as bake_field() or the bake cache gives it
 
   // Real-time: no allocation, no throw. NaN and infinities are kFarOutside_m away.
   FieldSample sample(const Vec3& p_W) const noexcept;
   double distance(const Vec3& p_W) const noexcept;
-  // The error measured in p's own brick: what to subtract from distance(p) before relying on it. 0 out of band.
+  // What to subtract from |distance(p)| before relying on it. In band, the error measured in p's own brick;
+  // beyond, what interpolation adds to a distance of band_m or more, h^2/(4 band_m); in bricks without
+  // values, nothing.
   double local_error_m(const Vec3& p_W) const noexcept;
 
   double voxel_m() const { return data_.voxel_m; }
@@ -66,7 +76,7 @@ class DistanceField {
   std::size_t bytes() const;                                // of the stored arrays
   const FieldData& data() const { return data_; }
 
- private:
+private:
   struct Cell;
   Cell locate(const Vec3& p_W) const noexcept;
   double distance_to_bounds(const Vec3& p_W) const noexcept;

@@ -19,7 +19,8 @@ void halve(std::span<const Vec3> points, std::span<std::uint32_t> order) {
   const std::size_t half = (order.size() / 2 + kRun - 1) / kRun * kRun;
   std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(),
                    [&](std::uint32_t l, std::uint32_t r) {
-                     return points[l][axis] < points[r][axis] || (points[l][axis] == points[r][axis] && l < r);
+                     return points[l][axis] < points[r][axis] ||
+                            (points[l][axis] == points[r][axis] && l < r);
                    });
   halve(points, order.first(half));
   halve(points, order.subspan(half));

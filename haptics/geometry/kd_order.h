@@ -1,5 +1,6 @@
 #pragma once
-// An order in which points that are near in space are near in memory: median halving along the longest extent.
+// An order in which points that are near in space are near in memory: median halving along the longest
+// extent.
 
 #include <cstdint>
 #include <span>
@@ -9,8 +10,8 @@
 
 namespace fulcrum {
 
-// A permutation of the indices of `points`. Halves are cut at multiples of 16, so that every aligned run of 16 is one
-// cell of the halving. Ties are broken by index: same points, same order.
+// A permutation of the indices of `points`. Halves are cut at multiples of 16, so that every aligned run of
+// 16 is one cell of the halving. Ties are broken by index: same points, same order.
 std::vector<std::uint32_t> kd_order(std::span<const Vec3> points);
 
 }  // namespace fulcrum

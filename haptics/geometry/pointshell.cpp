@@ -10,7 +10,8 @@ namespace fulcrum {
 
 Result<Pointshell> pointshell_from_points(std::span<const Vec3> positions, std::span<const Vec3> normals,
                                           std::span<const double> areas_m2, double covering_radius_m) {
-  if (positions.empty()) return Error{"A pointshell needs at least one point: give the tool's contact points."};
+  if (positions.empty())
+    return Error{"A pointshell needs at least one point: give the tool's contact points."};
   if (normals.size() != positions.size() || areas_m2.size() != positions.size()) {
     return Error{"A pointshell of " + std::to_string(positions.size()) + " points came with " +
                  std::to_string(normals.size()) + " normals and " + std::to_string(areas_m2.size()) +
@@ -23,9 +24,10 @@ Result<Pointshell> pointshell_from_points(std::span<const Vec3> positions, std::
     const bool good = positions[i].allFinite() && normals[i].allFinite() && normals[i].norm() > 0.0 &&
                       std::isfinite(areas_m2[i]) && areas_m2[i] >= 0.0;
     if (!good) {
-      return Error{"Point " + std::to_string(i) +
-                   " of a pointshell needs a finite position, a normal that is not zero and an area that is not "
-                   "negative: correct it."};
+      return Error{
+          "Point " + std::to_string(i) +
+          " of a pointshell needs a finite position, a normal that is not zero and an area that is not "
+          "negative: correct it."};
     }
   }
   Pointshell shell;

@@ -1,6 +1,6 @@
 #pragma once
-// A tool's surface as points: what is looked up in the scene's distance field. After McNeely, Puterbaugh and Troy,
-// "Six degree-of-freedom haptic rendering using voxel sampling" (SIGGRAPH 1999), with area weights.
+// A tool's surface as points: what is looked up in the scene's distance field. After McNeely, Puterbaugh and
+// Troy, "Six degree-of-freedom haptic rendering using voxel sampling" (SIGGRAPH 1999), with area weights.
 
 #include <cstddef>
 #include <span>
@@ -13,11 +13,11 @@ namespace fulcrum {
 
 // Structure of arrays, in kd order: any aligned run of 16 points is a compact patch.
 struct Pointshell {
-  std::vector<Vec3> positions;      // p_T (n x 3) m
-  std::vector<Vec3> normals;        // nhat_T (n x 3) unit, outward
-  std::vector<double> areas_m2;     // (n) m^2, the surface each point stands for; they sum to the surface's area
-  double covering_radius_m = 0.0;   // no point of the surface is farther than this from a shell point
-  double max_radius_m = 0.0;        // largest |p_T|: how far the tool reaches from T
+  std::vector<Vec3> positions;   // p_T (n x 3) m
+  std::vector<Vec3> normals;     // nhat_T (n x 3) unit, outward
+  std::vector<double> areas_m2;  // (n) m^2, the surface each point stands for; they sum to the surface's area
+  double covering_radius_m = 0.0;  // no point of the surface is farther than this from a shell point
+  double max_radius_m = 0.0;       // largest |p_T|: how far the tool reaches from T
 
   std::size_t size() const { return positions.size(); }
 };

@@ -4,15 +4,18 @@
 
 namespace fulcrum {
 
-void EnergyLedger::book(const Pose& X_DH, const Wrench& F_H_D, double stored) noexcept {
-  if (started_) {
-    const Vec3 turn = rotation_vector(X_DH.q * last_X_DH_.q.conjugate());
-    port_ -= F_H_D.force.dot(X_DH.p - last_X_DH_.p) + F_H_D.torque.dot(turn);
-    port_ -= stored - last_stored_;
+void EnergyLedger::book(const Pose& X_WH, const Port& port) noexcept {
+  if (port.open && !open_) {
+    port_ += port.springs;
+  } else if (port.open) {
+    const double by_turning = -port.F_H_W.torque.dot(rotation_vector(X_WH.q * last_X_WH_.q.conjugate()));
+    port_ += by_turning - port.F_H_W.force.dot(X_WH.p - last_X_WH_.p);
+    port_ -= port.weight - last_weight_;
+    if (!port.renders_torque) unrendered_ += by_turning;
   }
-  started_ = true;
-  last_X_DH_ = X_DH;
-  last_stored_ = stored;
+  open_ = port.open;
+  last_X_WH_ = X_WH;
+  last_weight_ = port.weight;
 }
 
 }  // namespace fulcrum

@@ -1,5 +1,6 @@
 #include "haptics/tool/rigid_body.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "haptics/math/rotation.h"
@@ -28,6 +29,11 @@ Mat3 RigidBody::root_inertia_W(const Quat& q_WT) const {
   return R * root_inertia_T_ * R.transpose();
 }
 
+double RigidBody::kinetic_energy(const BodyState& state) const noexcept {
+  const Twist& V = state.V_WT;
+  return 0.5 * mass_ * V.v.squaredNorm() + 0.5 * V.w.dot(inertia_W(state.X_WT.q) * V.w);
+}
+
 Twist RigidBody::accelerate(const BodyState& state, const Wrench& F_T_W, double tick_s) const noexcept {
   const Vec3& w = state.V_WT.w;
   const Vec3 gyroscopic = w.cross(inertia_W(state.X_WT.q) * w);
@@ -35,6 +41,19 @@ Twist RigidBody::accelerate(const BodyState& state, const Wrench& F_T_W, double 
   after.v += tick_s / mass_ * F_T_W.force;
   after.w += tick_s * (inverse_inertia_W(state.X_WT.q) * (F_T_W.torque - gyroscopic));
   return after;
+}
+
+Twist RigidBody::accelerate(const BodyState& state, const Wrench& F_T_W, const Linearisation& around,
+                            double tick_s) const noexcept {
+  const Mat3 I = inertia_W(state.X_WT.q);
+  Vec6 V, F;
+  V << state.V_WT.v, state.V_WT.w;
+  F << F_T_W.force, F_T_W.torque - state.V_WT.w.cross(I * state.V_WT.w);
+  Mat6 A = tick_s * around.B + tick_s * tick_s * around.K;
+  A.topLeftCorner<3, 3>().diagonal().array() += mass_;
+  A.bottomRightCorner<3, 3>() += I;
+  V += A.ldlt().solve(tick_s * (F - tick_s * (around.K * V)));
+  return {V.head<3>(), V.tail<3>()};
 }
 
 Pose RigidBody::advance(const Pose& X_WT, const Twist& V_WT, double tick_s) noexcept {

@@ -3,10 +3,11 @@
 
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
+#include "haptics/tool/linearisation.h"
 
 namespace fulcrum {
 
-enum class Integrator { semi_implicit_euler };
+enum class Integrator { semi_implicit_euler, implicit_euler };
 
 struct BodyState {
   Pose X_WT;
@@ -25,9 +26,15 @@ class RigidBody {
   // S with S S = I, in W: critical damping of an anisotropic body is 2 sqrt(k) S.
   Mat3 root_inertia_W(const Quat& q_WT) const;
 
+  double kinetic_energy(const BodyState& state) const noexcept;  // J
+
   // Velocity after tick_s under F_T_W: semi-implicit Euler, order 1. Stable for a spring up to 4 m / tick_s^2 without
   // damping, and up to .6863 m / tick_s^2 with explicit critical damping.
   Twist accelerate(const BodyState& state, const Wrench& F_T_W, double tick_s) const noexcept;
+
+  // The same by linearly implicit Euler, order 1: (M + T B + T^2 K) dV = T (F - T K V). Stable for any stiffness; what it
+  // cannot resolve in a tick it damps. D. Baraff, A. Witkin, "Large steps in cloth simulation", SIGGRAPH 1998.
+  Twist accelerate(const BodyState& state, const Wrench& F_T_W, const Linearisation& around, double tick_s) const noexcept;
 
   // The pose after tick_s at a constant twist, exact for it.
   static Pose advance(const Pose& X_WT, const Twist& V_WT, double tick_s) noexcept;

@@ -15,9 +15,10 @@ VirtualCoupling::VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool
 
 Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept {
   rotation_ = rotation_vector_near(X_WG.q * tool.X_WT.q.conjugate(), rotation_);
+  offset_ = X_WG.p - tool.X_WT.p;
   Wrench F;
   // The sum is bounded too: a hand that flies past a held tool would push it with its damper alone.
-  F.force = saturated_spring(X_WG.p - tool.X_WT.p, desc_.stiffness, desc_.max_force) -
+  F.force = saturated_spring(offset_, desc_.stiffness, desc_.max_force) -
             damping_ * (tool.V_WT.v - V_WG.v);
   F.torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
              angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
@@ -26,11 +27,29 @@ Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyStat
   return F;
 }
 
+void VirtualCoupling::linearise(const BodyState& tool, Linearisation& around) const noexcept {
+  const double k = desc_.stiffness * std::exp(-desc_.stiffness * offset_.norm() / desc_.max_force);
+  const double k_R = desc_.angular_stiffness * std::exp(-desc_.angular_stiffness * rotation_.norm() / desc_.max_torque);
+  around.K.topLeftCorner<3, 3>().diagonal().array() += k;
+  around.K.bottomRightCorner<3, 3>().diagonal().array() += k_R;
+  around.B.topLeftCorner<3, 3>().diagonal().array() += damping_;
+  around.B.bottomRightCorner<3, 3>() += angular_damping_ * tool_.root_inertia_W(tool.X_WT.q);
+}
+
+double VirtualCoupling::stored() const noexcept {
+  return saturated_spring_energy(offset_.norm(), desc_.stiffness, desc_.max_force) +
+         saturated_spring_energy(rotation_.norm(), desc_.angular_stiffness, desc_.max_torque);
+}
+
 Vec3 saturated_spring(const Vec3& d, double stiffness, double limit) noexcept {
   const double length = d.norm();
   const double x = stiffness * length / limit;
   if (x < 1e-9) return stiffness * d;
   return d * (-limit * std::expm1(-x) / length);
+}
+
+double saturated_spring_energy(double length, double stiffness, double limit) noexcept {
+  return limit * length + limit * limit / stiffness * std::expm1(-stiffness * length / limit);
 }
 
 }  // namespace fulcrum

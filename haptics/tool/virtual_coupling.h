@@ -25,17 +25,23 @@ class VirtualCoupling {
   // F_s (1 - exp(-k |d| / F_s)); a rotation past pi keeps the direction it was wound up in, up to 2 pi.
   Wrench pull(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept;
 
-  void reset() noexcept { rotation_.setZero(); }
+  // Of the last pull(): tangent stiffness of the saturated springs, and the dampers.
+  void linearise(const BodyState& tool, Linearisation& around) const noexcept;
+
+  // Energy in the springs at the last pull(), J.
+  double stored() const noexcept;
 
  private:
   CouplingDesc desc_;
   double damping_;          // N s/m
   double angular_damping_;  // 2 zeta sqrt(k_R): times the root of the inertia
   RigidBody tool_;
-  Vec3 rotation_ = Vec3::Zero();  // (3) rad, the rotation vector of the tick before
+  Vec3 offset_ = Vec3::Zero();    // (3) m, of the last pull
+  Vec3 rotation_ = Vec3::Zero();  // (3) rad, likewise, as a rotation vector
 };
 
 // F_s (1 - exp(-k |d| / F_s)) d / |d|: a spring that yields at F_s. d (3), k per unit of d.
 Vec3 saturated_spring(const Vec3& d, double stiffness, double limit) noexcept;
+double saturated_spring_energy(double length, double stiffness, double limit) noexcept;  // J
 
 }  // namespace fulcrum

@@ -21,7 +21,8 @@ struct TickRecord {
   double depth_max = 0;             // m, deepest shell point by the field
   Wrench device_F_H_D;              // commanded, on the handle
   std::array<double, kMaxMotors> actuator_load{};  // fraction of each motor's limit, signed
-  double energy_port = 0;           // J, passivity observer: below zero the loop has given out energy
+  double energy_port = 0;        // J, passivity observer: below its bound the loop has given out energy
+  double energy_unrendered = 0;  // J, brought in by turning against torque that the device does not render
   double force_gain = 0;            // 0 stopped to 1 running
   std::uint32_t faults = 0;         // bits of Fault
   bool stopped = false;             // waiting for an acknowledgement

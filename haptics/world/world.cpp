@@ -24,11 +24,12 @@ World::World(SceneDesc desc)
       body_(desc_.tool.mass, desc_.tool.inertia_T),
       velocity_(desc_.velocity, desc_.tick_s),
       query_(desc_.tool_shell, desc_.scene_field),
-      response_(desc_.contact, body_, desc_.tick_s),
+      response_(desc_.contact, body_, desc_.tick_s, desc_.integrator),
       regions_(desc_.contact.region_radius),
       coupling_(desc_.coupling, body_),
       arm_(desc_.device),
       guard_(desc_.device, desc_.tick_s),
+      ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale),
       motion_allowance_(motion_allowance(*desc_.scene_field)) {
   tool_.X_WT = desc_.tool.X_WT_start;
   X_WH_ = desc_.tool.X_WT_start * desc_.tool.X_HT.inverse();
@@ -67,7 +68,19 @@ Wrench World::contact_wrench(std::uint32_t& faults) noexcept {
 
 void World::move_tool(const Wrench& F_T_W, std::uint32_t& faults) noexcept {
   const double tick_s = desc_.tick_s;
-  Twist V_WT = body_.accelerate(tool_, F_T_W, tick_s);
+  Twist V_WT;
+  switch (desc_.integrator) {
+    case Integrator::semi_implicit_euler:
+      V_WT = body_.accelerate(tool_, F_T_W, tick_s);
+      break;
+    case Integrator::implicit_euler: {
+      Linearisation around;
+      response_.linearise(contacts_, tool_, around);
+      coupling_.linearise(tool_, around);
+      V_WT = body_.accelerate(tool_, F_T_W, around, tick_s);
+      break;
+    }
+  }
   const double safe = query_.safe_fraction(V_WT.v.norm() * tick_s, V_WT.w.norm() * tick_s, motion_allowance_);
   if (safe < 1.0) {
     faults |= kMotionLimited;
@@ -93,8 +106,11 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
 
   // Book what the hand did against the force that was held over the tick before.
   const double weight = desc.tool.weight ? desc.tool.mass * kGravity : 0.0;
-  const double to_device = desc.mapping.force_scale / desc.mapping.position_scale;
-  w.ledger_.book(w.X_DH_good_, w.rendered_F_H_D_, to_device * weight * w.tool_.X_WT.p.y());
+  w.ledger_.book(w.X_WH_, {.F_H_W = w.felt_F_H_W_,
+                           .renders_torque = desc.device.renders_torque,
+                           .weight = weight * w.tool_.X_WT.p.y(),
+                           .springs = w.coupling_.stored() + w.body_.kinetic_energy(w.tool_),
+                           .open = w.guard_.gain() >= 1.0});
   if (w.ledger_.port() < kPortBound) faults |= kEnergyBound;
 
   // Estimate.
@@ -125,7 +141,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Allocation allocation = allocate(w.arm_, w.X_DH_good_, limited_F_H_D);
   if (allocation.clamped) faults |= kMotorClamped;
   w.guard_.commanded(allocation.command.F_H_D);
-  w.rendered_F_H_D_ = allocation.command.F_H_D + own_weight * -w.guard_.gain();
+  w.felt_F_H_W_ = desc.mapping.wrench_in_world(allocation.command.F_H_D + own_weight * -w.guard_.gain());
+  if (!desc.device.renders_torque && !w.clutched_) w.felt_F_H_W_.torque = F_H_W.torque * w.guard_.gain();
 
   StepResult result;
   result.command = allocation.command;
@@ -141,6 +158,7 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   record.device_F_H_D = allocation.command.F_H_D;
   record.actuator_load = allocation.load;
   record.energy_port = w.ledger_.port();
+  record.energy_unrendered = w.ledger_.unrendered();
   record.force_gain = w.guard_.gain();
   record.faults = faults;
   record.stopped = w.guard_.stopped();

@@ -77,7 +77,7 @@ class World {
   Pose X_WH_;
   Twist V_WH_;
   bool clutched_ = false;
-  Wrench rendered_F_H_D_;           // commanded last tick, without what holds up the device's own weight
+  Wrench felt_F_H_W_;               // of the last tick, without what holds up the device's own weight
 };
 
 }  // namespace fulcrum

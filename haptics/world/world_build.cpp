@@ -16,7 +16,7 @@ constexpr double kCouplingShare = 0.25;
 Error refuse_gain(const char* key, double given, const char* unit, double largest, double tick_s) {
   return {std::string(key) + " is " + number_text(given) + " " + unit + ", and with this tool a tick of " +
           number_text(tick_s * 1e3) + " ms can hold at most " + number_text(largest) +
-          ": lower it, or raise the tick rate or the tool's mass."};
+          ": lower it, raise the tick rate or the tool's mass, or name the integrator implicit_euler."};
 }
 
 bool positive(double value) { return std::isfinite(value) && value > 0; }
@@ -46,11 +46,12 @@ Result<World> World::build(SceneDesc desc) {
       !(desc.coupling.damping_ratio >= 0 && desc.coupling.damping_ratio <= 1))
     return Error{"The coupling's max_force and max_torque must be positive and its damping_ratio from 0 to 1."};
   const double rate_squared = 1.0 / (desc.tick_s * desc.tick_s);
+  const bool any_gain = desc.integrator == Integrator::implicit_euler;
   const double largest_k = kCouplingShare * tool.mass * rate_squared;
-  if (!positive(desc.coupling.stiffness) || desc.coupling.stiffness > largest_k)
+  if (!positive(desc.coupling.stiffness) || (!any_gain && desc.coupling.stiffness > largest_k))
     return refuse_gain("coupling.stiffness", desc.coupling.stiffness, "N/m", largest_k, desc.tick_s);
   const double largest_kr = kCouplingShare * smallest_inertia * rate_squared;
-  if (!positive(desc.coupling.angular_stiffness) || desc.coupling.angular_stiffness > largest_kr)
+  if (!positive(desc.coupling.angular_stiffness) || (!any_gain && desc.coupling.angular_stiffness > largest_kr))
     return refuse_gain("coupling.angular_stiffness", desc.coupling.angular_stiffness, "N m/rad", largest_kr,
                        desc.tick_s);
   if (desc.velocity.window < 1 || desc.velocity.window > 1000 || !positive(desc.velocity.cutoff_Hz))
@@ -83,7 +84,9 @@ std::vector<BuiltPart> World::parts() const {
            " N m/rad; the device renders " +
            number_text(desc_.coupling.stiffness * desc_.mapping.position_scale * desc_.mapping.force_scale) + " N/m",
        sizeof(VirtualCoupling)},
-      {"integrator", "semi-implicit Euler, order 1, tick " + number_text(desc_.tick_s * 1e3) + " ms",
+      {"integrator",
+       std::string(desc_.integrator == Integrator::implicit_euler ? "implicit" : "semi-implicit") +
+           " Euler, order 1, tick " + number_text(desc_.tick_s * 1e3) + " ms",
        sizeof(BodyState)},
       {"estimator",
        std::string("velocity by ") + estimators[static_cast<int>(desc_.velocity.kind)] + ", delay " +

@@ -74,6 +74,7 @@ public:
       load = number();
     }
     record.energy_port = number();
+    record.energy_unrendered = number();
     record.force_gain = 1;
     return record;
   }

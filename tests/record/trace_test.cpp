@@ -43,7 +43,7 @@ TEST(Trace, HeaderIsTheContract) {
             "contact/force/z,contact/torque/x,contact/torque/y,contact/torque/z,contact/regions,"
             "contact/depth_max,device/force/x,device/force/y,device/force/z,device/torque/x,device/torque/y,"
             "device/torque/z,actuator/load/yaw,actuator/load/shoulder,actuator/load/elbow,task/step,"
-            "energy/port,fault\n");
+            "energy/port,energy/unrendered,fault\n");
 }
 
 TEST(Trace, ADeviceWithoutMotorsHasNoLoads) {

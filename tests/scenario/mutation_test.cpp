@@ -120,7 +120,10 @@ TEST(Mutation, OfAScenarioGivesAScenarioOrFaults) {
   int read = 0;
   for (int i = 0; i < kMutants; ++i) {
     const std::string text = mutator.next();
-    const auto scenario = load_scenario_text(text, folder.peg());
+    const SourceTexts texts{
+        "scenario.yaml",
+        {{"scenario.yaml", text}, {"sure.yaml", kHandPath}, {"devices/test_arm.yaml", kDevice}}};
+    const auto scenario = load_scenario_texts(texts, folder.peg());
     if (scenario) {
       ++read;
       ASSERT_TRUE(scenario->tool.X_WM_start.is_finite());

@@ -18,7 +18,8 @@ Solid solid_of(const TriangleMesh& mesh) {
   return *solid;
 }
 
-// Two bars that cross, turned off the grid's axes, and a torus through them: edges, corners, creases, an overlap.
+// Two bars that cross, turned off the grid's axes, and a torus through them: edges, corners, creases, an
+// overlap.
 TriangleMesh cluster() {
   TriangleMesh mesh = shapes::box(Vec3(-40, -6, -5) * 1e-3, Vec3(40, 6, 5) * 1e-3);
   shapes::append(mesh, shapes::box(Vec3(-7, -30, -8) * 1e-3, Vec3(7, 30, 8) * 1e-3));
@@ -52,12 +53,12 @@ TEST(FieldBake, NeverOverestimatesByMoreThanItStates) {
       ASSERT_LE(std::abs(found.distance - truth), field->error_bound_m()) << p.transpose();
       beyond_local += std::abs(found.distance - truth) > field->local_error_m(p) ? 1 : 0;
     } else {
-      ASSERT_LE(std::abs(found.distance), std::abs(truth) + 1e-9) << p.transpose();
+      ASSERT_LE(std::abs(found.distance), std::abs(truth) + field->local_error_m(p) + 1e-9) << p.transpose();
       if (std::abs(found.distance) > 0.0) {
         ASSERT_EQ(found.distance > 0.0, truth > 0.0) << p.transpose();
       }
     }
-    if (std::abs(truth) < field->band_m()) {
+    if (std::abs(truth) < field->band_m() - field->local_error_m(p)) {
       ASSERT_TRUE(found.in_band);
     }
   }
@@ -67,7 +68,7 @@ TEST(FieldBake, NeverOverestimatesByMoreThanItStates) {
 
 TEST(FieldBake, SphereErrorIsOfSecondOrder) {
   const double R = 0.02;
-  const Solid solid = solid_of(shapes::sphere(Vec3(0.001, 0.002, 0.003), R, 200));
+  const Solid solid = solid_of(shapes::sphere(Vec3(0.001, 0.002, 0.003), R, 150));
   std::vector<double> errors;
   for (const double h : {2e-3, 1e-3}) {
     const auto field = bake_field(solid, {h, 3.0 * h});
@@ -91,7 +92,8 @@ TEST(FieldBake, OverlappingBodiesAreOne) {
 }
 
 TEST(FieldBake, GradientPointsOutEvenDeepInside) {
-  const auto field = bake_field(solid_of(shapes::box(Vec3::Constant(-0.05), Vec3(0.05, 0.05, 0.05))), {1e-3, 3e-3});
+  const auto field =
+      bake_field(solid_of(shapes::box(Vec3::Constant(-0.05), Vec3(0.05, 0.05, 0.05))), {1e-3, 3e-3});
   ASSERT_TRUE(field);
   const FieldSample deep = field->sample(Vec3(0.03, 0.002, 0.001));
   EXPECT_FALSE(deep.in_band);
@@ -130,7 +132,8 @@ TEST(FieldBake, ThinWallsAreMeasuredAndRefused) {
   const auto refused = bake_field(solid_of(plate), {1e-3, 4e-3});
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence.find("is 1.5 mm thick"), std::string::npos) << refused.error().sentence;
-  EXPECT_NE(refused.error().sentence.find("use a voxel of 0.5 mm"), std::string::npos) << refused.error().sentence;
+  EXPECT_NE(refused.error().sentence.find("use a voxel of 0.5 mm"), std::string::npos)
+      << refused.error().sentence;
   const auto finer = bake_field(solid_of(plate), {0.5e-3, 2e-3});
   ASSERT_TRUE(finer) << finer.error().sentence;
   EXPECT_NEAR(finer->thinnest_feature_m(), 1.5e-3, 1e-9);

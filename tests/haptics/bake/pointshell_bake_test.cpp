@@ -115,7 +115,8 @@ TEST(PointshellBake, NonsenseIsRefused) {
   EXPECT_FALSE(bake_pointshell(solid, {std::nan("")}));
   const auto fine = bake_pointshell(solid, {1e-4});
   ASSERT_FALSE(fine);
-  EXPECT_NE(fine.error().sentence.find("points: use a spacing of"), std::string::npos) << fine.error().sentence;
+  EXPECT_NE(fine.error().sentence.find("points: use a spacing of"), std::string::npos)
+      << fine.error().sentence;
 }
 
 }  // namespace

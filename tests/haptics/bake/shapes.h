@@ -12,7 +12,8 @@ namespace fulcrum::shapes {
 inline void append(TriangleMesh& mesh, const TriangleMesh& other) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  for (const Triangle& t : other.triangles)
+    mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
 inline TriangleMesh box(const Vec3& low, const Vec3& high) {
@@ -55,7 +56,8 @@ inline TriangleMesh sphere(const Vec3& centre, double radius, std::uint32_t n) {
   for (std::uint32_t i = 1; i < n; ++i) {
     for (std::uint32_t j = 0; j < m; ++j) {
       const double a = std::numbers::pi * i / n, b = 2.0 * std::numbers::pi * j / m;
-      mesh.vertices.push_back(centre + radius * Vec3(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b)));
+      mesh.vertices.push_back(
+          centre + radius * Vec3(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b)));
     }
   }
   mesh.vertices.push_back(centre - Vec3(0.0, radius, 0.0));

@@ -19,7 +19,9 @@ bool mentions(const std::string& sentence, const std::string& words) {
   return sentence.find(words) != std::string::npos;
 }
 
-TriangleMesh unit_box() { return shapes::box(Vec3::Zero(), Vec3::Ones()); }
+TriangleMesh unit_box() {
+  return shapes::box(Vec3::Zero(), Vec3::Ones());
+}
 
 // Every triangle with vertices of its own, as exporters write flat-shaded models.
 TriangleMesh unshared(const TriangleMesh& mesh) {
@@ -66,7 +68,8 @@ TEST(Solid, SeparateBodiesAreComponents) {
   EXPECT_EQ(solid->components[1].first_triangle, 12u);
 }
 
-// Stacked, side by side along an edge, and corner to corner: welding joins them, pairing takes them apart again.
+// Stacked, side by side along an edge, and corner to corner: welding joins them, pairing takes them apart
+// again.
 TEST(Solid, BodiesThatTouchStayApart) {
   for (const Vec3& offset : {Vec3(0, 0, 1), Vec3(0, 1, 1), Vec3(1, 1, 1)}) {
     TriangleMesh mesh = unit_box();
@@ -107,7 +110,8 @@ TEST(Solid, AFinIsRefused) {
 TEST(Solid, AFlippedTriangleIsRefused) {
   TriangleMesh mesh = unit_box();
   std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
-  EXPECT_TRUE(mentions(refusal(mesh), "3 edges whose triangles are wound against each other")) << refusal(mesh);
+  EXPECT_TRUE(mentions(refusal(mesh), "3 edges whose triangles are wound against each other"))
+      << refusal(mesh);
 }
 
 TEST(Solid, InsideOutIsRefused) {

@@ -11,14 +11,14 @@ namespace fulcrum {
 namespace {
 
 class Points {
- public:
+public:
   explicit Points(double reach) : coordinate_(-reach, reach) {}
   Vec3 next() {
     const double x = coordinate_(random_), y = coordinate_(random_), z = coordinate_(random_);
     return {x, y, z};
   }
 
- private:
+private:
   std::mt19937_64 random_{7};
   std::uniform_real_distribution<double> coordinate_;
 };
@@ -50,7 +50,8 @@ TEST(TriangleDistance, SignIsRightAroundSharpCorners) {
     double beyond = -1e9;  // of the four planes
     for (const Triangle& t : mesh.triangles) {
       const Vec3& a = mesh.vertices[t[0]];
-      beyond = std::max(beyond, (p - a).dot((mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).normalized()));
+      beyond = std::max(beyond,
+                        (p - a).dot((mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).normalized()));
     }
     ASSERT_EQ(exact.signed_distance(p) < 0.0, beyond < 0.0) << p.transpose();
   }

@@ -12,8 +12,12 @@ namespace {
 
 using Function = std::function<double(const Vec3&)>;
 
-double sphere(const Vec3& p, double R) { return p.norm() - R; }
-double torus(const Vec3& p) { return std::hypot(std::hypot(p.x(), p.z()) - 1.0, p.y()) - 0.3; }
+double sphere(const Vec3& p, double R) {
+  return p.norm() - R;
+}
+double torus(const Vec3& p) {
+  return std::hypot(std::hypot(p.x(), p.z()) - 1.0, p.y()) - 0.3;
+}
 
 // A field of n^3 bricks about the origin, every brick stored, filled with a function.
 DistanceField filled_field(int n, double voxel, const Function& function) {
@@ -79,7 +83,8 @@ TEST(DistanceField, TorusErrorIsThatOfTrilinearSampling) {
   std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
   for (int i = 0; i < 400000; ++i) {
     const double a = angle(random), b = angle(random), along = 1.0 + 0.3 * std::cos(b);
-    worst = std::max(worst, std::abs(field.distance({along * std::cos(a), 0.3 * std::sin(b), along * std::sin(a)})));
+    worst = std::max(worst,
+                     std::abs(field.distance({along * std::cos(a), 0.3 * std::sin(b), along * std::sin(a)})));
   }
   EXPECT_NEAR(worst, 5.18e-3, 0.1e-3);
 }
@@ -114,7 +119,8 @@ TEST(DistanceField, ALinearFunctionIsReproducedExactlyAcrossBricks) {
 }
 
 TEST(DistanceField, AFlatFieldStillHasAUnitGradient) {
-  const FieldSample found = filled_field(2, 0.1, [](const Vec3&) { return -0.5; }).sample(Vec3(0.03, 0.04, 0.05));
+  const FieldSample found =
+      filled_field(2, 0.1, [](const Vec3&) { return -0.5; }).sample(Vec3(0.03, 0.04, 0.05));
   EXPECT_EQ(found.gradient, Vec3(Vec3::UnitY()));
 }
 

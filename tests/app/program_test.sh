@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# What scripts and people rely on: commands, exit codes, sentences, files. $FULCRUM is the program.
+set -uo pipefail
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# expect CODE PATTERN COMMAND...: the exit code, and a pattern in what it says.
+expect() {
+  local code=$1 pattern=$2 said got
+  shift 2
+  said=$("$@" 2>&1)
+  got=$?
+  [ "$got" = "$code" ] || fail "$*: exit $got, not $code: $said"
+  grep -qE -- "$pattern" <<<"$said" || fail "$*: says nothing like /$pattern/: $said"
+}
+
+# --- commands
+expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
+expect 0 'run' "$FULCRUM" --help
+for command in list run replay check explain devices schema; do expect 0 '.' "$FULCRUM" $command --help; done
+expect 2 '.' "$FULCRUM"
+expect 2 '.' "$FULCRUM" run
+expect 2 'no size' "$FULCRUM" run piping --size big
+expect 0 '^piping ' "$FULCRUM" list
+expect 0 '"name": "piping"' "$FULCRUM" list --json
+expect 0 'simulated' "$FULCRUM" devices
+expect 0 'no display|there' env -u DISPLAY "$FULCRUM" devices
+expect 0 'json-schema.org' "$FULCRUM" schema
+expect 0 'llvmpipe' "$FULCRUM" run piping --gpu list
+for part in field pointshell coupling integrator estimator surfaces shadow 'Left out' 'adaptive_window'; do
+  expect 0 "$part" "$FULCRUM" explain piping
+done
+expect 0 'good' "$FULCRUM" check piping
+
+# --- runs
+expect 0 'Completed' "$FULCRUM" run piping --headless --hand expert --out A
+expect 0 'Completed' "$FULCRUM" run piping --headless --hand expert --out B
+[ "$(sha256sum <A/trace.csv)" = "$(sha256sum <B/trace.csv)" ] || fail "two runs differ"
+grep -q "$(sha256sum <A/trace.csv | cut -d' ' -f1)" A/summary.json || fail "summary.json has another trace_sha256"
+expect 0 'bit for bit' "$FULCRUM" replay A/tape --out C
+cmp -s A/trace.csv C/trace.csv || fail "the replay's trace differs"
+for file in summary.json trace.csv trace.json timing.csv tape frame.png; do [ -s "A/$file" ] || fail "no A/$file"; done
+expect 1 'holds the results of a run.*--force' "$FULCRUM" run piping --headless --out A
+expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --seconds 1 --out D
+expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/tape --seconds 1 --out E
+expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/trace.csv --seconds 1 --out F
+expect 3 'Late ticks' "$FULCRUM" run piping --headless --realtime --seconds 2 --out G
+expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H
+
+# --- bad input
+expect 1 'no hand' "$FULCRUM" run piping --headless --hand nobody --out X
+expect 1 'no device' "$FULCRUM" run piping --headless --device nothing --out X
+expect 1 'mouse needs a window' "$FULCRUM" run piping --headless --device mouse --out X
+expect 1 'display' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" run piping --out X
+expect 1 'pip' "$FULCRUM" run pipin --headless
+expect 1 'stiffness' "$FULCRUM" run piping --headless --set contact.stifness=1
+expect 1 '.' "$FULCRUM" run piping --headless --set contact.stiffness=-1
+expect 1 '.' "$FULCRUM" replay nothing.tape
+expect 1 '.' "$FULCRUM" replay A/trace.csv
+head -c 100000 A/tape >short.tape
+expect 0 'ends early' "$FULCRUM" replay short.tape --out I
+content=$(dirname "$FULCRUM")/content/scenarios/piping
+cp -r "$content" bad
+cp -r "$(dirname "$content")/../devices" devices
+edit() { cp "$content/scenario.yaml" bad/ && sed -i "$1" bad/scenario.yaml; }
+edit 's/^time_limit:.*/time_limt: 90/' && expect 1 'scenario.yaml:[0-9]+:1: .*time_limit' "$FULCRUM" check bad/scenario.yaml
+edit 's/^seed:.*/seed: many/' && expect 1 'scenario.yaml:[0-9]+:[0-9]+: ' "$FULCRUM" check bad/scenario.yaml
+edit 's#piping.glb#../../../piping.glb#' && expect 1 'folder' "$FULCRUM" check bad/scenario.yaml
+edit 's#piping.glb#missing.glb#' && expect 1 'missing.glb' "$FULCRUM" check bad/scenario.yaml
+edit 's/^seed:.*/&/' && head -c 50000 "$content/piping.glb" >bad/piping.glb && expect 1 'truncated|damaged' "$FULCRUM" check bad/scenario.yaml
+
+# --- no Vulkan: the run counts, the picture is missing and said to be
+expect 3 'no picture' env VK_ICD_FILENAMES=/nothing VK_DRIVER_FILES=/nothing "$FULCRUM" run piping --headless --seconds 0.2 --out J
+[ -s J/trace.csv ] && [ ! -e J/frame.png ] || fail "without Vulkan: a trace and no picture were to be there"
+
+# --- a full disk: said, and what was written stays
+expect 1 'space|large|disk' bash -c "ulimit -f 2000; exec '$FULCRUM' run piping --headless --hand expert --out K"
+[ "$(wc -l <K/trace.csv)" -gt 100 ] || fail "a full disk lost the trace"
+
+# --- SIGKILL: all but the last second is kept
+"$FULCRUM" run piping --headless --hand expert --realtime --out L >/dev/null 2>&1 &
+sleep 6
+kill -9 $!
+wait $! 2>/dev/null
+rows=$(wc -l <L/trace.csv)
+[ "$rows" -gt 1000 ] || fail "SIGKILL after some seconds left $rows rows"
+expect 0 'ends early' "$FULCRUM" replay L/tape --out M
+
+# --- no colour where it is not wanted
+"$FULCRUM" list | grep -q $'\033' && fail "colour without a terminal"
+
+[ $failures = 0 ] && echo "all good"
+exit $((failures > 0))

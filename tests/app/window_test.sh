@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# The window under a display without a screen: it shows a picture, a drag moves the tool, a push shows force, Esc stops,
+# it survives being resized and minimised, and it closes. $FULCRUM is the program.
+set -uo pipefail
+for command in Xvfb openbox xdotool import; do command -v $command >/dev/null || { echo "skipped: no $command"; exit 77; }; done
+work=$(mktemp -d)
+exec {pipe}<> <(:)
+Xvfb -displayfd $pipe -screen 0 1280x800x24 >/dev/null 2>&1 &
+xvfb=$!
+read -r -u $pipe number || exit 1
+export DISPLAY=:$number
+openbox >/dev/null 2>&1 &
+trap 'kill $xvfb 2>/dev/null; rm -rf "$work"' EXIT
+failures=0
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+"$FULCRUM" run piping --size 640x360 --set time_limit=600 --out "$work/W" >"$work/said" 2>&1 &
+program=$!
+window=
+for _ in $(seq 120); do
+  window=$(xdotool search --onlyvisible --name '^Fulcrum' 2>/dev/null | head -n 1)
+  [ -n "$window" ] && break
+  sleep 0.5
+done
+[ -n "$window" ] || { cat "$work/said"; echo "FAILED: no window"; exit 1; }
+xdotool windowactivate --sync "$window"
+sleep 4
+
+# A picture: more than a few colours.
+import -window "$window" "$work/before.png"
+[ "$(identify -format %k "$work/before.png")" -gt 200 ] || fail "the window shows no picture"
+
+drag() { # BUTTON FROM_X FROM_Y TO_X TO_Y
+  xdotool mousemove --window "$window" "$2" "$3" mousedown "$1"
+  for step in 1 2 3 4 5 6 7 8; do
+    xdotool mousemove --window "$window" $(($2 + ($4 - $2) * step / 8)) $(($3 + ($5 - $3) * step / 8))
+    sleep 0.1
+  done
+  xdotool mouseup "$1"
+}
+drag 1 300 150 340 150
+for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30; do xdotool click 4; sleep 0.05; done
+sleep 2
+import -window "$window" "$work/pushed.png"
+xdotool key --window "$window" F1
+sleep 1
+xdotool windowsize --sync "$window" 800 500
+sleep 1
+xdotool windowminimize --sync "$window"
+sleep 1
+xdotool windowmap --sync "$window"
+xdotool windowactivate --sync "$window"
+sleep 1
+kill -0 $program 2>/dev/null || fail "the program ended: $(cat "$work/said")"
+xdotool key Escape
+sleep 2
+import -window "$window" "$work/stopped.png"
+[ -z "${FULCRUM_PICTURES-}" ] || cp "$work"/*.png "$FULCRUM_PICTURES"
+xdotool key --clearmodifiers alt+F4
+for _ in $(seq 60); do
+  kill -0 $program 2>/dev/null || break
+  sleep 0.5
+done
+kill -0 $program 2>/dev/null && fail "the window did not close" && kill -9 $program
+wait $program
+code=$?
+[ $code = 3 ] || fail "exit $code, not 3: $(cat "$work/said")"
+
+# column NAME: its values.
+column() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next } { print $c }' "$work/W/trace.csv"; }
+column tool/p/x | awk 'NR == 1 { a = b = $1 } { if ($1 < a) a = $1; if ($1 > b) b = $1 } END { exit !(b - a > 0.01) }' || fail "the drag did not move the tool"
+column contact/depth_max | awk '$1 > m { m = $1 } END { exit !(m > 0) }' || fail "the push touched nothing"
+column fault | awk '$1 % 2 == 1 { found = 1 } END { exit !found }' || fail "Esc did not stop"
+[ $failures = 0 ] && echo "all good"
+exit $((failures > 0))

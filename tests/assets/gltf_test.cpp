@@ -1,0 +1,164 @@
+#include "engine/assets/gltf.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "haptics/bake/solid.h"
+#include "tests/assets/glb_builder.h"
+
+namespace fulcrum {
+namespace {
+
+using glb::Tetrahedron;
+
+std::string refusal(std::span<const std::byte> bytes) {
+  const auto model = parse_glb(bytes, "part.glb");
+  return model ? "" : model.error().sentence;
+}
+std::string refusal(const Tetrahedron& file) {
+  return refusal(file.bytes());
+}
+
+#define EXPECT_MENTIONS(sentence, words) \
+  EXPECT_NE(std::string(sentence).find(words), std::string::npos) << "says: " << (sentence)
+
+TEST(Gltf, ReadsGeometryAndMaterial) {
+  const auto model = parse_glb(Tetrahedron().bytes(), "part.glb");
+  ASSERT_TRUE(model) << model.error().sentence;
+  ASSERT_EQ(model->parts.size(), 1u);
+  const ModelPart& part = model->parts[0];
+  EXPECT_EQ(part.name, "body");
+  EXPECT_EQ(part.indices.size(), 12u);
+  ASSERT_EQ(part.normals.size(), part.positions.size());
+  for (std::size_t i = 0; i < part.indices.size(); i += 3) {  // flat: the file has no normals
+    const Vec3 &a = part.positions[part.indices[i]], &b = part.positions[part.indices[i + 1]],
+               &c = part.positions[part.indices[i + 2]];
+    EXPECT_NEAR((part.normals[part.indices[i]] - (b - a).cross(c - a).normalized()).norm(), 0.0, 1e-12);
+  }
+  const ModelMaterial& material = model->materials[part.material];
+  EXPECT_EQ(material.name, "steel");
+  EXPECT_FLOAT_EQ(material.base_colour[2], 0.3f);
+  EXPECT_FLOAT_EQ(material.metallic, 0.9f);
+  EXPECT_FLOAT_EQ(material.roughness, 0.25f);
+  const auto solid = build_solid(to_triangle_mesh(*model));
+  ASSERT_TRUE(solid) << solid.error().sentence;
+  EXPECT_NEAR(solid->components[0].volume_m3, 1.0 / 6.0, 1e-12);
+}
+
+TEST(Gltf, NodesMoveTurnScaleAndMirror) {
+  Tetrahedron file;
+  file.scene = R"("scene":0,"scenes":[{"nodes":[1]}],)";
+  file.nodes = R"([{"mesh":0,"scale":[-2,1,1]},{"children":[0,2],"translation":[0,0,5]},{"mesh":0,)"
+               R"("matrix":[0,1,0,0,-1,0,0,0,0,0,1,0,10,0,0,1]}])";
+  const auto model = parse_glb(file.bytes(), "part.glb");
+  ASSERT_TRUE(model) << model.error().sentence;
+  ASSERT_EQ(model->parts.size(), 2u);
+  Box3 mirrored, turned;
+  for (const Vec3& p : model->parts[0].positions) mirrored.extend(p);
+  for (const Vec3& p : model->parts[1].positions) turned.extend(p);
+  EXPECT_NEAR((mirrored.min() - Vec3(-2, 0, 5)).norm() + (mirrored.max() - Vec3(0, 1, 6)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((turned.min() - Vec3(9, 0, 5)).norm() + (turned.max() - Vec3(10, 1, 6)).norm(), 0.0, 1e-12);
+  const auto solid = build_solid(to_triangle_mesh(*model));  // wound outwards still
+  ASSERT_TRUE(solid) << solid.error().sentence;
+  EXPECT_EQ(solid->components.size(), 2u);
+}
+
+TEST(Gltf, EveryFaultIsASentence) {
+  EXPECT_MENTIONS(refusal(std::span<const std::byte>{}), "part.glb: it is not a binary glTF file");
+  std::vector<std::byte> bytes = Tetrahedron().bytes();
+  EXPECT_MENTIONS(refusal(std::span(bytes).first(10)), "ends within its header");
+  EXPECT_MENTIONS(refusal(std::span(bytes).first(bytes.size() - 8)), "it is truncated");
+  bytes[0] = std::byte{'x'};
+  EXPECT_MENTIONS(refusal(bytes), "not a binary glTF file; export");
+  bytes = Tetrahedron().bytes();
+  bytes[4] = std::byte{1};
+  EXPECT_MENTIONS(refusal(bytes), "not of glTF version 2");
+  bytes = Tetrahedron().bytes();
+  bytes[20] = std::byte{'['};
+  EXPECT_MENTIONS(refusal(bytes), "cannot be read as glTF");
+
+  Tetrahedron file;
+  file.indices[5] = 4;
+  EXPECT_MENTIONS(refusal(file), "refers to vertex 4 of 4");
+  file = {};
+  file.positions[7] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_MENTIONS(refusal(file), "vertex 2 of a mesh is not a finite number");
+  file = {};
+  file.views =
+      R"([{"buffer":0,"byteOffset":40,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}])";
+  EXPECT_MENTIONS(refusal(file), "beyond its buffer");
+  file = {};
+  file.accessors = R"([{"bufferView":0,"componentType":5126,"count":400000000000,"type":"VEC3"},)"
+                   R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}])";
+  EXPECT_MENTIONS(refusal(file), "beyond its buffer view");
+  file = {};
+  file.primitive = R"({"attributes":{"POSITION":0},"indices":1,"mode":1})";
+  EXPECT_MENTIONS(refusal(file), "no triangles");
+  file = {};
+  file.primitive = R"({"attributes":{"POSITION":0},"indices":1,"mode":5})";
+  EXPECT_MENTIONS(refusal(file), "export it as plain triangles");
+  file = {};
+  file.nodes = R"([{"children":[0],"mesh":0}])";
+  EXPECT_MENTIONS(refusal(file), "its own ancestor");
+  file = {};
+  file.nodes = R"([{"name":"flat","mesh":0,"scale":[1,0,1]}])";
+  EXPECT_MENTIONS(refusal(file), "part 'flat' is scaled to nothing");
+  file = {};
+  file.nodes = R"([{"mesh":0,"children":[7]}])";
+  EXPECT_MENTIONS(refusal(file), "a node that it does not hold");
+}
+
+TEST(Gltf, WhatIsNotSupportedSaysSo) {
+  Tetrahedron file;
+  file.more = R"("extensionsRequired":["KHR_draco_mesh_compression"],)";
+  EXPECT_MENTIONS(refusal(file), "without mesh compression");
+  file = {};
+  file.accessors = R"([{"bufferView":0,"componentType":5122,"count":4,"type":"VEC3"},)"
+                   R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}])";
+  EXPECT_MENTIONS(refusal(file), "quantised");
+  file = {};
+  file.accessors = R"([{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,)"
+                   R"("indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":0}}},)"
+                   R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}])";
+  EXPECT_MENTIONS(refusal(file), "sparse accessors");
+}
+
+TEST(Gltf, NestingCannotExhaustTheStack) {
+  Tetrahedron file;
+  file.more = R"("extras":)" + std::string(200000, '[') + std::string(200000, ']') + ",";
+  EXPECT_MENTIONS(refusal(file), "nested");
+}
+
+TEST(Gltf, FilesThatCannotBeReadSaySo) {
+  const auto missing = load_gltf("/nonexistent/part.glb");
+  ASSERT_FALSE(missing);
+  EXPECT_MENTIONS(missing.error().sentence, "/nonexistent/part.glb: there is no such file");
+  const auto folder = load_gltf(std::filesystem::temp_directory_path());
+  ASSERT_FALSE(folder);
+  EXPECT_MENTIONS(folder.error().sentence, "a folder");
+}
+
+TEST(Gltf, ATextFileFindsItsBufferBesideIt) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "fulcrum_gltf_test";
+  std::filesystem::create_directories(folder);
+  const std::vector<std::byte> bytes = Tetrahedron().bytes();
+  const std::size_t json_bytes =
+      std::to_integer<std::size_t>(bytes[12]) + 256 * std::to_integer<std::size_t>(bytes[13]);
+  std::string json(reinterpret_cast<const char*>(bytes.data()) + 20, json_bytes);
+  const std::string embedded = R"("buffers":[{)";
+  json.insert(json.find(embedded) + embedded.size(), R"("uri":"part.bin",)");
+  std::ofstream(folder / "part.gltf") << json;
+  std::ofstream(folder / "part.bin", std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()) + 28 + json_bytes, 72);
+  const auto model = load_gltf(folder / "part.gltf");
+  EXPECT_TRUE(model) << model.error().sentence;
+  std::filesystem::remove(folder / "part.bin");
+  EXPECT_FALSE(load_gltf(folder / "part.gltf"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace fulcrum

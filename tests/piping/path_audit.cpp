@@ -1,0 +1,66 @@
+#include "tests/piping/path_audit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace fulcrum::test {
+
+PathAudit::PathAudit(const Solid& scene_W, const Pointshell& shell_T)
+    : exact_(scene_W), scene_(scene_W), shell_(shell_T), points_(shell_T.size()) {}
+
+void PathAudit::move(const Pose& X_WT) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vec3 p_W = X_WT * shell_.positions[i];
+    if (!started_) {
+      points_[i].p_W = p_W;
+      points_[i].room = 0;
+    }
+    points_[i].room -= (p_W - points_[i].p_W).norm();
+    // A distance is 1-Lipschitz: a point that has travelled less than its distance has met nothing.
+    if (points_[i].room <= 0) check(i, p_W);
+    points_[i].p_W = p_W;
+  }
+  started_ = true;
+}
+
+void PathAudit::check(std::size_t i, const Vec3& p_W) {
+  Point& point = points_[i];
+  const auto normal_of = [this](std::uint32_t t) {
+    const Triangle& triangle = scene_.mesh.triangles[t];
+    const Vec3& a = scene_.mesh.vertices[triangle[0]];
+    return Vec3((scene_.mesh.vertices[triangle[1]] - a).cross(scene_.mesh.vertices[triangle[2]] - a).normalized());
+  };
+  const ClosestPoint now = exact_.closest(p_W);
+  const bool inside = now.distance < 0;
+  const auto first = exact_.first_crossing(point.p_W, p_W);
+  if (first) ++crossings_;
+  if (!point.inside && first) {
+    point.entry_normal = normal_of(first->triangle);
+    point.entry = point.p_W;
+  }
+  if (!inside && (point.inside || first)) {
+    const auto last = exact_.first_crossing(p_W, point.p_W);
+    leave(i, p_W, last ? normal_of(last->triangle) : now.normal);
+  } else if (inside && !point.inside && !first) {
+    point.entry_normal = now.normal;  // it started inside
+    point.entry = p_W;
+  }
+  point.inside = inside;
+  point.room = std::abs(now.distance);
+  deepest_ = std::max(deepest_, -now.distance);
+}
+
+void PathAudit::leave(std::size_t i, const Vec3& p_W, const Vec3& exit_normal) {
+  if (points_[i].entry_normal.dot(exit_normal) > 0) return;
+  // Round an edge of a bolt or a flange a point may leave by the next face, a hair from where it came in. The thinnest
+  // wall is 2 mm: what came out nearer to where it went in than half of that did not go through one.
+  if ((p_W - points_[i].entry).norm() < 1e-3) return;
+  ++passages_;
+  if (!first_passage_.empty()) return;
+  std::ostringstream text;
+  text << "shell point " << i << " came out at (" << p_W.transpose() << ") m";
+  first_passage_ = text.str();
+}
+
+}  // namespace fulcrum::test
