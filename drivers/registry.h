@@ -7,8 +7,8 @@
 namespace fulcrum {
 
 struct DeviceListing {
-  std::string name;   // as --device takes it
-  std::string what;   // what it is, one line
+  std::string name;  // as --device takes it
+  std::string what;  // what it is, one line
   bool present = false;
   std::string reason;  // why not, and what would change that; empty when present
 };

@@ -7,7 +7,8 @@
 namespace fulcrum {
 namespace {
 
-// Twice a first-order lag of 15 ms: no step in speed, and less delay than is seen (45 ms between picture and force).
+// Twice a first-order lag of 15 ms: no step in speed, and less delay than is seen (45 ms between picture and
+// force).
 constexpr double kLag = 15e-3;  // s
 
 Pose toward(const Pose& from, const Pose& to, double part) {

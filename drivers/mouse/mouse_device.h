@@ -1,6 +1,6 @@
 #pragma once
-// A mouse as a device: six axes in, none out. The main thread turns drags and wheel steps into a wanted handle pose;
-// the haptic thread follows it smoothly, since a mouse moves in steps of a screen's refresh.
+// A mouse as a device: six axes in, none out. The main thread turns drags and wheel steps into a wanted
+// handle pose; the haptic thread follows it smoothly, since a mouse moves in steps of a screen's refresh.
 
 #include "haptics/device/device.h"
 #include "haptics/loop/snapshot.h"
@@ -8,7 +8,7 @@
 namespace fulcrum {
 
 class MouseDevice final : public Device {
- public:
+public:
   // X_DH: where the handle is until aim() says otherwise.
   MouseDevice(const Pose& X_DH, double tick_s);
 
@@ -22,7 +22,7 @@ class MouseDevice final : public Device {
   void write(const DeviceCommand&) noexcept override {}  // there is nothing to push
   void miss(int) noexcept override {}
 
- private:
+private:
   DeviceDesc desc_ = mouse_desc();
   double follow_;  // part of the way to the aim that each of two filters in a row goes in a tick
   Snapshot<Pose> aim_;

@@ -8,7 +8,7 @@
 namespace fulcrum {
 
 class ReplayDevice final : public Device {
- public:
+public:
   // samples: one a tick, at least one; after the last one the handle rests. desc: the device to stand in for.
   ReplayDevice(const DeviceDesc& desc, std::vector<DeviceSample> samples);
 
@@ -19,7 +19,7 @@ class ReplayDevice final : public Device {
   void write(const DeviceCommand&) noexcept override {}
   void miss(int ticks) noexcept override { at_ += static_cast<std::size_t>(ticks); }
 
- private:
+private:
   DeviceDesc desc_;
   std::vector<DeviceSample> samples_;
   std::size_t at_ = 0;

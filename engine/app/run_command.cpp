@@ -64,8 +64,9 @@ public:
   RunSink& sink() { return sink_; }
   const std::filesystem::path& folder() const { return folder_; }
 
-  // plan: what was drawn with, if anything was.
-  int finish(const render::RenderPlan* plan) {
+  // plan: what was drawn with, if anything was. person: one may acknowledge a stop, or leave; then no fault
+  // ended the run.
+  int finish(const render::RenderPlan* plan, bool person) {
     RunSink::Outcome outcome = sink_.finish();
     outcome.summary.device = options_.device;
     outcome.summary.hand = options_.device == "simulated" ? options_.hand : "";
@@ -77,7 +78,7 @@ public:
       print_outcome(folder_, outcome.summary);
     if (!written) return kError;
     if (sink_.end() == RunSink::End::completed) return kCompleted;
-    return sink_.stopped_by_fault() ? kEndedByFault : kNotCompleted;
+    return sink_.stopped_by_fault() && !person ? kEndedByFault : kNotCompleted;
   }
 
 private:
@@ -125,7 +126,7 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   } else {
     complain("there is no picture: " + visual.error().sentence);
   }
-  return attempt->finish(drawn ? &plan : nullptr);
+  return attempt->finish(drawn ? &plan : nullptr, false);
 }
 
 int run_in_window(const Prepared& prepared, const RunOptions& options) {
@@ -148,7 +149,7 @@ int run_in_window(const Prepared& prepared, const RunOptions& options) {
     if (!attempt) return kError;
     const TrainingWindow::Leave leave = (*window)->run(
         attempt->world(), attempt->device(), dynamic_cast<MouseDevice*>(&attempt->device()), attempt->sink());
-    const int code = attempt->finish(&(*window)->plan());
+    const int code = attempt->finish(&(*window)->plan(), true);
     if (leave == TrainingWindow::Leave::closed) return code;
   }
 }

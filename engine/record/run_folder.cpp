@@ -58,8 +58,8 @@ Result<fs::path> writable(const fs::path& folder) {
 }  // namespace
 
 std::span<const std::string_view> result_file_names() {
-  static constexpr std::array names = {kTraceName,  kTraceJsonName, kTapeName,
-                                       kTimingName, kFlightName,    kSummaryName, kPictureName};
+  static constexpr std::array names = {kTraceName,  kTraceJsonName, kTapeName,   kTimingName,
+                                       kFlightName, kSummaryName,   kPictureName};
   return names;
 }
 

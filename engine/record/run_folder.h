@@ -10,10 +10,9 @@
 
 namespace fulcrum::record {
 
-inline constexpr std::string_view kTraceName = "trace.csv", kTraceJsonName = "trace.json",
-                                  kTapeName = "tape", kTimingName = "timing.csv",
-                                  kFlightName = "flight.csv", kSummaryName = "summary.json",
-                                  kPictureName = "frame.png";
+inline constexpr std::string_view kTraceName = "trace.csv", kTraceJsonName = "trace.json", kTapeName = "tape",
+                                  kTimingName = "timing.csv", kFlightName = "flight.csv",
+                                  kSummaryName = "summary.json", kPictureName = "frame.png";
 
 // Every file that a run may write into its folder by itself.
 std::span<const std::string_view> result_file_names();

@@ -51,8 +51,8 @@ ActuationMatrix DeviceArm::transposed_jacobian(const Pose& X_DH) const noexcept 
   const double span = std::clamp(std::hypot(r, p.y()), 0.01 * l, 1.999 * l);
   const double lift = std::atan2(p.y(), r);
   const double half = std::acos(0.5 * span / l);
-  const double shoulder = lift + half;            // first link above the line to the handle
-  const double second = lift - half;              // second link below it, from the horizontal
+  const double shoulder = lift + half;  // first link above the line to the handle
+  const double second = lift - half;    // second link below it, from the horizontal
   const double s1 = std::sin(yaw), c1 = std::cos(yaw);
   JT.row(0) << r * c1, 0, -r * s1, 0, 0, 0;
   JT.row(1) << -l * std::sin(shoulder) * s1, l * std::cos(shoulder), -l * std::sin(shoulder) * c1, 0, 0, 0;

@@ -8,27 +8,29 @@
 
 namespace fulcrum {
 
-// Rows of J^T: effort of each motor per unit wrench (force; torque) on the handle, (motors x 6). For a linear motor the
-// unit is 1, for a revolute one m.
+// Rows of J^T: effort of each motor per unit wrench (force; torque) on the handle, (motors x 6). For a linear
+// motor the unit is 1, for a revolute one m.
 using ActuationMatrix = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor, kMaxMotors, 6>;
 
 class DeviceArm {
- public:
+public:
   explicit DeviceArm(const DeviceDesc& desc);
 
   int motors() const { return motors_; }
-  double limit(int motor) const;           // N or N m
+  double limit(int motor) const;                                     // N or N m
   static std::string motor_name(const DeviceDesc& desc, int motor);  // as in actuator/load/NAME
 
-  // J^T at a handle pose. A serial arm: absolute joint angles, D's origin where both links are at right angles.
+  // J^T at a handle pose. A serial arm: absolute joint angles, D's origin where both links are at right
+  // angles.
   ActuationMatrix transposed_jacobian(const Pose& X_DH) const noexcept;
 
- private:
+private:
   DeviceDesc desc_;
   int motors_;
 };
 
-// tau = J^T F, all scaled alike where one would pass its limit: the wrench gets smaller and keeps its direction.
+// tau = J^T F, all scaled alike where one would pass its limit: the wrench gets smaller and keeps its
+// direction.
 struct Allocation {
   DeviceCommand command;
   std::array<double, kMaxMotors> load{};  // fraction of each motor's limit

@@ -1,45 +1,37 @@
 #include "haptics/bake/sharp_features.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <algorithm>
 #include <cmath>
 
 namespace fulcrum {
 namespace {
 
-struct DoubleTraits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
-  VertexAttributes(OpenMesh::Attributes::Normal);
-  FaceAttributes(OpenMesh::Attributes::Normal);
-};
-using Mesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
-
-Vec3 eigen(const OpenMesh::Vec3d& v) {
-  return {v[0], v[1], v[2]};
+double angle_between(const Vec3& u, const Vec3& v) {
+  return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-Mesh to_openmesh(const Solid& solid) {
-  Mesh mesh;
-  std::vector<OpenMesh::VertexHandle> vertices;
-  vertices.reserve(solid.mesh.vertices.size());
-  for (const Vec3& p : solid.mesh.vertices) vertices.push_back(mesh.add_vertex({p.x(), p.y(), p.z()}));
-  for (const Triangle& corner : solid.mesh.triangles) {
-    mesh.add_face(vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]);
-  }
-  mesh.update_face_normals();
-  return mesh;
+// A blade without thickness has no outside to point to: up, so that a normal is a normal.
+Vec3 unit(const Vec3& v) {
+  return v.squaredNorm() > 0.0 ? Vec3(v.stableNormalized()) : Vec3(Vec3::UnitY());
 }
 
 class SharpEdges {
 public:
-  SharpEdges(const Solid& solid, double angle)
-      : mesh_(to_openmesh(solid)),
-        angle_(angle),
-        sharp_(mesh_.n_edges(), false),
-        walked_(mesh_.n_edges(), false) {
+  SharpEdges(const Solid& solid, double angle) : positions_(solid.mesh.vertices), angle_(angle) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) mesh_.add_vertex();
+    for (const Triangle& corner : solid.mesh.triangles) {
+      const auto vertex = [&corner](std::size_t i) {
+        return OpenMesh::VertexHandle(static_cast<int>(corner[i]));
+      };
+      if (!mesh_.add_face(vertex(0), vertex(1), vertex(2)).is_valid()) continue;
+      const Vec3& a = positions_[corner[0]];
+      normals_.push_back((positions_[corner[1]] - a).cross(positions_[corner[2]] - a).stableNormalized());
+    }
+    walked_.assign(mesh_.n_edges(), false);
     for (const auto edge : mesh_.edges()) {
-      sharp_[index(edge)] = std::abs(mesh_.calc_dihedral_angle(edge)) > angle_;
+      sharp_.push_back(!edge.is_boundary() &&
+                       angle_between(normal(edge.h0().face()), normal(edge.h1().face())) > angle_);
     }
   }
 
@@ -66,7 +58,10 @@ private:
   using Vertex = OpenMesh::SmartVertexHandle;
 
   static std::size_t index(const OpenMesh::EdgeHandle& edge) { return static_cast<std::size_t>(edge.idx()); }
-  Vec3 position(const Vertex& vertex) const { return eigen(mesh_.point(vertex)); }
+  Vec3 position(const Vertex& vertex) const { return positions_[static_cast<std::size_t>(vertex.idx())]; }
+  Vec3 normal(const OpenMesh::FaceHandle& face) const {
+    return normals_[static_cast<std::size_t>(face.idx())];
+  }
   Vec3 along(const Halfedge& edge) const {
     return (position(edge.to()) - position(edge.from())).normalized();
   }
@@ -85,13 +80,13 @@ private:
     Vec3 sum = Vec3::Zero();
     for (const auto corner : vertex.outgoing_halfedges()) {
       if (corner.is_boundary()) continue;
-      sum += eigen(mesh_.normal(corner.face())) * mesh_.calc_sector_angle(corner.prev());
+      sum += normal(corner.face()) * angle_between(along(corner), -along(corner.prev()));
     }
-    return {position(vertex), sum.stableNormalized()};
+    return {position(vertex), unit(sum)};
   }
 
   Vec3 edge_normal(const Halfedge& edge) const {
-    return (eigen(mesh_.normal(edge.face())) + eigen(mesh_.normal(edge.opp().face()))).stableNormalized();
+    return unit(normal(edge.face()) + normal(edge.opp().face()));
   }
 
   // From the start of a sharp edge to the next corner, or around a loop; points evenly between the ends.
@@ -124,7 +119,9 @@ private:
     return edge;
   }
 
-  Mesh mesh_;
+  OpenMesh::TriConnectivity mesh_;
+  std::vector<Vec3> positions_;  // (vertices x 3) m
+  std::vector<Vec3> normals_;    // (faces x 3) unit; zero for a triangle without area
   double angle_;
   std::vector<bool> sharp_, walked_;  // (edges)
 };

@@ -9,8 +9,9 @@ bool ContactSet::add(const Contact& contact) noexcept {
     contacts_.push_back(contact);  // within the reserved storage
     return true;
   }
-  const auto shallowest = std::min_element(contacts_.begin(), contacts_.end(),
-                                           [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
+  const auto shallowest =
+      std::min_element(contacts_.begin(), contacts_.end(),
+                       [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
   if (shallowest->depth < contact.depth) *shallowest = contact;
   return false;
 }

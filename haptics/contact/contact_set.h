@@ -24,17 +24,17 @@ struct Contact {
 // Touching points that lie together and are pushed alike. An id lasts as long as the region is touched.
 struct ContactRegion {
   std::uint32_t id = 0;
-  std::int64_t age_ticks = 0;  // 0 in the tick in which it appears
-  Vec3 p_W = Vec3::Zero();     // (3) m, centre weighted by overlap volume
-  Vec3 nhat_W = Vec3::Zero();  // (3) unit, weighted likewise
+  std::int64_t age_ticks = 0;   // 0 in the tick in which it appears
+  Vec3 p_W = Vec3::Zero();      // (3) m, centre weighted by overlap volume
+  Vec3 nhat_W = Vec3::Zero();   // (3) unit, weighted likewise
   Vec3 force_W = Vec3::Zero();  // (3) N on the tool
-  double depth_max = 0;        // m
-  double approach_speed = 0;   // m/s of the tool into the scene at p_W, < 0 when leaving
+  double depth_max = 0;         // m
+  double approach_speed = 0;    // m/s of the tool into the scene at p_W, < 0 when leaving
   std::uint32_t points = 0;
 };
 
 class ContactSet {
- public:
+public:
   ContactSet() { contacts_.reserve(kMaxContacts); }
 
   void clear() noexcept { contacts_.clear(); }
@@ -43,7 +43,7 @@ class ContactSet {
   std::span<const Contact> contacts() const { return contacts_; }
   double depth_max() const;  // m, 0 when nothing touches
 
- private:
+private:
   std::vector<Contact> contacts_;
 };
 

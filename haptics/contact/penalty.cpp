@@ -4,7 +4,8 @@
 
 namespace fulcrum {
 
-PenaltyResponse::PenaltyResponse(const ContactDesc& desc, const RigidBody& tool, double tick_s, Integrator integrator)
+PenaltyResponse::PenaltyResponse(const ContactDesc& desc, const RigidBody& tool, double tick_s,
+                                 Integrator integrator)
     : desc_(desc), tool_(tool), tick_s_(tick_s), capped_(integrator == Integrator::semi_implicit_euler) {}
 
 PenaltyResponse::Answer PenaltyResponse::push(const ContactSet& set, const BodyState& tool) noexcept {
@@ -29,7 +30,8 @@ PenaltyResponse::Answer PenaltyResponse::push(const ContactSet& set, const BodyS
   return answer;
 }
 
-PenaltyResponse::Scale PenaltyResponse::cap(std::span<const Contact> contacts, const BodyState& tool) const noexcept {
+PenaltyResponse::Scale PenaltyResponse::cap(std::span<const Contact> contacts,
+                                            const BodyState& tool) const noexcept {
   const Mat3 inverse_inertia_W = tool_.inverse_inertia_W(tool.X_WT.q);
   double stiffness_over_mass = 0, damping_over_mass = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -46,7 +48,8 @@ PenaltyResponse::Scale PenaltyResponse::cap(std::span<const Contact> contacts, c
   return scale;
 }
 
-void PenaltyResponse::linearise(const ContactSet& set, const BodyState& tool, Linearisation& around) const noexcept {
+void PenaltyResponse::linearise(const ContactSet& set, const BodyState& tool,
+                                Linearisation& around) const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const Contact& contact = set.contacts()[i];
     Vec6 direction;

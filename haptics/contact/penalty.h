@@ -4,14 +4,15 @@
 // Touching points share the stiffness of the region they lie in, so that sampling is not felt: point i gets
 //     share_i = v_i / sum_j K_ij v_j,   v = area x depth (its part of the overlap volume),
 //     K_ij    = max(0, nhat_i . nhat_j) (1 - |p_i - p_j|^2 / R^2)^2  within R, else 0
-// A tight cluster's shares add up to 1, two clusters farther apart than R to 2, and in between they change smoothly:
-// no force jump where regions meet or part. On each point acts
+// A tight cluster's shares add up to 1, two clusters farther apart than R to 2, and in between they change
+// smoothly: no force jump where regions meet or part. On each point acts
 //     f_i = share_i k d_i max(0, 1 + c u_i) nhat_i,   u the approach speed
 // (Hunt and Crossley 1975, J. Applied Mechanics 42), continuous at first touch and never pulling.
 //
-// Stability under semi-implicit Euler: with 1/m_i = 1/m + (r x n)^T I^-1 (r x n), the largest eigenvalue of M^-1 K is at most sum k_i / m_i.
-// That sum is capped at kStiffnessShare / T^2 and the dampers' at kDampingShare / T, which keeps T^2 w^2 < 4 - 2 T c
-// with room for the coupling. Implicit Euler needs no cap and gets the linearisation instead.
+// Stability under semi-implicit Euler: with 1/m_i = 1/m + (r x n)^T I^-1 (r x n), the largest eigenvalue of
+// M^-1 K is at most sum k_i / m_i. That sum is capped at kStiffnessShare / T^2 and the dampers' at
+// kDampingShare / T, which keeps T^2 w^2 < 4 - 2 T c with room for the coupling. Implicit Euler needs no cap
+// and gets the linearisation instead.
 
 #include <array>
 #include <cstdint>
@@ -28,7 +29,7 @@ inline constexpr double kStiffnessShare = 0.5;
 inline constexpr double kDampingShare = 0.5;
 
 class PenaltyResponse {
- public:
+public:
   PenaltyResponse(const ContactDesc& desc, const RigidBody& tool, double tick_s, Integrator integrator);
 
   struct Answer {
@@ -43,7 +44,7 @@ class PenaltyResponse {
   // Force on the tool from each contact of the last push(), (n x 3) N in W.
   std::span<const Vec3> forces() const { return {force_.data(), count_}; }
 
- private:
+private:
   struct Scale {
     double stiffness = 1, dissipation = 1;
   };

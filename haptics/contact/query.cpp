@@ -5,7 +5,8 @@
 
 namespace fulcrum {
 
-ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell_T, std::shared_ptr<const DistanceField> field_W)
+ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell_T,
+                           std::shared_ptr<const DistanceField> field_W)
     : shell_(std::move(shell_T)), field_(std::move(field_W)) {
   distance_.assign(shell_->size(), 0.0);
   radius_.reserve(shell_->size());

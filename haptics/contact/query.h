@@ -1,7 +1,8 @@
 #pragma once
-// Pointshell against distance field: which points of the tool are inside the scene, and how far off the others are.
-// W. A. McNeely, K. D. Puterbaugh, J. J. Troy, "Six degree-of-freedom haptic rendering using voxel sampling",
-// SIGGRAPH 1999; distance fields in place of voxels: J. Barbic, D. L. James, IEEE Trans. Haptics 1(1), 2008.
+// Pointshell against distance field: which points of the tool are inside the scene, and how far off the
+// others are. W. A. McNeely, K. D. Puterbaugh, J. J. Troy, "Six degree-of-freedom haptic rendering using
+// voxel sampling", SIGGRAPH 1999; distance fields in place of voxels: J. Barbic, D. L. James, IEEE Trans.
+// Haptics 1(1), 2008.
 
 #include <memory>
 #include <vector>
@@ -14,7 +15,7 @@
 namespace fulcrum {
 
 class ContactQuery {
- public:
+public:
   ContactQuery(std::shared_ptr<const Pointshell> shell_T, std::shared_ptr<const DistanceField> field_W);
 
   struct Outcome {
@@ -24,15 +25,17 @@ class ContactQuery {
   // Fills the set for the tool at X_WT.
   Outcome run(const Pose& X_WT, ContactSet& set) noexcept;
 
-  // The largest fraction, 0 to 1, of a motion over which no shell point can enter the scene by more than `allowance`
-  // m beyond where it was at the last run(). The field's values are 1-Lipschitz up to its error bound, so a point
-  // that travels less than its distance stays out (conservative advancement: Mirtich 1996). The travel of a point is
-  // bounded by |v| t + |w| t |p_T|.
+  // The largest fraction, 0 to 1, of a motion over which no shell point can enter the scene by more than
+  // `allowance` m beyond where it was at the last run(). The field's values are 1-Lipschitz up to its error
+  // bound, so a point that travels less than its distance stays out (conservative advancement: Mirtich 1996).
+  // The travel of a point is bounded by |v| t + |w| t |p_T|.
   double safe_fraction(double travel, double turn, double allowance) const noexcept;
 
-  std::size_t bytes() const { return distance_.capacity() * sizeof(double) + radius_.capacity() * sizeof(double); }
+  std::size_t bytes() const {
+    return distance_.capacity() * sizeof(double) + radius_.capacity() * sizeof(double);
+  }
 
- private:
+private:
   std::shared_ptr<const Pointshell> shell_;
   std::shared_ptr<const DistanceField> field_;
   std::vector<double> distance_;  // (n) m, lower bound at the last run

@@ -14,8 +14,8 @@ bool alike(const Contact& a, const Contact& b, double radius) {
 
 }  // namespace
 
-// Flood fill in the order of the contacts: the same labels for the same contacts, always. Regions past the capacity
-// join the last one.
+// Flood fill in the order of the contacts: the same labels for the same contacts, always. Regions past the
+// capacity join the last one.
 std::size_t RegionTracker::cluster(std::span<const Contact> contacts) noexcept {
   std::array<std::uint16_t, kMaxContacts> open{};
   std::size_t labels = 0;
@@ -39,7 +39,8 @@ std::size_t RegionTracker::cluster(std::span<const Contact> contacts) noexcept {
   return labels;
 }
 
-void RegionTracker::update(const ContactSet& set, std::span<const Vec3> forces, const BodyState& tool) noexcept {
+void RegionTracker::update(const ContactSet& set, std::span<const Vec3> forces,
+                           const BodyState& tool) noexcept {
   std::copy_n(regions_.begin(), count_, before_.begin());
   const std::size_t count_before = count_;
   const std::span<const Contact> contacts = set.contacts();

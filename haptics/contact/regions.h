@@ -10,9 +10,9 @@
 namespace fulcrum {
 
 class RegionTracker {
- public:
-  // radius m: touching points nearer than this whose normals differ by less than 60 degrees are of one region, and a
-  // region keeps its id while its centre in the scene moves less than this in a tick.
+public:
+  // radius m: touching points nearer than this whose normals differ by less than 60 degrees are of one
+  // region, and a region keeps its id while its centre in the scene moves less than this in a tick.
   explicit RegionTracker(double radius) : radius_(radius) {}
 
   // forces: (n x 3) N, one for each contact of the set.
@@ -20,7 +20,7 @@ class RegionTracker {
 
   std::span<const ContactRegion> regions() const { return {regions_.data(), count_}; }
 
- private:
+private:
   std::size_t cluster(std::span<const Contact> contacts) noexcept;
   void inherit_ids(std::span<const ContactRegion> before) noexcept;
 

@@ -23,7 +23,7 @@ struct DeviceSample {
 
 // What the device is to do until the next command.
 struct DeviceCommand {
-  Wrench F_H_D;                              // wrench on the handle about H, in D, that the motors add up to
+  Wrench F_H_D;                             // wrench on the handle about H, in D, that the motors add up to
   std::array<double, kMaxMotors> effort{};  // (motors) N or N m at each motor
 };
 
@@ -33,33 +33,33 @@ enum class Kinematics {
   serial_arm  // three revolute joints: yaw, shoulder, elbow, as on a Phantom
 };
 
-// The device's figures, from its data sheet or measured. They bound what safety lets through; a scenario cannot
-// change them.
+// The device's figures, from its data sheet or measured. They bound what safety lets through; a scenario
+// cannot change them.
 struct DeviceDesc {
   std::string name = "simulated";
   Kinematics kinematics = Kinematics::cartesian;
   bool renders_force = true;
   bool renders_torque = false;
-  double max_force = 7.9;                // N
-  double max_torque = 0;                 // N m
-  double max_joint_torque = 1.2;         // N m, each motor of a serial arm
-  double link_length = 0.14;             // m, each of the two links of a serial arm
-  double handle_mass = 0.072;            // kg, apparent, at the handle
-  double handle_inertia = 2.0e-5;        // kg m^2, apparent, about any axis of the handle
-  double handle_weight = 0.3;            // N, what the mechanism leaves uncompensated; the tick holds it up
-  double damping = 0.005;                // N s/m
-  double angular_damping = 2.0e-5;       // N m s
-  double friction = 0.038;               // N, Coulomb, each axis
-  double angular_friction = 2.0e-4;      // N m, Coulomb, each axis
-  double encoder_step = 28e-6;           // m
-  double encoder_step_rad = 2.0e-4;      // rad
-  Vec3 workspace{0.080, 0.060, 0.060};   // (3) m, half extents about D's origin
+  double max_force = 7.9;               // N
+  double max_torque = 0;                // N m
+  double max_joint_torque = 1.2;        // N m, each motor of a serial arm
+  double link_length = 0.14;            // m, each of the two links of a serial arm
+  double handle_mass = 0.072;           // kg, apparent, at the handle
+  double handle_inertia = 2.0e-5;       // kg m^2, apparent, about any axis of the handle
+  double handle_weight = 0.3;           // N, what the mechanism leaves uncompensated; the tick holds it up
+  double damping = 0.005;               // N s/m
+  double angular_damping = 2.0e-5;      // N m s
+  double friction = 0.038;              // N, Coulomb, each axis
+  double angular_friction = 2.0e-4;     // N m, Coulomb, each axis
+  double encoder_step = 28e-6;          // m
+  double encoder_step_rad = 2.0e-4;     // rad
+  Vec3 workspace{0.080, 0.060, 0.060};  // (3) m, half extents about D's origin
 };
 
 // Drivers implement this. read() and write() are called from the haptic thread, in turn, once a tick.
 // May: copy the newest state out of a buffer; queue a report. Must not: block, allocate, lock, throw.
 class Device {
- public:
+public:
   virtual ~Device() = default;
   virtual const DeviceDesc& desc() const = 0;
   virtual DeviceSample read() noexcept = 0;
@@ -68,8 +68,9 @@ class Device {
   virtual void miss(int ticks) noexcept = 0;
 };
 
-// What is left of a command that was written `age` s ago, 0 to 1. A force that is held through a stall makes energy:
-// at 60 ms only 17.5 N/m would be stable. It is held for two ticks of 1 kHz, then falls to nothing within 5 ms.
+// What is left of a command that was written `age` s ago, 0 to 1. A force that is held through a stall makes
+// energy: at 60 ms only 17.5 N/m would be stable. It is held for two ticks of 1 kHz, then falls to nothing
+// within 5 ms.
 double held_fraction(double age);
 
 }  // namespace fulcrum

@@ -43,7 +43,8 @@ State oscillate(State s, double m, double c, double k, double F, double h, doubl
 // Slides with friction against `sign` until t or until the speed is zero; answers how long it slid.
 double FrictionAxis::slide(const Load& load, double sign, double t) noexcept {
   const double c = damping + load.hand_damping;
-  const double F = load.force - friction * sign + load.stiffness * load.hand_x + load.hand_damping * load.hand_v;
+  const double F =
+      load.force - friction * sign + load.stiffness * load.hand_x + load.hand_damping * load.hand_v;
   const auto at = [&](double time) {
     return oscillate({x, v}, mass, c, load.stiffness, F, load.hand_v, time);
   };
@@ -72,8 +73,7 @@ void FrictionAxis::advance(const Load& given, double tick_s) noexcept {
     double sign = v > 0 ? 1.0 : -1.0;
     if (v == 0) {
       // Stuck while the other forces stay within friction; they change at the rate k_h v_h.
-      const double push =
-          load.force - load.stiffness * (x - load.hand_x) + load.hand_damping * load.hand_v;
+      const double push = load.force - load.stiffness * (x - load.hand_x) + load.hand_damping * load.hand_v;
       const double rate = load.stiffness * load.hand_v;
       if (std::abs(push) <= friction) {
         const double room = rate > 0 ? friction - push : friction + push;

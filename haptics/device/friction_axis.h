@@ -1,6 +1,6 @@
 #pragma once
-// One axis of a device in a hand: a mass with viscous and Coulomb friction, pushed by a force that is held over a
-// tick, and held by a spring and damper whose other end moves at a constant speed through the tick.
+// One axis of a device in a hand: a mass with viscous and Coulomb friction, pushed by a force that is held
+// over a tick, and held by a spring and damper whose other end moves at a constant speed through the tick.
 //     m x'' = f - b x' - f_c sgn(x') - k_h (x - x_h - v_h t) - b_h (x' - v_h)
 // Solved exactly between the events at which the mass sticks or breaks loose: sub-stepping would damp it.
 
@@ -22,7 +22,7 @@ struct FrictionAxis {
   };
   void advance(const Load& load, double tick_s) noexcept;
 
- private:
+private:
   double slide(const Load& load, double sign, double t) noexcept;
 };
 

@@ -10,7 +10,8 @@ namespace fulcrum {
 HandPath::HandPath(std::vector<Waypoint> waypoints) : waypoints_(std::move(waypoints)) {
   double end = waypoints_.front().dwell;  // nowhere to travel from
   end_.push_back(end);
-  for (std::size_t i = 1; i < waypoints_.size(); ++i) end_.push_back(end += waypoints_[i].travel + waypoints_[i].dwell);
+  for (std::size_t i = 1; i < waypoints_.size(); ++i)
+    end_.push_back(end += waypoints_[i].travel + waypoints_[i].dwell);
 }
 
 Pose HandPath::at(double time) const {

@@ -1,10 +1,11 @@
 #pragma once
-// A simulated hand: an impedance about a scripted path, with tremor. It stands in for a person in headless runs.
+// A simulated hand: an impedance about a scripted path, with tremor. It stands in for a person in headless
+// runs.
 //
 // Impedance of a hand on a stylus: stiffness 100 to 1000 N/m, damping 1 to 10 N s/m, growing with grip force
-// (Hajian and Howe 1997, J. Biomech. Eng. 119; Kuchenbecker, Park and Niemeyer 2003, IMECE). Physiological tremor:
-// 8 to 12 Hz, about 50 um rms at the tip of a hand-held instrument (Riviere, Rader and Khosla 1997; Singhy and
-// Riviere 2002).
+// (Hajian and Howe 1997, J. Biomech. Eng. 119; Kuchenbecker, Park and Niemeyer 2003, IMECE). Physiological
+// tremor: 8 to 12 Hz, about 50 um rms at the tip of a hand-held instrument (Riviere, Rader and Khosla 1997;
+// Singhy and Riviere 2002).
 
 #include <array>
 #include <cstdint>
@@ -15,19 +16,20 @@
 namespace fulcrum {
 
 struct HandDesc {
-  double stiffness = 400;             // N/m
-  double damping = 4;                 // N s/m
-  double angular_stiffness = 1.0;     // N m/rad
-  double angular_damping = 0.01;      // N m s/rad
-  double tremor = 50e-6;              // m rms, each axis
-  double tremor_rad = 1e-3;           // rad rms, each axis
+  double stiffness = 400;          // N/m
+  double damping = 4;              // N s/m
+  double angular_stiffness = 1.0;  // N m/rad
+  double angular_damping = 0.01;   // N m s/rad
+  double tremor = 50e-6;           // m rms, each axis
+  double tremor_rad = 1e-3;        // rad rms, each axis
   double tremor_low_Hz = 8;
   double tremor_high_Hz = 12;
   std::uint64_t seed = 1;
 };
 
-// Where the hand wants the tool, and when. Between two waypoints the hand moves on a minimum-jerk profile (Flash and
-// Hogan 1985, J. Neurosci. 5), straight and along the shortest rotation, and rests on each for `dwell`.
+// Where the hand wants the tool, and when. Between two waypoints the hand moves on a minimum-jerk profile
+// (Flash and Hogan 1985, J. Neurosci. 5), straight and along the shortest rotation, and rests on each for
+// `dwell`.
 struct Waypoint {
   Pose X_WT;
   double travel = 1;  // s, from the waypoint before
@@ -35,25 +37,25 @@ struct Waypoint {
 };
 
 class HandPath {
- public:
+public:
   explicit HandPath(std::vector<Waypoint> waypoints);  // at least one
 
   Pose at(double time) const;  // X_WT at s
   double duration() const { return end_.back(); }
 
- private:
+private:
   std::vector<Waypoint> waypoints_;
   std::vector<double> end_;  // s, when each waypoint's dwell ends
 };
 
 // Physiological tremor: a sum of tones with seeded frequencies and phases, of the given rms on every axis.
 class Tremor {
- public:
+public:
   explicit Tremor(const HandDesc& desc);
 
   Vec6 at(double time) const;  // (6) m; rad
 
- private:
+private:
   static constexpr std::size_t kTones = 8;
   struct Tone {
     double w = 0, phase = 0, amplitude = 0;  // rad/s; rad; m or rad

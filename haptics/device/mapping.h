@@ -21,7 +21,8 @@ struct MappingDesc {
     return {X_WD.q.conjugate() * X_WH.q, X_WD.q.conjugate() * (X_WH.p - X_WD.p) / position_scale};
   }
   Wrench wrench_in_device(const Wrench& F_H_W) const {
-    return {force_scale * (X_WD.q.conjugate() * F_H_W.force), force_scale * (X_WD.q.conjugate() * F_H_W.torque)};
+    return {force_scale * (X_WD.q.conjugate() * F_H_W.force),
+            force_scale * (X_WD.q.conjugate() * F_H_W.torque)};
   }
   Wrench wrench_in_world(const Wrench& F_H_D) const {
     return {X_WD.q * F_H_D.force / force_scale, X_WD.q * F_H_D.torque / force_scale};

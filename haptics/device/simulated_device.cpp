@@ -16,7 +16,8 @@ Vec3 stepped(const Vec3& x, double step) {
 
 }  // namespace
 
-SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, const Pose& X_DH) : desc_(desc), X_DH_(X_DH) {
+SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, const Pose& X_DH)
+    : desc_(desc), X_DH_(X_DH) {
   const DeviceDesc& d = desc_.device;
   for (std::size_t axis = 0; axis < 6; ++axis) {
     FrictionAxis& a = axes_[axis];

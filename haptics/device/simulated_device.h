@@ -1,6 +1,6 @@
 #pragma once
-// A 6/3-DOF or 6-DOF device in a simulated hand: handle inertia, friction, encoder steps, force limits, sample age and
-// bus delay. A device like any other; its time is the tick's.
+// A 6/3-DOF or 6-DOF device in a simulated hand: handle inertia, friction, encoder steps, force limits,
+// sample age and bus delay. A device like any other; its time is the tick's.
 
 #include <array>
 #include <optional>
@@ -25,12 +25,14 @@ struct HandTask {
   HandDesc hand;
   Pose X_HT;
   MappingDesc mapping;
-  Vec3 sag_W = Vec3::Zero();  // (3) m, how far the tool hangs below the handle by its weight: a person aims so much higher
-  Vec3 carried_D = Vec3::Zero();  // (3) N, the weight that the hand has learnt to carry, as a force on the handle
+  Vec3 sag_W = Vec3::Zero();  // (3) m, how far the tool hangs below the handle by its weight: a person aims
+                              // so much higher
+  Vec3 carried_D =
+      Vec3::Zero();  // (3) N, the weight that the hand has learnt to carry, as a force on the handle
 };
 
 class SimulatedDevice final : public Device {
- public:
+public:
   SimulatedDevice(const SimulatedDeviceDesc& desc, HandTask task);
   // In no hand: free, at X_DH.
   SimulatedDevice(const SimulatedDeviceDesc& desc, const Pose& X_DH);
@@ -40,11 +42,11 @@ class SimulatedDevice final : public Device {
   void write(const DeviceCommand& command) noexcept override;
   void miss(int ticks) noexcept override;
 
-  const Pose& X_DH() const { return X_DH_; }  // the true pose, not the encoders'
+  const Pose& X_DH() const { return X_DH_; }                              // the true pose, not the encoders'
   Vec3 velocity() const { return {axes_[0].v, axes_[1].v, axes_[2].v}; }  // (3) m/s, in D
-  void push(const Vec3& v_D) noexcept;        // sets the handle's velocity, m/s
+  void push(const Vec3& v_D) noexcept;                                    // sets the handle's velocity, m/s
 
- private:
+private:
   struct HandTarget {
     Pose X_DH;
     Vec6 rate = Vec6::Zero();  // (6) m/s; rad/s
@@ -59,7 +61,8 @@ class SimulatedDevice final : public Device {
   double time_ = 0;
   Pose X_DH_;
   Pose measured_;
-  std::array<FrictionAxis, 6> axes_;  // translation in D; rotation about the axes of D, x from the pose at the tick's start
+  std::array<FrictionAxis, 6>
+      axes_;  // translation in D; rotation about the axes of D, x from the pose at the tick's start
   static constexpr std::size_t kDelay = 9;
   std::array<Pose, kDelay> seen_{};
   std::array<DeviceCommand, kDelay> sent_{};

@@ -1,6 +1,6 @@
-// adaptive_window: F. Janabi-Sharifi, V. Hayward, C.-S. J. Chen, "Discrete-time adaptive windowing for velocity
-// estimation", IEEE Trans. Control Systems Technology 8(6), 2000: the longest window over which the motion is a
-// straight line to within the noise (end-fit).
+// adaptive_window: F. Janabi-Sharifi, V. Hayward, C.-S. J. Chen, "Discrete-time adaptive windowing for
+// velocity estimation", IEEE Trans. Control Systems Technology 8(6), 2000: the longest window over which the
+// motion is a straight line to within the noise (end-fit).
 
 #include "haptics/estimate/velocity.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Velocity of the handle from its sampled pose. An encoder step of 28 um at 1 ms is 28 mm/s: every estimator trades
-// that noise for delay, and its delay counts in every stability statement.
+// Velocity of the handle from its sampled pose. An encoder step of 28 um at 1 ms is 28 mm/s: every estimator
+// trades that noise for delay, and its delay counts in every stability statement.
 
 #include <vector>
 
@@ -12,14 +12,14 @@ enum class VelocityEstimatorKind { difference, low_pass, adaptive_window };
 
 struct VelocityEstimatorDesc {
   VelocityEstimatorKind kind = VelocityEstimatorKind::low_pass;
-  double cutoff_Hz = 60;      // low_pass: first order
-  int window = 15;            // adaptive_window: most ticks looked back
-  double noise = 60e-6;       // m in W, adaptive_window: largest deviation that counts as noise
-  double noise_rad = 4e-4;    // rad, likewise
+  double cutoff_Hz = 60;    // low_pass: first order
+  int window = 15;          // adaptive_window: most ticks looked back
+  double noise = 60e-6;     // m in W, adaptive_window: largest deviation that counts as noise
+  double noise_rad = 4e-4;  // rad, likewise
 };
 
 class VelocityEstimator {
- public:
+public:
   VelocityEstimator(const VelocityEstimatorDesc& desc, double tick_s);
 
   // Called once a tick. The first call sets the pose and answers zero.
@@ -30,7 +30,7 @@ class VelocityEstimator {
   double delay() const;  // s, at low frequency; for adaptive_window the longest
   std::size_t bytes() const { return path_.capacity() * sizeof(Vec6); }
 
- private:
+private:
   Vec6 difference() const noexcept;
   Vec6 adaptive() const noexcept;
 
@@ -39,7 +39,8 @@ class VelocityEstimator {
   Pose last_;
   bool started_ = false;
   Vec6 filtered_ = Vec6::Zero();
-  // Position, and orientation as the running sum of its small rotations: (window + 1) x (m; rad), newest at head_.
+  // Position, and orientation as the running sum of its small rotations: (window + 1) x (m; rad), newest at
+  // head_.
   std::vector<Vec6> path_;
   std::size_t head_ = 0;
   int filled_ = 0;

@@ -16,8 +16,11 @@ namespace fulcrum {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr double kRingSeconds = 8;           // of ticks that the main thread may leave waiting
-constexpr double kLongStall = 20e-3;         // s: a longer one stops the force
+constexpr double kRingSeconds = 8;  // of ticks that the main thread may leave waiting
+// s. Desktops take the processor away for tens of ms: that is a late tick, whose held force has decayed. Past
+// this the thread has hung, and the person may have gone on to something else: the force stops until
+// acknowledged.
+constexpr double kLongStall = 0.25;
 constexpr int kPriority = 80;
 
 std::int64_t monotonic_ns() noexcept {
@@ -39,7 +42,9 @@ LiveLoop::LiveLoop(World& world, Device& device)
       device_(device),
       events_(static_cast<std::size_t>(std::ceil(kRingSeconds / world.desc().tick_s))) {}
 
-LiveLoop::~LiveLoop() { stop(); }
+LiveLoop::~LiveLoop() {
+  stop();
+}
 
 void LiveLoop::start() {
   running_ = true;
@@ -56,9 +61,11 @@ RealTimeGrant LiveLoop::ask_for_real_time() {
   sched_param priority{};
   priority.sched_priority = kPriority;
   if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority); error != 0)
-    grant.scheduling = "Real-time scheduling was refused (" + std::string(std::strerror(error)) +
-                       "), so other programs can delay a tick. To grant it, add to /etc/security/limits.conf: "
-                       "\"@users - rtprio " + std::to_string(kPriority) + "\" and log in anew.";
+    grant.scheduling =
+        "Real-time scheduling was refused (" + std::string(std::strerror(error)) +
+        "), so other programs can delay a tick. To grant it, add to /etc/security/limits.conf: "
+        "\"@users - rtprio " +
+        std::to_string(kPriority) + "\" and log in anew.";
   if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
     grant.memory = "Locked memory was refused (" + std::string(std::strerror(errno)) +
                    "), so swapping can delay a tick. To grant it, add to /etc/security/limits.conf: "
@@ -66,7 +73,8 @@ RealTimeGrant LiveLoop::ask_for_real_time() {
   return grant;
 }
 
-// Each turn: sleep to the deadline, see how many ticks are due, run at most kCatchUp of them with the newest sample.
+// Each turn: sleep to the deadline, see how many ticks are due, run at most kCatchUp of them with the newest
+// sample.
 void LiveLoop::run() {
   grant_ = ask_for_real_time();
   const double tick_s = world_.desc().tick_s;

@@ -1,8 +1,9 @@
 #pragma once
-// The haptic thread: step() at absolute deadlines. Everything else stays on its own side of two rings and a snapshot.
+// The haptic thread: step() at absolute deadlines. Everything else stays on its own side of two rings and a
+// snapshot.
 
-#include <atomic>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <thread>
@@ -25,7 +26,7 @@ struct RealTimeGrant {
 using LateHistogram = std::array<std::uint64_t, 20>;
 
 class LiveLoop {
- public:
+public:
   static constexpr int kCatchUp = 5;  // ticks run at most after a gap; the rest are lost
 
   LiveLoop(World& world, Device& device);
@@ -45,14 +46,16 @@ class LiveLoop {
 
   // Ticks that the main thread left in the ring until it was full. They ran, but no record of them is left.
   std::uint64_t unrecorded() const { return unrecorded_.load(std::memory_order_relaxed); }
-  std::uint64_t late_ticks() const { return late_.load(std::memory_order_relaxed); }  // began a tick or more late
+  std::uint64_t late_ticks() const {
+    return late_.load(std::memory_order_relaxed);
+  }  // began a tick or more late
   std::uint64_t lost_ticks() const { return lost_.load(std::memory_order_relaxed); }
 
   // After stop().
   const RealTimeGrant& grant() const { return grant_; }
   const LateHistogram& late_histogram() const { return histogram_; }
 
- private:
+private:
   void run();
   RealTimeGrant ask_for_real_time();
 

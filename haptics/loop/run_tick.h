@@ -16,6 +16,7 @@ std::int64_t thread_cpu_ns() noexcept;
 void run_tick(World& world, Device& device, std::span<const Command> commands, TickEvent& event) noexcept;
 
 // The same from a tape: the sample and the commands of then, and no device.
-void replay_tick(World& world, const DeviceSample& sample, std::span<const Command> commands, TickEvent& event) noexcept;
+void replay_tick(World& world, const DeviceSample& sample, std::span<const Command> commands,
+                 TickEvent& event) noexcept;
 
 }  // namespace fulcrum

@@ -13,17 +13,17 @@ enum Fault : std::uint32_t {
   kNotFinite = 1u << 1,      // NaN or infinity in the sample or in a result: the tool stays where it was
   kSampleStale = 1u << 2,    // the sample is older than 20 ms
   kDeviceLost = 1u << 3,     // the device is gone
-  kWatchdog = 1u << 4,       // ticks were lost to a stall of 20 ms or more
+  kWatchdog = 1u << 4,       // the haptic thread stood still for a quarter of a second
   kToolInside = 1u << 5,     // the tool is deeper inside the scene than the contact model is made for
   // Limits: applied, counted, shown.
-  kForceClamped = 1u << 16,      // the wrench's force was shortened to the device's limit
-  kTorqueClamped = 1u << 17,     // the wrench's torque was shortened to the device's limit
-  kSlewLimited = 1u << 18,       // the continuous wrench changed no faster than the limit
-  kMotorClamped = 1u << 19,      // a motor would have saturated: all were scaled, the direction kept
-  kMotionLimited = 1u << 20,     // the tool moved less than its velocity, so that no point could pass a wall
-  kStiffnessCapped = 1u << 21,   // summed contact stiffness was scaled down to what the tick can hold
-  kContactsReduced = 1u << 22,   // more points touched than the set holds: the shallowest were left out
-  kEnergyBound = 1u << 23,       // the port gave out more energy than its bound allows
+  kForceClamped = 1u << 16,     // the wrench's force was shortened to the device's limit
+  kTorqueClamped = 1u << 17,    // the wrench's torque was shortened to the device's limit
+  kSlewLimited = 1u << 18,      // the continuous wrench changed no faster than the limit
+  kMotorClamped = 1u << 19,     // a motor would have saturated: all were scaled, the direction kept
+  kMotionLimited = 1u << 20,    // the tool moved less than its velocity, so that no point could pass a wall
+  kStiffnessCapped = 1u << 21,  // summed contact stiffness was scaled down to what the tick can hold
+  kContactsReduced = 1u << 22,  // more points touched than the set holds: the shallowest were left out
+  kEnergyBound = 1u << 23,      // the port gave out more energy than its bound allows
 };
 
 inline constexpr std::uint32_t kStoppingFaults = 0x0000ffffu;

@@ -30,7 +30,7 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
     }
   }
   if (faults != 0) {
-    stop();
+    stop(faults);
   } else if (acknowledged && stopped_) {
     stopped_ = false;
     gain_ = 0;
@@ -38,9 +38,10 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
   return faults;
 }
 
-void Guard::stop() noexcept {
+void Guard::stop(std::uint32_t reason) noexcept {
   if (stopped_) return;
   stopped_ = true;
+  reason_ = reason;
   fall_ = 1.0;
   falling_ = last_;
 }

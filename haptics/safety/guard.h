@@ -1,6 +1,6 @@
 #pragma once
-// The last word on what reaches the motors: stop, ramp-in, clamp and slew limit. Its figures come from the device
-// alone. Nothing in a scene, an effect or a plug-in can change or pass it.
+// The last word on what reaches the motors: stop, ramp-in, clamp and slew limit. Its figures come from the
+// device alone. Nothing in a scene, an effect or a plug-in can change or pass it.
 
 #include <cstdint>
 #include <span>
@@ -18,31 +18,34 @@ inline constexpr double kStaleSample = 20e-3;  // s, a sample older than this st
 inline constexpr double kSlewTime = 5e-3;      // s, from nothing to the device's limit at the fastest
 
 class Guard {
- public:
+public:
   Guard(const DeviceDesc& device, double tick_s);
 
   // What the sample and the commands of this tick ask for. Returns the faults that are present now.
   std::uint32_t watch(const DeviceSample& sample, std::span<const Command> commands) noexcept;
-  // A fault found later in the tick.
-  void stop() noexcept;
+  // Faults found later in the tick.
+  void stop(std::uint32_t reason) noexcept;
 
-  // The wrench on the handle that may be commanded, in D: the continuous wrench after ramp, clamp and slew, or the fall
-  // to zero while stopped. Adds the bits of the limits that acted.
+  // The wrench on the handle that may be commanded, in D: the continuous wrench after ramp, clamp and slew,
+  // or the fall to zero while stopped. Adds the bits of the limits that acted.
   Wrench limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept;
   // What was commanded in the end; slew and stop go on from there.
   void commanded(const Wrench& F_H_D) noexcept { last_ = F_H_D; }
 
   bool stopped() const { return stopped_; }
+  // The faults that stopped the force, until it is acknowledged.
+  std::uint32_t reason() const { return stopped_ ? reason_ : 0; }
   // The part of the wanted wrench that was let through by ramp and stop at the last limit(), 0 to 1.
   double gain() const { return stopped_ ? gain_ * fall_ : gain_; }
 
- private:
+private:
   DeviceDesc device_;
   double tick_s_;
   bool stopped_ = false;
+  std::uint32_t reason_ = 0;
   double gain_ = 0;
-  double fall_ = 0;        // part of the fall that is left, 1 to 0
-  Wrench falling_;         // what was commanded when the stop came
+  double fall_ = 0;  // part of the fall that is left, 1 to 0
+  Wrench falling_;   // what was commanded when the stop came
   Wrench last_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// How a wrench on the tool changes with its motion: F_T_W(dx, V) = F - K dx - B (V - V_now), for an implicit integrator.
+// How a wrench on the tool changes with its motion: F_T_W(dx, V) = F - K dx - B (V - V_now), for an implicit
+// integrator.
 
 #include "haptics/math/linear.h"
 

@@ -15,7 +15,7 @@ struct BodyState {
 };
 
 class RigidBody {
- public:
+public:
   // mass kg; inertia_T (3 x 3) kg m^2 about the centre of mass, symmetric positive definite.
   RigidBody(double mass, const Mat3& inertia_T);
 
@@ -28,18 +28,20 @@ class RigidBody {
 
   double kinetic_energy(const BodyState& state) const noexcept;  // J
 
-  // Velocity after tick_s under F_T_W: semi-implicit Euler, order 1. Stable for a spring up to 4 m / tick_s^2 without
-  // damping, and up to .6863 m / tick_s^2 with explicit critical damping.
+  // Velocity after tick_s under F_T_W: semi-implicit Euler, order 1. Stable for a spring up to 4 m / tick_s^2
+  // without damping, and up to .6863 m / tick_s^2 with explicit critical damping.
   Twist accelerate(const BodyState& state, const Wrench& F_T_W, double tick_s) const noexcept;
 
-  // The same by linearly implicit Euler, order 1: (M + T B + T^2 K) dV = T (F - T K V). Stable for any stiffness; what it
-  // cannot resolve in a tick it damps. D. Baraff, A. Witkin, "Large steps in cloth simulation", SIGGRAPH 1998.
-  Twist accelerate(const BodyState& state, const Wrench& F_T_W, const Linearisation& around, double tick_s) const noexcept;
+  // The same by linearly implicit Euler, order 1: (M + T B + T^2 K) dV = T (F - T K V). Stable for any
+  // stiffness; what it cannot resolve in a tick it damps. D. Baraff, A. Witkin, "Large steps in cloth
+  // simulation", SIGGRAPH 1998.
+  Twist accelerate(const BodyState& state, const Wrench& F_T_W, const Linearisation& around,
+                   double tick_s) const noexcept;
 
   // The pose after tick_s at a constant twist, exact for it.
   static Pose advance(const Pose& X_WT, const Twist& V_WT, double tick_s) noexcept;
 
- private:
+private:
   double mass_;
   double smallest_inertia_;
   Mat3 inertia_T_, inverse_inertia_T_, root_inertia_T_;

@@ -18,8 +18,7 @@ Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyStat
   offset_ = X_WG.p - tool.X_WT.p;
   Wrench F;
   // The sum is bounded too: a hand that flies past a held tool would push it with its damper alone.
-  F.force = saturated_spring(offset_, desc_.stiffness, desc_.max_force) -
-            damping_ * (tool.V_WT.v - V_WG.v);
+  F.force = saturated_spring(offset_, desc_.stiffness, desc_.max_force) - damping_ * (tool.V_WT.v - V_WG.v);
   F.torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
              angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
   F.force = shortened(F.force, desc_.max_force);
@@ -29,7 +28,8 @@ Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyStat
 
 void VirtualCoupling::linearise(const BodyState& tool, Linearisation& around) const noexcept {
   const double k = desc_.stiffness * std::exp(-desc_.stiffness * offset_.norm() / desc_.max_force);
-  const double k_R = desc_.angular_stiffness * std::exp(-desc_.angular_stiffness * rotation_.norm() / desc_.max_torque);
+  const double k_R =
+      desc_.angular_stiffness * std::exp(-desc_.angular_stiffness * rotation_.norm() / desc_.max_torque);
   around.K.topLeftCorner<3, 3>().diagonal().array() += k;
   around.K.bottomRightCorner<3, 3>().diagonal().array() += k_R;
   around.B.topLeftCorner<3, 3>().diagonal().array() += damping_;

@@ -1,7 +1,8 @@
 #pragma once
-// Virtual coupling: a spring and damper in six axes between where the hand wants the tool and where the tool is.
-// J. E. Colgate, M. C. Stanley, J. M. Brown, "Issues in the haptic display of tool use", IROS 1995; W. A. McNeely,
-// K. D. Puterbaugh, J. J. Troy, "Voxel-based 6-DOF haptic rendering improvements", Haptics-e 3(7), 2006.
+// Virtual coupling: a spring and damper in six axes between where the hand wants the tool and where the tool
+// is. J. E. Colgate, M. C. Stanley, J. M. Brown, "Issues in the haptic display of tool use", IROS 1995; W. A.
+// McNeely, K. D. Puterbaugh, J. J. Troy, "Voxel-based 6-DOF haptic rendering improvements", Haptics-e 3(7),
+// 2006.
 
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
@@ -18,11 +19,12 @@ struct CouplingDesc {
 };
 
 class VirtualCoupling {
- public:
+public:
   VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool);
 
-  // F_T_W, the wrench on the tool about T. X_WG, V_WG: where and how fast the hand wants the tool. Springs saturate as
-  // F_s (1 - exp(-k |d| / F_s)); a rotation past pi keeps the direction it was wound up in, up to 2 pi.
+  // F_T_W, the wrench on the tool about T. X_WG, V_WG: where and how fast the hand wants the tool. Springs
+  // saturate as F_s (1 - exp(-k |d| / F_s)); a rotation past pi keeps the direction it was wound up in, up to
+  // 2 pi.
   Wrench pull(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept;
 
   // Of the last pull(): tangent stiffness of the saturated springs, and the dampers.
@@ -31,7 +33,7 @@ class VirtualCoupling {
   // Energy in the springs at the last pull(), J.
   double stored() const noexcept;
 
- private:
+private:
   CouplingDesc desc_;
   double damping_;          // N s/m
   double angular_damping_;  // 2 zeta sqrt(k_R): times the root of the inertia

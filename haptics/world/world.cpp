@@ -6,8 +6,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kGravity = 9.80665;            // m/s^2
-constexpr double kLargestAllowance = 0.5e-3;    // m
+constexpr double kGravity = 9.80665;          // m/s^2
+constexpr double kLargestAllowance = 0.5e-3;  // m
 
 // A wall thinner than this many allowances could be passed in one tick.
 constexpr double kAllowancesPerWall = 8;
@@ -129,7 +129,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   Wrench F_T_W = coupling_F_T_W + contact_F_T_W;
   F_T_W.force.y() -= weight;
   w.move_tool(F_T_W, faults);
-  if ((faults & kStoppingFaults) != 0) w.guard_.stop();
+  if ((faults & kStoppingFaults) != 0) w.guard_.stop(faults & kStoppingFaults);
+  faults |= w.guard_.reason();
 
   // Guard and allocate. The device's own weight is held up here, so that the hand feels the tool's alone.
   Wrench wanted_F_H_D = w.clutched_ ? Wrench{} : desc.mapping.wrench_in_device(F_H_W);

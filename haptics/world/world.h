@@ -27,10 +27,9 @@ struct StepResult {
 
 class World;
 
-// One tick: read, estimate, query, solve, couple, allocate, guard. The only function that advances a World, live,
-// offline, in replay, test and benchmark alike.
-// May: read the sample and the commands, change the World. Must not and does not: lock, read a clock, touch a file,
-// allocate, throw.
+// One tick: read, estimate, query, solve, couple, allocate, guard. The only function that advances a World,
+// live, offline, in replay, test and benchmark alike. May: read the sample and the commands, change the
+// World. Must not and does not: lock, read a clock, touch a file, allocate, throw.
 StepResult step(World& world, const DeviceSample& sample, std::span<const Command> commands) noexcept;
 
 // A part of a World, for `fulcrum explain`.
@@ -41,7 +40,7 @@ struct BuiltPart {
 };
 
 class World {
- public:
+public:
   // Refused with a sentence: no shell or field, gains that the tick cannot hold, figures that are not finite.
   static Result<World> build(SceneDesc desc);
 
@@ -49,9 +48,10 @@ class World {
   std::span<const ContactRegion> regions() const { return regions_.regions(); }
   std::vector<BuiltPart> parts() const;
 
- private:
+private:
   explicit World(SceneDesc desc);
-  friend StepResult step(World& world, const DeviceSample& sample, std::span<const Command> commands) noexcept;
+  friend StepResult step(World& world, const DeviceSample& sample,
+                         std::span<const Command> commands) noexcept;
 
   Pose follow_handle(const DeviceSample& sample, std::uint32_t faults) noexcept;
   Wrench contact_wrench(std::uint32_t& faults) noexcept;
@@ -71,13 +71,13 @@ class World {
   ContactSet contacts_;
   BodyState tool_;
   std::int64_t tick_ = 0;
-  double motion_allowance_;         // m, see ContactQuery::safe_fraction
-  Pose X_DH_good_;                  // the last handle pose that could be used
-  Pose clutch_X_;                   // what the clutch has added: X_WH = X_WD' X_DH
+  double motion_allowance_;  // m, see ContactQuery::safe_fraction
+  Pose X_DH_good_;           // the last handle pose that could be used
+  Pose clutch_X_;            // what the clutch has added: X_WH = X_WD' X_DH
   Pose X_WH_;
   Twist V_WH_;
   bool clutched_ = false;
-  Wrench felt_F_H_W_;               // of the last tick, without what holds up the device's own weight
+  Wrench felt_F_H_W_;  // of the last tick, without what holds up the device's own weight
 };
 
 }  // namespace fulcrum

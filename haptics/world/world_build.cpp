@@ -19,7 +19,9 @@ Error refuse_gain(const char* key, double given, const char* unit, double larges
           ": lower it, raise the tick rate or the tool's mass, or name the integrator implicit_euler."};
 }
 
-bool positive(double value) { return std::isfinite(value) && value > 0; }
+bool positive(double value) {
+  return std::isfinite(value) && value > 0;
+}
 
 }  // namespace
 
@@ -27,31 +29,36 @@ Result<World> World::build(SceneDesc desc) {
   if (!desc.tool_shell || desc.tool_shell->size() == 0)
     return Error{"The tool has no pointshell, so nothing could touch: give a model with the role 'tool'."};
   if (!desc.scene_field)
-    return Error{"The scene has no distance field, so nothing could be touched: give a model with the role 'scene'."};
+    return Error{
+        "The scene has no distance field, so nothing could be touched: give a model with the role 'scene'."};
   if (!positive(desc.tick_s) || desc.tick_s > 0.05)
     return Error{"The tick is " + number_text(desc.tick_s) + " s; it must be above 0 and at most 0.05 s."};
   const ToolDesc& tool = desc.tool;
   const Eigen::SelfAdjointEigenSolver<Mat3> principal(tool.inertia_T);
   const double smallest_inertia = principal.eigenvalues()[0];
   if (!positive(tool.mass) || !tool.inertia_T.allFinite() || !positive(smallest_inertia))
-    return Error{"The tool's mass and principal moments of inertia must be positive: check its density and that its "
-                 "mesh encloses a volume."};
+    return Error{
+        "The tool's mass and principal moments of inertia must be positive: check its density and that its "
+        "mesh encloses a volume."};
   if (!tool.X_HT.is_finite() || !tool.X_WT_start.is_finite() || !desc.mapping.X_WD.is_finite())
     return Error{"A pose of the tool or the device holds a value that is not a number."};
   if (!positive(desc.mapping.position_scale) || !positive(desc.mapping.force_scale))
     return Error{"The device's position_scale and force_scale must be positive."};
-  if (!positive(desc.contact.stiffness) || !(desc.contact.dissipation >= 0) || !positive(desc.contact.region_radius))
+  if (!positive(desc.contact.stiffness) || !(desc.contact.dissipation >= 0) ||
+      !positive(desc.contact.region_radius))
     return Error{"Contact stiffness and region radius must be positive, and dissipation not negative."};
   if (!positive(desc.coupling.max_force) || !positive(desc.coupling.max_torque) ||
       !(desc.coupling.damping_ratio >= 0 && desc.coupling.damping_ratio <= 1))
-    return Error{"The coupling's max_force and max_torque must be positive and its damping_ratio from 0 to 1."};
+    return Error{
+        "The coupling's max_force and max_torque must be positive and its damping_ratio from 0 to 1."};
   const double rate_squared = 1.0 / (desc.tick_s * desc.tick_s);
   const bool any_gain = desc.integrator == Integrator::implicit_euler;
   const double largest_k = kCouplingShare * tool.mass * rate_squared;
   if (!positive(desc.coupling.stiffness) || (!any_gain && desc.coupling.stiffness > largest_k))
     return refuse_gain("coupling.stiffness", desc.coupling.stiffness, "N/m", largest_k, desc.tick_s);
   const double largest_kr = kCouplingShare * smallest_inertia * rate_squared;
-  if (!positive(desc.coupling.angular_stiffness) || (!any_gain && desc.coupling.angular_stiffness > largest_kr))
+  if (!positive(desc.coupling.angular_stiffness) ||
+      (!any_gain && desc.coupling.angular_stiffness > largest_kr))
     return refuse_gain("coupling.angular_stiffness", desc.coupling.angular_stiffness, "N m/rad", largest_kr,
                        desc.tick_s);
   if (desc.velocity.window < 1 || desc.velocity.window > 1000 || !positive(desc.velocity.cutoff_Hz))
@@ -66,8 +73,8 @@ std::vector<BuiltPart> World::parts() const {
   const char* estimators[] = {"difference", "low_pass", "adaptive_window"};
   return {
       {"field",
-       "distance field, float in sparse bricks, voxel " + number_text(field.voxel_m() * 1e3) + " mm, error at most " +
-           number_text(field.error_bound_m() * 1e3) + " mm, thinnest wall " +
+       "distance field, float in sparse bricks, voxel " + number_text(field.voxel_m() * 1e3) +
+           " mm, error at most " + number_text(field.error_bound_m() * 1e3) + " mm, thinnest wall " +
            number_text(field.thinnest_feature_m() * 1e3) + " mm",
        field.bytes()},
       {"pointshell",
@@ -82,7 +89,8 @@ std::vector<BuiltPart> World::parts() const {
       {"coupling",
        number_text(desc_.coupling.stiffness) + " N/m, " + number_text(desc_.coupling.angular_stiffness) +
            " N m/rad; the device renders " +
-           number_text(desc_.coupling.stiffness * desc_.mapping.position_scale * desc_.mapping.force_scale) + " N/m",
+           number_text(desc_.coupling.stiffness * desc_.mapping.position_scale * desc_.mapping.force_scale) +
+           " N/m",
        sizeof(VirtualCoupling)},
       {"integrator",
        std::string(desc_.integrator == Integrator::implicit_euler ? "implicit" : "semi-implicit") +
@@ -93,7 +101,8 @@ std::vector<BuiltPart> World::parts() const {
            number_text(velocity_.delay() * 1e3) + " ms",
        sizeof(VelocityEstimator) + velocity_.bytes()},
       {"allocation", std::to_string(arm_.motors()) + " motors of " + desc_.device.name, sizeof(DeviceArm)},
-      {"safety", "clamp, slew, ramp-in, stop, energy ledger: always built", sizeof(Guard) + sizeof(EnergyLedger)},
+      {"safety", "clamp, slew, ramp-in, stop, energy ledger: always built",
+       sizeof(Guard) + sizeof(EnergyLedger)},
   };
 }
 

@@ -42,7 +42,7 @@ drag() { # BUTTON FROM_X FROM_Y TO_X TO_Y
   xdotool mouseup "$1"
 }
 drag 1 300 150 340 150
-for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30; do xdotool click 4; sleep 0.05; done
+for _ in $(seq 80); do xdotool click 4; sleep 0.05; done
 sleep 2
 import -window "$window" "$work/pushed.png"
 xdotool key --window "$window" F1

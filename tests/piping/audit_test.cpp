@@ -1,5 +1,5 @@
-// The clumsy hand pushes straight at the goal and twists in place; the expert carries the task out. Both are judged on
-// the triangles.
+// The clumsy hand pushes straight at the goal and twists in place; the expert carries the task out. Both are
+// judged on the triangles.
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,12 @@ void audit_clumsy(double seconds) {
   EXPECT_EQ(faults & kStoppingFaults, 0u);
 }
 
-TEST(Audit, ClumsyHandNeverGetsThroughAPipe) { audit_clumsy(25); }
-TEST(Audit, ClumsyHandNeverGetsThroughAPipeLong) { audit_clumsy(piping().scenario.time_limit); }
+TEST(Audit, ClumsyHandNeverGetsThroughAPipe) {
+  audit_clumsy(25);
+}
+TEST(Audit, ClumsyHandNeverGetsThroughAPipeLong) {
+  audit_clumsy(piping().scenario.time_limit);
+}
 
 TEST(Audit, ExpertHandReachesEveryCheckpointInOrder) {
   PipingRun run("expert");

@@ -29,7 +29,8 @@ void PathAudit::check(std::size_t i, const Vec3& p_W) {
   const auto normal_of = [this](std::uint32_t t) {
     const Triangle& triangle = scene_.mesh.triangles[t];
     const Vec3& a = scene_.mesh.vertices[triangle[0]];
-    return Vec3((scene_.mesh.vertices[triangle[1]] - a).cross(scene_.mesh.vertices[triangle[2]] - a).normalized());
+    return Vec3(
+        (scene_.mesh.vertices[triangle[1]] - a).cross(scene_.mesh.vertices[triangle[2]] - a).normalized());
   };
   const ClosestPoint now = exact_.closest(p_W);
   const bool inside = now.distance < 0;
@@ -53,8 +54,8 @@ void PathAudit::check(std::size_t i, const Vec3& p_W) {
 
 void PathAudit::leave(std::size_t i, const Vec3& p_W, const Vec3& exit_normal) {
   if (points_[i].entry_normal.dot(exit_normal) > 0) return;
-  // Round an edge of a bolt or a flange a point may leave by the next face, a hair from where it came in. The thinnest
-  // wall is 2 mm: what came out nearer to where it went in than half of that did not go through one.
+  // Round an edge of a bolt or a flange a point may leave by the next face, a hair from where it came in. The
+  // thinnest wall is 2 mm: what came out nearer to where it went in than half of that did not go through one.
   if ((p_W - points_[i].entry).norm() < 1e-3) return;
   ++passages_;
   if (!first_passage_.empty()) return;

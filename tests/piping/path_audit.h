@@ -12,18 +12,20 @@
 namespace fulcrum::test {
 
 class PathAudit {
- public:
+public:
   PathAudit(const Solid& scene_W, const Pointshell& shell_T);
 
   // The tool's next accepted pose. Straight from the last one: a tick turns the tool by a degree at most.
   void move(const Pose& X_WT);
 
-  double deepest() const { return deepest_; }          // m, of a shell point, exact
-  std::size_t passages() const { return passages_; }   // points that came out on another side than they went in
+  double deepest() const { return deepest_; }  // m, of a shell point, exact
+  std::size_t passages() const {
+    return passages_;
+  }  // points that came out on another side than they went in
   const std::string& first_passage() const { return first_passage_; }
   std::size_t crossings() const { return crossings_; }  // of a triangle, by any point
 
- private:
+private:
   struct Point {
     Vec3 p_W = Vec3::Zero();
     double room = 0;  // m, it can travel so far before it can meet a triangle

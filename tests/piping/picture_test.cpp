@@ -1,4 +1,5 @@
-// Four views of piping against goldens. To look at new ones: run, open tests/failures in the build folder, and copy
+// Four views of piping against goldens. To look at new ones: run, open tests/failures in the build folder,
+// and copy
 // *.actual.png over the golden if that is what the change was for; say why in the commit.
 
 #include <gtest/gtest.h>
@@ -11,7 +12,8 @@ namespace fulcrum::test {
 namespace {
 
 void expect_golden(const std::string& view_name, const TickRecord& record, const scenario::TaskState& task) {
-  const Result<scenario::VisualAssembly> visual = scenario::assemble_visual(piping().scenario, piping().models);
+  const Result<scenario::VisualAssembly> visual =
+      scenario::assemble_visual(piping().scenario, piping().models);
   ASSERT_TRUE(visual) << visual.error().sentence;
   app::Moment moment{record, task, visual->desc.camera};
   for (const scenario::View& view : visual->views) {
@@ -23,12 +25,14 @@ void expect_golden(const std::string& view_name, const TickRecord& record, const
   const std::filesystem::path folder = FULCRUM_FAILURES;
   std::filesystem::create_directories(folder);
   const std::filesystem::path file = folder / (view_name + ".png");
-  const auto drawn = app::draw_picture(piping(), piping().haptic.scene, *visual, moment, options, file, nullptr);
+  const auto drawn =
+      app::draw_picture(piping(), piping().haptic.scene, *visual, moment, options, file, nullptr);
   ASSERT_TRUE(drawn) << drawn.error().sentence;
   const auto picture = read_png(file);
   ASSERT_TRUE(picture) << picture.error();
-  const Comparison comparison = compare(picture.value(), std::filesystem::path(FULCRUM_GOLDENS) / (view_name + ".png"),
-                                        {.failure_folder = folder});
+  const Comparison comparison =
+      compare(picture.value(), std::filesystem::path(FULCRUM_GOLDENS) / (view_name + ".png"),
+              {.failure_folder = folder});
   EXPECT_TRUE(comparison.passed) << comparison.sentence;
 }
 

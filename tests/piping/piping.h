@@ -9,7 +9,7 @@
 namespace fulcrum::test {
 
 inline const app::Prepared& piping() {
-  static const std::optional<app::Prepared> prepared = app::prepare("piping", {});
+  static const std::optional<app::Prepared> prepared = app::prepare("piping", std::vector<std::string>{});
   if (!prepared) throw std::runtime_error("piping could not be prepared");
   return *prepared;
 }

@@ -1,5 +1,6 @@
-// The forces of six seconds of the clumsy hand against recorded ones. Tolerance: 2 % of the largest force and 0.1 mm.
-// The same machine gives the same bits; another C library may round a sine otherwise, and contact carries that on.
+// The forces of six seconds of the clumsy hand against recorded ones. Tolerance: 2 % of the largest force and
+// 0.1 mm. The same machine gives the same bits; another C library may round a sine otherwise, and contact
+// carries that on.
 //
 // FULCRUM_RECORD=1 in the environment writes the golden anew; say why in the commit.
 
@@ -19,7 +20,8 @@ constexpr int kTicks = 6000, kEvery = 50;
 
 std::vector<double> row_of(const TickRecord& record) {
   std::vector<double> row;
-  for (const Vec3& v : {record.X_WT.p, record.coupling_F_T_W.force, record.contact_F_T_W.force, record.device_F_H_D.force})
+  for (const Vec3& v :
+       {record.X_WT.p, record.coupling_F_T_W.force, record.contact_F_T_W.force, record.device_F_H_D.force})
     row.insert(row.end(), v.begin(), v.end());
   row.push_back(record.depth_max);
   return row;

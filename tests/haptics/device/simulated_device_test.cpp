@@ -1,5 +1,5 @@
-// Truths: closed-form oscillators; the Phantom-like figures of Diolaiti, Niemeyer, Barbagli and Salisbury, "Stability
-// of haptic rendering", IEEE Trans. Robotics 22(2), 2006.
+// Truths: closed-form oscillators; the Phantom-like figures of Diolaiti, Niemeyer, Barbagli and Salisbury,
+// "Stability of haptic rendering", IEEE Trans. Robotics 22(2), 2006.
 
 #include "haptics/device/simulated_device.h"
 
@@ -39,7 +39,8 @@ TEST(FrictionAxis, SticksUntilTheHandPullsHardEnough) {
 
 TEST(FrictionAxis, OneLongTickIsManyShortOnes) {
   FrictionAxis one{.mass = 0.072, .damping = 0.005, .friction = 0.038, .x = 0, .v = 0.03}, many = one;
-  const FrictionAxis::Load load{.force = -0.1, .stiffness = 300, .hand_damping = 3, .hand_x = 1e-3, .hand_v = 0.05};
+  const FrictionAxis::Load load{
+      .force = -0.1, .stiffness = 300, .hand_damping = 3, .hand_x = 1e-3, .hand_v = 0.05};
   one.advance(load, 0.02);
   FrictionAxis::Load moving = load;
   for (int i = 0; i < 2000; ++i) {
@@ -67,7 +68,9 @@ double amplitude_after(double K, double v0) {
 }
 
 TEST(SimulatedDevice, SampledWallSettlesOrDivergesAsPublished) {
-  const auto start = [](double K, double v0) { return v0 * std::sqrt(0.072 / K); };  // amplitude of the first swing
+  const auto start = [](double K, double v0) {
+    return v0 * std::sqrt(0.072 / K);
+  };  // amplitude of the first swing
   EXPECT_LT(amplitude_after(500, 0.1), start(500, 0.1));
   EXPECT_GT(amplitude_after(500, 0.3), start(500, 0.3));
   EXPECT_LT(amplitude_after(1000, 0.05), start(1000, 0.05));
@@ -107,7 +110,8 @@ TEST(SimulatedDevice, EncodersStepAndDoNotDrift) {
   }
 }
 
-// ground-truths.md: at a 60 ms stall a held force leaves only 17.5 N/m stable; a decaying one does no such harm.
+// ground-truths.md: at a 60 ms stall a held force leaves only 17.5 N/m stable; a decaying one does no such
+// harm.
 TEST(SimulatedDevice, ForceHeldThroughAStallDecays) {
   SimulatedDeviceDesc desc;
   desc.device = {.handle_mass = 0.1, .damping = 0.5, .friction = 0, .encoder_step = 0};

@@ -13,7 +13,8 @@ constexpr double kPi = std::numbers::pi;
 TEST(Rotation, ExponentialAndLogarithmAreInverse) {
   for (double angle : {0.0, 1e-12, 1e-6, 0.3, 1.0, 3.0, kPi - 1e-9}) {
     const Vec3 rotation = angle * Vec3(1, -2, 0.5).normalized();
-    EXPECT_NEAR((rotation_vector(quaternion_exp(rotation)) - rotation).norm(), 0, 1e-12 + 1e-9 * angle) << angle;
+    EXPECT_NEAR((rotation_vector(quaternion_exp(rotation)) - rotation).norm(), 0, 1e-12 + 1e-9 * angle)
+        << angle;
   }
 }
 
