@@ -1,0 +1,66 @@
+// The haptic thread against its owner. Nothing here depends on how fast the machine is, only on what must
+// arrive.
+
+#include "haptics/loop/live_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "haptics/device/simulated_device.h"
+#include "tests/haptics/scenes.h"
+
+namespace fulcrum::test {
+namespace {
+
+// Takes events until `done` says so; fails after a minute.
+template <class Done>
+void drain(LiveLoop& loop, Done&& done) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  TickEvent event;
+  while (std::chrono::steady_clock::now() < deadline) {
+    while (loop.next(event)) {
+      if (done(event)) return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  FAIL() << "the loop did not get there in a minute";
+}
+
+TEST(LiveLoop, TicksArriveInOrderAndCommandsAct) {
+  SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
+  World world = expect(World::build(desc));
+  SimulatedDeviceDesc device_desc;
+  device_desc.device = desc.device;
+  SimulatedDevice device(device_desc, Pose{Quat::Identity(), Vec3(0, 0.02, 0)});
+  LiveLoop loop(world, device);
+  loop.start();
+  std::int64_t next = 0, lost = 0;
+  const auto in_order = [&](const TickEvent& event) {
+    EXPECT_EQ(event.record.tick, next++);
+    lost += event.lost_before;
+  };
+  drain(loop, [&](const TickEvent& event) {
+    in_order(event);
+    return event.record.tick == 100;
+  });
+  ASSERT_TRUE(loop.send({Command::Kind::stop}));
+  drain(loop, [&](const TickEvent& event) {
+    in_order(event);
+    return event.record.stopped;
+  });
+  ASSERT_TRUE(loop.send({Command::Kind::acknowledge}));
+  drain(loop, [&](const TickEvent& event) {
+    in_order(event);
+    return !event.record.stopped;
+  });
+  EXPECT_GE(loop.newest().tick, 100);
+  loop.stop();
+  TickEvent event;
+  while (loop.next(event)) in_order(event);
+  EXPECT_EQ(loop.unrecorded(), 0u);
+  EXPECT_EQ(loop.lost_ticks(), static_cast<std::uint64_t>(lost));
+}
+
+}  // namespace
+}  // namespace fulcrum::test
