@@ -79,9 +79,9 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
     state.force_N = {record.device_F_H_D.force.norm(), scene.device.max_force};
   } else {
     // No motors: what the hand would feel, so that a push can be seen.
-    state.force_N = {record.coupling_F_T_W.force.norm(), scene.coupling.max_force};
+    state.force_N = {record.force_gain * record.coupling_F_T_W.force.norm(), scene.coupling.max_force};
   }
-  state.torque_Nm = {record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
+  state.torque_Nm = {record.force_gain * record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
   if (record.stopped)

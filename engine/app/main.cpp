@@ -62,6 +62,8 @@ CLI::App* add_run(CLI::App& program, RunOptions& options, std::string& size) {
       ->check([&options](const std::string& text) { return read_size(text, options.size); });
   run->add_option("--gpu", options.gpu, "Which GPU draws: its number, a part of its name, or 'list'")
       ->type_name("GPU");
+  run->add_flag("--validate", options.validate,
+                "Draw under Vulkan's validation layers: slow; what they say is an error");
   add_out(run, options);
   run->add_flag("--json", options.json, "Print the summary as JSON");
   return run;

@@ -13,7 +13,9 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
                                            const scenario::VisualAssembly& visual, const Moment& moment,
                                            const RunOptions& options, const std::filesystem::path& file,
                                            render::RenderPlan* plan) {
-  const auto instance = vulkan::Instance::create({});
+  vulkan::InstanceOptions instance_options;
+  instance_options.validation = options.validate;
+  const auto instance = vulkan::Instance::create(instance_options);
   if (!instance) return Error{instance.error()};
   const auto device = vulkan::Device::create(instance.value(), options.gpu);
   if (!device) return Error{device.error()};
@@ -35,6 +37,7 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   const auto picture = renderer.value()->read_back();
   if (!picture) return Error{picture.error()};
   if (const auto written = render::write_png(file, picture.value()); !written) return Error{written.error()};
+  if (const auto said = instance.value().messages(); !said.empty()) return Error{said.front()};
   return file;
 }
 

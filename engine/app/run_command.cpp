@@ -126,7 +126,8 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   } else {
     complain("there is no picture: " + visual.error().sentence);
   }
-  return attempt->finish(drawn ? &plan : nullptr, false);
+  const int code = attempt->finish(drawn ? &plan : nullptr, false);
+  return options.validate && !drawn ? static_cast<int>(kError) : code;
 }
 
 int run_in_window(const Prepared& prepared, const RunOptions& options) {
@@ -150,7 +151,9 @@ int run_in_window(const Prepared& prepared, const RunOptions& options) {
     const TrainingWindow::Leave leave = (*window)->run(
         attempt->world(), attempt->device(), dynamic_cast<MouseDevice*>(&attempt->device()), attempt->sink());
     const int code = attempt->finish(&(*window)->plan(), true);
-    if (leave == TrainingWindow::Leave::closed) return code;
+    if (leave == TrainingWindow::Leave::restart) continue;
+    for (const std::string& message : (*window)->validation_messages()) complain(message);
+    return (*window)->validation_messages().empty() ? code : static_cast<int>(kError);
   }
 }
 

@@ -36,6 +36,7 @@ Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(const Prepared& p
   self->window_ = std::move(window.value());
   vulkan::InstanceOptions instance_options;
   instance_options.extensions = self->window_->instance_extensions();
+  instance_options.validation = options.validate;
   auto instance = vulkan::Instance::create(instance_options);
   if (!instance) return Error{instance.error()};
   self->instance_ = std::make_unique<vulkan::Instance>(std::move(instance.value()));

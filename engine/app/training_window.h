@@ -31,6 +31,8 @@ public:
   Leave run(World& world, Device& device, MouseDevice* mouse, RunSink& sink);
 
   const render::RenderPlan& plan() const { return renderer_->plan(); }
+  // What Vulkan's validation layers have said so far, if options asked for them.
+  std::vector<std::string> validation_messages() const { return instance_->messages(); }
 
 private:
   TrainingWindow(const Prepared& prepared, const scenario::VisualAssembly& visual);

@@ -14,8 +14,9 @@ struct Quality {
   bool operator==(const Quality&) const = default;
 };
 
-/// Picks one of a few levels so that a frame takes less than its budget. Only for windows: a picture that
-/// goes to a file must not depend on how busy the machine is.
+/// Picks one of a few levels so that a frame takes less than its budget. A step down that gains little is
+/// taken back and not tried again: where vertices or the processor are what takes long, fewer pixels only
+/// blur. Only for windows: a picture that goes to a file must not depend on how busy the machine is.
 class AutoQuality {
 public:
   /// Starts at the best level. `budget_s`: what a frame may take.
@@ -27,13 +28,12 @@ public:
   const Quality& quality() const { return kLevels[level_]; }
 
 private:
-  static constexpr std::array<Quality, 6> kLevels = {{
+  static constexpr std::array<Quality, 5> kLevels = {{
       {4, 2048, 1.0F},
       {1, 2048, 1.0F},
       {1, 1024, 0.75F},
       {1, 1024, 0.5F},
       {1, 0, 0.5F},
-      {1, 0, 0.35F},
   }};
   static constexpr std::size_t kWindow = 15;  // frames that a decision looks at
 
@@ -41,8 +41,11 @@ private:
 
   double budget_s_;
   std::size_t level_ = 0;
-  std::size_t best_allowed_ = 0;  // a level that proved too slow is not tried again
-  std::size_t skip_ = 3;          // frames not counted: drivers compile shaders while drawing the first ones
+  std::size_t best_allowed_ = 0;                    // a level that proved too slow is not tried again
+  std::size_t worst_allowed_ = kLevels.size() - 1;  // nor one that gained little
+  std::size_t came_from_ = 0;                       // the level before the last step down
+  double before_s_ = 0;                             // the median there; 0: no step down to judge
+  std::size_t skip_ = 3;  // frames not counted: drivers compile shaders while drawing the first ones
   std::array<double, kWindow> times_{};
   std::size_t count_ = 0;
 };

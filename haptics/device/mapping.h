@@ -24,6 +24,12 @@ struct MappingDesc {
     return {force_scale * (X_WD.q.conjugate() * F_H_W.force),
             force_scale * (X_WD.q.conjugate() * F_H_W.torque)};
   }
+  // d (6): a small motion or a velocity in W, translation before rotation.
+  Vec6 motion_in_device(const Vec6& d) const {
+    Vec6 d_D;
+    d_D << X_WD.q.conjugate() * d.head<3>() / position_scale, X_WD.q.conjugate() * d.tail<3>();
+    return d_D;
+  }
   Wrench wrench_in_world(const Wrench& F_H_D) const {
     return {X_WD.q * F_H_D.force / force_scale, X_WD.q * F_H_D.torque / force_scale};
   }

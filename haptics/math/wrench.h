@@ -13,6 +13,7 @@ struct Wrench {
   Wrench& operator+=(const Wrench& other) { return *this = *this + other; }
   Wrench operator-() const { return {-force, -torque}; }
   Wrench operator*(double s) const { return {force * s, torque * s}; }
+  bool is_zero() const { return force.isZero(0) && torque.isZero(0); }
   bool is_finite() const { return force.allFinite() && torque.allFinite(); }
 
   // The same wrench about another point. p_AB: from the old reference point to the new one, in W.

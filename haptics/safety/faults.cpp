@@ -20,6 +20,8 @@ std::span<const FaultName> fault_names() {
       {kContactsReduced, "contacts_reduced",
        "More points touched than are kept; the shallowest were left out."},
       {kEnergyBound, "energy_bound", "The haptic loop gave out more energy than its bound allows."},
+      {kPassivityControl, "passivity_control",
+       "The motion was resisted, to take back energy that the loop had made."},
   };
   return names;
 }

@@ -24,6 +24,8 @@ enum Fault : std::uint32_t {
   kStiffnessCapped = 1u << 21,  // summed contact stiffness was scaled down to what the tick can hold
   kContactsReduced = 1u << 22,  // more points touched than the set holds: the shallowest were left out
   kEnergyBound = 1u << 23,      // the port gave out more energy than its bound allows
+  kPassivityControl =
+      1u << 24,  // the handle's motion was resisted, to take back energy that the loop had made
 };
 
 inline constexpr std::uint32_t kStoppingFaults = 0x0000ffffu;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptics/math/rotation.h"
+
 namespace fulcrum {
 namespace {
 
@@ -17,6 +19,14 @@ double motion_allowance(const DistanceField& field) {
   return thinnest > 0 ? std::min(kLargestAllowance, thinnest / kAllowancesPerWall) : 0.5 * field.voxel_m();
 }
 
+// (6) m and rad in W, of one count of the device.
+Vec6 encoder_steps(const SceneDesc& desc) {
+  Vec6 step;
+  step.head<3>().setConstant(desc.mapping.position_scale * desc.device.encoder_step);
+  step.tail<3>().setConstant(desc.device.encoder_step_rad);
+  return step;
+}
+
 }  // namespace
 
 World::World(SceneDesc desc)
@@ -29,7 +39,10 @@ World::World(SceneDesc desc)
       coupling_(desc_.coupling, body_),
       arm_(desc_.device),
       guard_(desc_.device, desc_.tick_s),
-      ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale),
+      counted_(encoder_steps(desc_)),
+      ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale, desc_.device.renders_force,
+              desc_.device.renders_torque),
+      passivity_(desc_.device, desc_.tick_s),
       motion_allowance_(motion_allowance(*desc_.scene_field)) {
   tool_.X_WT = desc_.tool.X_WT_start;
   X_WH_ = desc_.tool.X_WT_start * desc_.tool.X_HT.inverse();
@@ -102,16 +115,11 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
 
   // Read.
   std::uint32_t faults = w.guard_.watch(sample, commands);
-  w.X_WH_ = w.follow_handle(sample, faults);
-
-  // Book what the hand did against the force that was held over the tick before.
-  const double weight = desc.tool.weight ? desc.tool.mass * kGravity : 0.0;
-  w.ledger_.book(w.X_WH_, {.F_H_W = w.felt_F_H_W_,
-                           .renders_torque = desc.device.renders_torque,
-                           .weight = weight * w.tool_.X_WT.p.y(),
-                           .springs = w.coupling_.stored() + w.body_.kinetic_energy(w.tool_),
-                           .open = w.guard_.gain() >= 1.0});
-  if (w.ledger_.port() < kPortBound) faults |= kEnergyBound;
+  const Pose X_WH = w.follow_handle(sample, faults);
+  Vec6 moved;
+  moved << X_WH.p - w.X_WH_.p, rotation_vector(X_WH.q * w.X_WH_.q.conjugate());
+  w.counted_.update(moved);
+  w.X_WH_ = X_WH;
 
   // Estimate.
   w.V_WH_ = w.velocity_.update(w.X_WH_);
@@ -126,15 +134,23 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Vec3 p_TH_W = -(w.tool_.X_WT.q * (desc.tool.X_HT.q.conjugate() * desc.tool.X_HT.p));
   const Wrench F_H_W = (-coupling_F_T_W).moved_by(p_TH_W);
 
+  const double weight = desc.tool.weight ? desc.tool.mass * kGravity : 0.0;
   Wrench F_T_W = coupling_F_T_W + contact_F_T_W;
   F_T_W.force.y() -= weight;
+  const double height_before = w.tool_.X_WT.p.y();
   w.move_tool(F_T_W, faults);
   if ((faults & kStoppingFaults) != 0) w.guard_.stop(faults & kStoppingFaults);
   faults |= w.guard_.reason();
 
   // Guard and allocate. The device's own weight is held up here, so that the hand feels the tool's alone.
-  Wrench wanted_F_H_D = w.clutched_ ? Wrench{} : desc.mapping.wrench_in_device(F_H_W);
+  const Wrench wanted_F_H_W = w.clutched_ ? Wrench{} : F_H_W;
+  Wrench wanted_F_H_D = desc.mapping.wrench_in_device(wanted_F_H_W);
+  if (!desc.device.renders_force) wanted_F_H_D.force.setZero();
   if (!desc.device.renders_torque) wanted_F_H_D.torque.setZero();
+  const Wrench resistance =
+      w.passivity_.resist(w.ledger_.deficit(), desc.mapping.motion_in_device(w.counted_.per_tick()));
+  if (!resistance.is_zero()) faults |= kPassivityControl;
+  wanted_F_H_D += resistance;
   Wrench own_weight;
   if (desc.device.renders_force)
     own_weight.force = desc.mapping.X_WD.q.conjugate() * Vec3(0, desc.device.handle_weight, 0);
@@ -142,8 +158,17 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Allocation allocation = allocate(w.arm_, w.X_DH_good_, limited_F_H_D);
   if (allocation.clamped) faults |= kMotorClamped;
   w.guard_.commanded(allocation.command.F_H_D);
-  w.felt_F_H_W_ = desc.mapping.wrench_in_world(allocation.command.F_H_D + own_weight * -w.guard_.gain());
-  if (!desc.device.renders_torque && !w.clutched_) w.felt_F_H_W_.torque = F_H_W.torque * w.guard_.gain();
+
+  // Book what the hand did, against what it felt and feels from here on.
+  Wrench felt_F_H_W = desc.mapping.wrench_in_world(allocation.command.F_H_D + own_weight * -w.guard_.gain());
+  if (!desc.device.renders_force) felt_F_H_W.force = wanted_F_H_W.force * w.guard_.gain();
+  if (!desc.device.renders_torque) felt_F_H_W.torque = wanted_F_H_W.torque * w.guard_.gain();
+  w.ledger_.book(moved, w.counted_.within_tick(),
+                 {.F_H_W = felt_F_H_W,
+                  .weight = weight * height_before,
+                  .springs = w.coupling_.stored() + w.body_.kinetic_energy(w.tool_),
+                  .open = w.guard_.gain() >= 1.0});
+  if (w.ledger_.port() < kPortBound) faults |= kEnergyBound;
 
   StepResult result;
   result.command = allocation.command;

@@ -11,9 +11,11 @@
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
+#include "haptics/estimate/counted_motion.h"
 #include "haptics/math/result.h"
 #include "haptics/safety/energy_ledger.h"
 #include "haptics/safety/guard.h"
+#include "haptics/safety/passivity_control.h"
 #include "haptics/world/command.h"
 #include "haptics/world/scene_desc.h"
 #include "haptics/world/tick_record.h"
@@ -66,7 +68,9 @@ private:
   VirtualCoupling coupling_;
   DeviceArm arm_;
   Guard guard_;
+  CountedMotion counted_;
   EnergyLedger ledger_;
+  PassivityControl passivity_;
 
   ContactSet contacts_;
   BodyState tool_;
@@ -77,7 +81,6 @@ private:
   Pose X_WH_;
   Twist V_WH_;
   bool clutched_ = false;
-  Wrench felt_F_H_W_;  // of the last tick, without what holds up the device's own weight
 };
 
 }  // namespace fulcrum

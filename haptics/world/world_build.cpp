@@ -101,8 +101,8 @@ std::vector<BuiltPart> World::parts() const {
            number_text(velocity_.delay() * 1e3) + " ms",
        sizeof(VelocityEstimator) + velocity_.bytes()},
       {"allocation", std::to_string(arm_.motors()) + " motors of " + desc_.device.name, sizeof(DeviceArm)},
-      {"safety", "clamp, slew, ramp-in, stop, energy ledger: always built",
-       sizeof(Guard) + sizeof(EnergyLedger)},
+      {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control: always built",
+       sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl)},
   };
 }
 

@@ -17,7 +17,7 @@ fail() {
   failures=$((failures + 1))
 }
 
-"$FULCRUM" run piping --size 640x360 --set time_limit=600 --out "$work/W" >"$work/said" 2>&1 &
+"$FULCRUM" run piping --validate --size 640x360 --set time_limit=600 --out "$work/W" >"$work/said" 2>&1 &
 program=$!
 window=
 for _ in $(seq 120); do
@@ -33,18 +33,20 @@ sleep 4
 import -window "$window" "$work/before.png"
 [ "$(identify -format %k "$work/before.png")" -gt 200 ] || fail "the window shows no picture"
 
-drag() { # BUTTON FROM_X FROM_Y TO_X TO_Y
+press() { # BUTTON FROM_X FROM_Y TO_X TO_Y: a drag whose button stays down
   xdotool mousemove --window "$window" "$2" "$3" mousedown "$1"
   for step in 1 2 3 4 5 6 7 8; do
     xdotool mousemove --window "$window" $(($2 + ($4 - $2) * step / 8)) $(($3 + ($5 - $3) * step / 8))
     sleep 0.1
   done
-  xdotool mouseup "$1"
 }
-drag 1 300 150 340 150
+press 1 300 150 340 150
+xdotool mouseup 1
 for _ in $(seq 80); do xdotool click 4; sleep 0.05; done
+press 1 340 150 460 150 # against the pipe beside it, and held there
 sleep 2
 import -window "$window" "$work/pushed.png"
+xdotool mouseup 1
 xdotool key --window "$window" F1
 sleep 1
 xdotool windowsize --sync "$window" 800 500
@@ -73,6 +75,8 @@ code=$?
 column() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next } { print $c }' "$work/W/trace.csv"; }
 column tool/p/x | awk 'NR == 1 { a = b = $1 } { if ($1 < a) a = $1; if ($1 > b) b = $1 } END { exit !(b - a > 0.01) }' || fail "the drag did not move the tool"
 column contact/depth_max | awk '$1 > m { m = $1 } END { exit !(m > 0) }' || fail "the push touched nothing"
+# The tool's weight is 1.5 N; a push is far more, until Esc.
+column coupling/force/x | awk '{ f = $1 < 0 ? -$1 : $1; if (f > m) m = f } END { exit !(m > 4) }' || fail "the push showed no force"
 column fault | awk '$1 % 2 == 1 { found = 1 } END { exit !found }' || fail "Esc did not stop"
 [ $failures = 0 ] && echo "all good"
 exit $((failures > 0))

@@ -22,6 +22,7 @@ void expect_golden(const std::string& view_name, const TickRecord& record, const
   app::RunOptions options;
   options.size = {640, 360};
   options.gpu = "llvmpipe";
+  options.validate = true;
   const std::filesystem::path folder = FULCRUM_FAILURES;
   std::filesystem::create_directories(folder);
   const std::filesystem::path file = folder / (view_name + ".png");

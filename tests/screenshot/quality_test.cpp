@@ -34,9 +34,24 @@ TEST(AutoQuality, ASlowMachineEndsWithinItsBudget) {
 
 TEST(AutoQuality, AHopelessMachineEndsAtTheLowestAndStays) {
   AutoQuality choice(1.0 / 30.0);
-  const Quality lowest = settled(choice, [](const Quality&) { return 1.0; });
+  const auto cost = [](const Quality& q) { return pixels_cost(q, q.shadow_size == 0 ? 10.0 : 15.0); };
+  const Quality lowest = settled(choice, cost);
   EXPECT_EQ(lowest.shadow_size, 0);
-  EXPECT_FALSE(choice.add(1.0));
+  EXPECT_FALSE(choice.add(cost(lowest)));
+}
+
+TEST(AutoQuality, WhatDoesNotHelpIsTakenBackAndNotTriedAgain) {
+  AutoQuality nothing_helps(1.0 / 30.0);
+  EXPECT_EQ(settled(nothing_helps, [](const Quality&) { return 1.0; }), Quality{});
+
+  // Vertices take 60 ms whatever the number of pixels: three quarters help, a half does not.
+  AutoQuality choice(1.0 / 30.0);
+  const auto cost = [](const Quality& q) { return 0.06 + pixels_cost(q, 0.07); };
+  const Quality kept = settled(choice, cost);
+  EXPECT_EQ(kept.resolution_scale, 0.75F);
+  int changes = 0;
+  for (int i = 0; i < 1000; ++i) changes += choice.add(cost(choice.quality())) ? 1 : 0;
+  EXPECT_EQ(changes, 0);
 }
 
 TEST(AutoQuality, DoesNotSwingBetweenTwoLevels) {

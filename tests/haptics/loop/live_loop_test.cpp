@@ -62,5 +62,58 @@ TEST(LiveLoop, TicksArriveInOrderAndCommandsAct) {
   EXPECT_EQ(loop.lost_ticks(), static_cast<std::uint64_t>(lost));
 }
 
+// A device whose driver hangs once for a while.
+class HangingDevice final : public Device {
+public:
+  HangingDevice(const SimulatedDeviceDesc& desc, const Pose& X_DH) : device_(desc, X_DH) {}
+  const DeviceDesc& desc() const override { return device_.desc(); }
+  void write(const DeviceCommand& command) noexcept override { device_.write(command); }
+  DeviceSample read() noexcept override {
+    if (reads_++ == 50) std::this_thread::sleep_for(hang);
+    return device_.read();
+  }
+  void miss(int ticks) noexcept override {
+    if (reads_ > 50) missed += ticks;
+    device_.miss(ticks);
+  }
+  std::chrono::milliseconds hang{0};
+  int missed = 0;
+
+private:
+  SimulatedDevice device_;
+  int reads_ = 0;
+};
+
+// Of a gap of n ticks at most 5 are run, the rest are lost, counted in their place and told to the device;
+// past a quarter of a second the force stops.
+TEST(LiveLoop, AGapIsLostTicksAndALongOneStopsTheForce) {
+  for (const int gap_ms : {100, 400}) {
+    const SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
+    World world = expect(World::build(desc));
+    SimulatedDeviceDesc device_desc;
+    device_desc.device = desc.device;
+    HangingDevice device(device_desc, Pose{Quat::Identity(), Vec3(0, 0.02, 0)});
+    device.hang = std::chrono::milliseconds(gap_ms);
+    LiveLoop loop(world, device);
+    loop.start();
+    std::int64_t lost_there = -1, next = 0;
+    bool stopped = false;
+    drain(loop, [&](const TickEvent& event) {
+      EXPECT_EQ(event.record.tick, next++) << "lost ticks are not numbered";
+      if (event.record.tick == 51) {
+        lost_there = event.lost_before;
+        stopped = event.record.stopped;
+        EXPECT_EQ((event.record.faults & kWatchdog) != 0, stopped);
+      }
+      return event.record.tick == 60;
+    });
+    loop.stop();
+    EXPECT_GE(lost_there, gap_ms - LiveLoop::kCatchUp - 2) << gap_ms;
+    EXPECT_GE(device.missed, lost_there);
+    EXPECT_GE(loop.late_ticks(), 1u);
+    EXPECT_TRUE(stopped || gap_ms < 250);
+  }
+}
+
 }  // namespace
 }  // namespace fulcrum::test

@@ -144,6 +144,15 @@ TEST(World, BadSamplesStopTheForceAndTheToolStays) {
   }
 }
 
+// The floor is 40 mm thick and its field knows 10 mm: a tool in its middle cannot be told which way is out.
+TEST(World, ToolThatStartsDeepInsideStopsTheForce) {
+  World world = expect(World::build(floor_scene({Vec3::Zero()}, -0.02)));
+  const StepResult result = step(world, at(pose({0, -0.02, 0})), {});
+  EXPECT_TRUE(result.record.faults & kToolInside);
+  EXPECT_TRUE(result.record.stopped);
+  EXPECT_EQ(hold(world, pose({0, 0.02, 0}), 10).command.F_H_D.force.norm(), 0);
+}
+
 TEST(World, ForceIsClampedAndSlewLimited) {
   SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
   desc.coupling.max_force = 50;

@@ -1,0 +1,36 @@
+#include "haptics/estimate/counted_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kOneCount = 1.5;  // of a step: less is one count
+constexpr int kAtRest = 1000;      // ticks without a count; what went before has no say
+
+}  // namespace
+
+void CountedMotion::update(const Vec6& d) noexcept {
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    int& since = since_[static_cast<std::size_t>(i)];
+    since = std::min(since + 1, kAtRest);
+    if (d[i] == 0.0) {
+      within_[i] = 0.0;
+      const double overdue = std::abs(last_[i]) / (since + 1);
+      rate_[i] = since == kAtRest ? 0.0 : std::clamp(rate_[i], -overdue, overdue);
+      continue;
+    }
+    const bool one_count = std::abs(d[i]) < kOneCount * step_[i];
+    const bool onward = d[i] * last_[i] > 0.0;
+    if (!one_count)
+      within_[i] = d[i];
+    else
+      within_[i] = onward ? d[i] / since : 0.0;
+    rate_[i] = within_[i];
+    last_[i] = d[i];
+    since = 0;
+  }
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,35 @@
+#pragma once
+// How far a handle went in a tick whose encoders count in steps. Slower than a step a tick, the handle stands
+// for some ticks and then jumps by a whole step, of which it went only a part within that tick. The energy
+// that a held force took or gave needs that part: booked by whole steps, a spring k seems to leak k step^2 /
+// 2 at every count, which a hand that trembles across one count would do for ever.
+
+#include <array>
+
+#include "haptics/math/linear.h"
+
+namespace fulcrum {
+
+class CountedMotion {
+public:
+  // step (6): of one count in each axis, m and rad; 0: the axis is exact.
+  explicit CountedMotion(const Vec6& step) : step_(step) {}
+
+  // d (6): what was counted in this tick, m and rad.
+  void update(const Vec6& d) noexcept;
+
+  // (6) m and rad: how far the handle went within this tick. Equals d from two steps a tick on; for a single
+  // count its share of the ticks since the last one; nothing for the first count back.
+  const Vec6& within_tick() const { return within_; }
+  // (6) m and rad per tick: speed, between counts too, falling as the next count is overdue.
+  const Vec6& per_tick() const { return rate_; }
+
+private:
+  Vec6 step_;
+  Vec6 within_ = Vec6::Zero();
+  Vec6 rate_ = Vec6::Zero();
+  Vec6 last_ = Vec6::Zero();    // of the last count, signed
+  std::array<int, 6> since_{};  // ticks since it
+};
+
+}  // namespace fulcrum

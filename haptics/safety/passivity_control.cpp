@@ -1,0 +1,36 @@
+#include "haptics/safety/passivity_control.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kWay = 1e-4;   // m of the handle's way, over which a deficit is taken back
+constexpr double kTurn = 2e-3;  // rad, likewise
+constexpr double kDampingShare = 0.1;
+
+Vec3 against(const Vec3& v, double most, double damping) {
+  const double speed = v.norm();
+  if (!(speed > 0)) return Vec3::Zero();
+  return v * (-std::min(most / speed, damping));
+}
+
+}  // namespace
+
+PassivityControl::PassivityControl(const DeviceDesc& device, double tick_s)
+    : force_(device.renders_force),
+      torque_(device.renders_torque),
+      tick_s_(tick_s),
+      damping_(kDampingShare * device.handle_mass / tick_s),
+      angular_damping_(kDampingShare * device.handle_inertia / tick_s) {}
+
+Wrench PassivityControl::resist(double deficit, const Vec6& per_tick) const noexcept {
+  Wrench F_H_D;
+  if (!(deficit > 0)) return F_H_D;
+  const Vec6 V = per_tick / tick_s_;
+  if (force_) F_H_D.force = against(V.head<3>(), deficit / kWay, damping_);
+  if (torque_) F_H_D.torque = against(V.tail<3>(), deficit / kTurn, angular_damping_);
+  return F_H_D;
+}
+
+}  // namespace fulcrum
