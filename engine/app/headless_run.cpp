@@ -46,7 +46,7 @@ void run_live(World& world, Device& device, RunSink& sink) {
 void report_live(const LiveLoop& loop) {
   if (!loop.grant().scheduling.empty()) complain(loop.grant().scheduling);
   if (!loop.grant().memory.empty()) complain(loop.grant().memory);
-  std::fprintf(stderr, "Late ticks: %llu, lost: %llu. Ticks by how late they woke:",
+  std::fprintf(stderr, "Late ticks: %llu, lost: %llu. Ticks by how late they began:",
                static_cast<unsigned long long>(loop.late_ticks()),
                static_cast<unsigned long long>(loop.lost_ticks()));
   const LateHistogram& histogram = loop.late_histogram();

@@ -9,6 +9,8 @@ namespace fulcrum::record {
 
 namespace {
 
+constexpr int kSummaryVersion = 1;
+
 using Json = nlohmann::ordered_json;
 
 template <class T>
@@ -60,7 +62,8 @@ void Summary::take(const RunTotals& totals) {
 }
 
 std::string summary_json(const Summary& summary) {
-  const Json document = {{"scenario", summary.scenario},
+  const Json document = {{"version", kSummaryVersion},
+                         {"scenario", summary.scenario},
                          {"device", summary.device},
                          {"hand", summary.hand},
                          {"seed", summary.seed},

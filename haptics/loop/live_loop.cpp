@@ -83,12 +83,8 @@ void LiveLoop::run() {
   while (running_.load(std::memory_order_relaxed)) {
     sleep_until(deadline);
     const std::int64_t late_ns = std::max<std::int64_t>(monotonic_ns() - deadline, 0);
-    const auto bucket = static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(late_ns) / 1000));
-    ++histogram_[std::min(bucket, histogram_.size() - 1)];
-
     const std::int64_t due = 1 + late_ns / tick_ns;
     const std::int64_t lost = std::max<std::int64_t>(due - kCatchUp, 0);
-    if (due > 1) late_.fetch_add(1, std::memory_order_relaxed);
     if (lost > 0) {
       lost_.fetch_add(static_cast<std::uint64_t>(lost), std::memory_order_relaxed);
       device_.miss(static_cast<int>(std::min<std::int64_t>(lost, 1000)));
@@ -102,7 +98,10 @@ void LiveLoop::run() {
       TickEvent event;
       run_tick(world_, device_, {commands.data(), count}, event);
       event.lost_before = n == lost ? lost : 0;
-      event.wake_late_ns = late_ns;
+      event.wake_late_ns = late_ns - n * tick_ns;
+      const auto late_us = static_cast<std::uint64_t>(event.wake_late_ns) / 1000;
+      ++histogram_[std::min<std::size_t>(std::bit_width(late_us), histogram_.size() - 1)];
+      if (event.wake_late_ns >= tick_ns) late_.fetch_add(1, std::memory_order_relaxed);
       if (!events_.push(event)) unrecorded_.fetch_add(1, std::memory_order_relaxed);
       snapshot_.draft() = event.record;
       snapshot_.publish();

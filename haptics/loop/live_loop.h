@@ -22,7 +22,7 @@ struct RealTimeGrant {
   std::string memory;      // locked memory
 };
 
-// How late ticks woke: bucket 0 counts those less than 1 us late, bucket i those less than 2^i us.
+// How late ticks began: bucket 0 counts those less than 1 us late, bucket i those less than 2^i us.
 using LateHistogram = std::array<std::uint64_t, 20>;
 
 class LiveLoop {
@@ -46,9 +46,8 @@ public:
 
   // Ticks that the main thread left in the ring until it was full. They ran, but no record of them is left.
   std::uint64_t unrecorded() const { return unrecorded_.load(std::memory_order_relaxed); }
-  std::uint64_t late_ticks() const {
-    return late_.load(std::memory_order_relaxed);
-  }  // began a tick or more late
+  // Ticks that ran and began a tick or more after they were due.
+  std::uint64_t late_ticks() const { return late_.load(std::memory_order_relaxed); }
   std::uint64_t lost_ticks() const { return lost_.load(std::memory_order_relaxed); }
 
   // After stop().

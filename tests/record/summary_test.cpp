@@ -98,7 +98,8 @@ TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
   }
   EXPECT_EQ(
       keys,
-      "scenario device hand seed ticks tick_s completed checkpoints completion_time_s torque_error_Nms "
+      "version scenario device hand seed ticks tick_s completed checkpoints completion_time_s "
+      "torque_error_Nms "
       "force_error_Ns peak_force_N peak_torque_Nm max_penetration_m tick_cpu_us late_ticks lost_ticks faults "
       "limits built left_out trace_sha256 ");
   for (const char* unknown : {"completion_time_s", "max_penetration_m", "tick_cpu_us", "trace_sha256"}) {

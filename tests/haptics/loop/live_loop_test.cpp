@@ -110,7 +110,7 @@ TEST(LiveLoop, AGapIsLostTicksAndALongOneStopsTheForce) {
     loop.stop();
     EXPECT_GE(lost_there, gap_ms - LiveLoop::kCatchUp - 2) << gap_ms;
     EXPECT_GE(device.missed, lost_there);
-    EXPECT_GE(loop.late_ticks(), 1u);
+    EXPECT_GE(loop.late_ticks(), 4u) << "of the five that are run, all but the last";
     EXPECT_TRUE(stopped || gap_ms < 250);
   }
 }
