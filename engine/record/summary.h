@@ -1,5 +1,5 @@
 #pragma once
-// summary.json: what a run came to. Names and meanings are those of contracts.md; what is not known is null.
+// summary.json: what a run came to. Scripts rely on its names and meanings; what is not known is null.
 
 #include <cstdint>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// trace.csv as contracts.md has it: names, times, numbers, and the hash of what was written.
+// trace.csv, as scripts rely on it: names, times, numbers, and the hash of what was written.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -110,7 +110,7 @@ TEST(SimulatedDevice, EncodersStepAndDoNotDrift) {
   }
 }
 
-// ground-truths.md: at a 60 ms stall a held force leaves only 17.5 N/m stable; a decaying one does no such
+// At a 60 ms stall a held force leaves only 17.5 N/m stable; a decaying one does no such
 // harm.
 TEST(SimulatedDevice, ForceHeldThroughAStallDecays) {
   SimulatedDeviceDesc desc;
