@@ -32,7 +32,7 @@ ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
       qp_(metric(desc.coupling), kSlackStiffness * desc.coupling.stiffness),
       allowance_(motion_allowance(*desc.scene_field)),
       reach_(std::min(2 * allowance_, desc.scene_field->band_m())),
-      tool_radius_(desc.tool_shell->max_radius_m) {}
+      tool_radius_(std::max(desc.tool_shell->max_radius_m, kSettled)) {}
 
 ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
   if (!looked_) look();
@@ -94,8 +94,14 @@ Wrench ConstrainedMotion::share_force(const Wrench& coupling_F_T_W) noexcept {
     contact_F_T_W = -coupling_F_T_W;
     contact_F_T_W.force.y() += tool_.weight();
   }
-  const double by_rows = rows_F_T_W.force.norm();
-  const double felt = by_rows > 0 ? contact_F_T_W.force.norm() / by_rows : 0.0;
+  // By least squares over the whole wrench: a pure couple has no force to compare. Torque counts by the force
+  // that it takes at the tool's reach.
+  const double arm = 1.0 / (tool_radius_ * tool_radius_);
+  const auto product = [arm](const Wrench& a, const Wrench& b) {
+    return a.force.dot(b.force) + arm * a.torque.dot(b.torque);
+  };
+  const double by_rows = product(rows_F_T_W, rows_F_T_W);
+  const double felt = by_rows > 0 ? std::max(0.0, product(contact_F_T_W, rows_F_T_W) / by_rows) : 0.0;
   touching_count_ = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (multipliers_[i] == 0.0 && contacts[i].depth < -kTouching) continue;

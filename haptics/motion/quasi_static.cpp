@@ -17,10 +17,15 @@ QuasiStaticTool::QuasiStaticTool(const SceneDesc& desc)
   state_.X_WT.p.y() -= sag_;
 }
 
-Vec6 QuasiStaticTool::to_goal(const Pose& X_WG) noexcept {
+Vec6 QuasiStaticTool::to_hand(const Pose& X_WG) noexcept {
   turn_ = rotation_vector_near(X_WG.q * state_.X_WT.q.conjugate(), turn_);
   Vec6 d;
   d << X_WG.p - state_.X_WT.p, turn_;
+  return d;
+}
+
+Vec6 QuasiStaticTool::to_goal(const Pose& X_WG) noexcept {
+  Vec6 d = to_hand(X_WG);
   d[1] -= sag_;
   return d;
 }

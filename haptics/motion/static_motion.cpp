@@ -15,6 +15,11 @@ ContactDesc springs_alone(ContactDesc contact) {
   return contact;
 }
 
+double secant(const Vec3& force, const Vec3& d, double stiffness) {
+  const double length = d.norm();
+  return length > 0 ? force.norm() / length : stiffness;
+}
+
 BodyState at_rest(const Pose& X_WT) {
   return {X_WT, {}};
 }
@@ -23,15 +28,13 @@ BodyState at_rest(const Pose& X_WT) {
 
 StaticMotion::StaticMotion(const SceneDesc& desc)
     : contact_(springs_alone(desc.contact)),
+      coupling_(desc.coupling),
       tool_(desc),
       query_(desc.tool_shell, desc.scene_field),
       response_(contact_, RigidBody(desc.tool.mass, desc.tool.inertia_T), desc.tick_s,
                 Integrator::implicit_euler),
       regions_(desc.contact.region_radius),
-      allowance_(motion_allowance(*desc.scene_field)) {
-  coupling_stiffness_.head<3>().setConstant(desc.coupling.stiffness);
-  coupling_stiffness_.tail<3>().setConstant(desc.coupling.angular_stiffness);
-}
+      allowance_(motion_allowance(*desc.scene_field)) {}
 
 ToolAnswer StaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
   if (!looked_) outcome_ = query_.run(tool_.state().X_WT, contacts_);
@@ -52,17 +55,21 @@ ToolAnswer StaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint3
   return answer;
 }
 
-// The coupling is taken as linear: where it saturates, the balance is the one of the springs as they were
-// before, and it is the hand that feels less.
+// The coupling's springs saturate; their secants take the tool all the way through free space in one step and
+// converge to the balance from any side.
 Vec6 StaticMotion::newton_step(const Pose& X_WG) noexcept {
   const BodyState tool = at_rest(tool_.state().X_WT);
   const Wrench contact = response_.push(contacts_, tool).F_T_W;
   Linearisation around;
   response_.linearise(contacts_, tool, around);
-  around.K.diagonal() += coupling_stiffness_;
+  const Vec6 d = tool_.to_hand(X_WG);
+  const Vec3 pull = saturated_spring(d.head<3>(), coupling_.stiffness, coupling_.max_force);
+  const Vec3 twist = saturated_spring(d.tail<3>(), coupling_.angular_stiffness, coupling_.max_torque);
+  around.K.diagonal().head<3>().array() += secant(pull, d.head<3>(), coupling_.stiffness);
+  around.K.diagonal().tail<3>().array() += secant(twist, d.tail<3>(), coupling_.angular_stiffness);
   Vec6 force;
-  force << contact.force, contact.torque;
-  force += coupling_stiffness_.cwiseProduct(tool_.to_goal(X_WG));
+  force << contact.force + pull, contact.torque + twist;
+  force[1] -= tool_.weight();
   return around.K.ldlt().solve(force);
 }
 

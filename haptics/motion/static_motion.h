@@ -28,7 +28,7 @@ private:
   Vec6 newton_step(const Pose& X_WG) noexcept;
 
   ContactDesc contact_;
-  Vec6 coupling_stiffness_;
+  CouplingDesc coupling_;
   QuasiStaticTool tool_;
   ContactQuery query_;
   PenaltyResponse response_;
