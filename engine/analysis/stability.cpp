@@ -26,11 +26,16 @@ std::vector<double> geometrically(double low, double high, int steps) {
   return values;
 }
 
-// Closely where the device's own damping counts, and over all that is stable without delay.
+// None; evenly where the device's own damping counts; by ratios up to almost all that is stable without
+// delay.
 std::set<double> damping_of(const NamedAxis& device) {
+  constexpr double almost = 0.98;
+  const double own = device.axis.damping;
   std::set<double> all;
-  for (const double B : evenly(0, 5 * device.axis.damping, 10)) all.insert(B);
-  for (const double B : evenly(0, exact_damping_limit(loop_of(device)), 20)) all.insert(B);
+  for (const double B : geometrically(own / 20, own / 4, 3)) all.insert(B);
+  for (const double B : evenly(0, 5 * own, 10)) all.insert(B);
+  for (const double B : geometrically(6 * own, almost * exact_damping_limit(loop_of(device)), 16))
+    all.insert(B);
   return all;
 }
 

@@ -21,8 +21,8 @@ AxisDesc stiffness_axis(Scale scale) {
   return {"wall stiffness K", "N/m", scale, {}, {}};
 }
 
-AxisDesc damping_axis() {
-  return {"wall damping B", "N s/m", Scale::linear, {}, {}};
+AxisDesc damping_axis(Scale scale) {
+  return {"wall damping B", "N s/m", scale, {}, {}};
 }
 
 struct Lines {
@@ -66,7 +66,7 @@ Plot plane_plot(const StabilityStudy& study) {
   Plot plot;
   plot.title = "Which walls a device of " + report::short_number(kReferenceMass) + " kg and " +
                report::short_number(kReferenceDamping) + " N s/m can hold at 1 ms";
-  plot.x = damping_axis();
+  plot.x = damping_axis(Scale::linear);
   plot.y = stiffness_axis(Scale::linear);
   plot.x.high = study.growth.B_edges.back();
   plot.y.high = study.growth.K_edges.back();
@@ -88,7 +88,7 @@ Plot plane_plot(const StabilityStudy& study) {
   plot.labels = {{{0.25, 600}, "stable, not passive", report::Side::right},
                  {{2, 4000}, "stable, not passive", report::Side::below},
                  {{2, 5500}, "unstable", report::Side::left},
-                 {{0, 1100}, "unstable", report::Side::right},
+                 {{0, 1100}, "unstable", report::Side::above},
                  {{0, 900}, "passive", report::Side::right}};
   return plot;
 }
@@ -96,7 +96,7 @@ Plot plane_plot(const StabilityStudy& study) {
 Plot border_plot(const StabilityStudy& study, const std::string& device) {
   Plot plot;
   plot.title = "Stiffest wall against the wall's damping: " + device;
-  plot.x = damping_axis();
+  plot.x = damping_axis(Scale::logarithmic);
   plot.y = stiffness_axis(Scale::logarithmic);
   const bool friction = has_friction(study, device);
   std::vector<Series> passive, simulated;
@@ -139,7 +139,7 @@ Plot energy_plot(const StabilityStudy& study) {
   Plot plot;
   plot.title = "Energy that has gone into the wall: reference";
   plot.x = {"time", "s", Scale::linear, {}, {}};
-  plot.y = {"energy at the port", "mJ", Scale::linear, -0.6, 0.6};
+  plot.y = {"energy at the port", "mJ", Scale::linear, {}, {}};
   int hue = 0;
   for (const EnergyRun& run : study.energies) {
     Series series{"K " + report::short_number(run.wall.K) + ", B " + report::short_number(run.wall.B),

@@ -10,7 +10,8 @@ namespace {
 
 using report::short_number;
 
-constexpr int kDigits = 3;  // the simulated borders are found to half a per cent
+constexpr double kTypicalStiffness = 500;  // N/m, for which Diolaiti's figures are listed
+constexpr int kDigits = 3;                 // the simulated borders are found to half a per cent
 
 std::string number(double value) {
   return short_number(value, kDigits);
@@ -47,12 +48,13 @@ double largest_deviation(const StabilityStudy& study) {
 }
 
 report::Table device_table(const StabilityStudy& study) {
+  const std::string where = "at " + number(kTypicalStiffness) + " N/m";
   report::Table table{{"device", "mass (kg)", "damping (N s/m)", "friction (N)", "encoder step (µm)",
-                       "β at 1000 N/m", "σ at 1000 N/m", "Diolaiti at 1000 N/m"},
+                       "β " + where, "σ " + where, "in theory, " + where},
                       {}};
   for (const NamedAxis& device : study.devices) {
     const DeviceAxis& axis = device.axis;
-    const DiolaitiPlace place = diolaiti_place({.axis = axis, .tick_s = kStudyTick}, 1000);
+    const DiolaitiPlace place = diolaiti_place({.axis = axis, .tick_s = kStudyTick}, kTypicalStiffness);
     table.rows.push_back({device.name, number(axis.mass), number(axis.damping), number(axis.friction),
                           number(1e6 * axis.encoder_step), number(place.beta), number(place.sigma),
                           region_name(diolaiti_region(place))});
@@ -72,9 +74,9 @@ void say_how(report::Page& page) {
   page.command("fulcrum stability");
   page.paragraph(
       "A wall is a spring K and a damper B that a computer works out once a tick and holds until the next. "
-      "Holding makes energy: about K T/2 per unit of speed, and more with every tick of delay. The device's "
-      "own damping and friction have to eat it; where they cannot, the wall buzzes or throws the hand off. "
-      "This page shows how stiff a wall each device can hold, found in three ways.");
+      "Holding a spring's force makes energy, as damping of -K T/2 would, and more with every tick of delay. "
+      "The device's own damping b and friction have to eat it; where they cannot, the wall buzzes or throws "
+      "the hand off. This page shows how stiff a wall each device can hold, found in three ways.");
   page.paragraph(
       "Simulated: the simulated device (the one that headless runs use: its friction is solved from event to "
       "event, its encoders count in steps, its force is held) is pushed into the wall in no hand. A linear "
@@ -113,10 +115,11 @@ void say_delay(report::Page& page, const StabilityStudy& study) {
     page.plot(
         border_plot(study, device.name),
         device.axis.linear()
-            ? "Passive, dashed, is there only at the very left, where B is below the device's own damping."
-            : "The lines are of the same device without friction and encoder counts. Friction holds far "
-              "more at little damping, because it eats what a slow swing makes; much damping makes the "
-              "encoder's counts into kicks, and there the simulated device holds less.");
+            ? "Lines: exact. Dashed: passive, up to where B is the device's own damping. B = 0 is in "
+              "stability.csv."
+            : "Lines: the same device without friction and encoder counts. At little damping friction "
+              "holds far more, because it eats what a slow swing makes; where the wall's damper does the "
+              "work it counts for little.");
   }
 }
 
@@ -131,9 +134,12 @@ void say_rest(report::Page& page, const StabilityStudy& study) {
                                     short_number(kStudySpeed) +
                                     " m/s. Falling: the wall makes energy. K in N/m, B in N s/m.");
   page.paragraph(
-      "Every held spring makes energy, the stable ones too: at 900 N/m the device's damping still eats more "
-      "than the wall makes, at 1100 N/m no longer. With its own damper a wall takes energy from this swing "
-      "even where it is not passive: at a hand's frequencies, not at all.");
+      "Every held spring makes energy, a stable one too: at 900 N/m the device's own damping, which is not "
+      "in "
+      "this figure, eats more than the wall makes, and at 1100 N/m no longer. A wall with a damper of its "
+      "own "
+      "takes energy from this swing even where it is not passive: what it gives, it gives at far higher "
+      "frequencies, where a loose handle or a tense hand may find it.");
 
   page.heading("Friction and encoder counts");
   for (std::size_t i = 0; i < study.devices.size(); ++i) {

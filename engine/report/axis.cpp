@@ -107,7 +107,7 @@ std::vector<Tick> Axis::logarithmic_ticks() const {
       if (value < low_ * (1 - kRounding) || value > high_ * (1 + kRounding)) continue;
       if (times > 1 && stride > 1) continue;
       const bool labelled =
-          times == 1 ? exponent % stride == 0 : powers < 2 && (times == 2 || times == 5 || powers < 0.7);
+          times == 1 ? exponent % stride == 0 : powers < 2.5 && (times == 2 || times == 5 || powers < 0.7);
       ticks.push_back({value, labelled ? short_number(value) : ""});
     }
   }

@@ -34,7 +34,7 @@ public:
   // 0 at low, 1 at high; beyond them for values beyond. The value must be one that the axis shows.
   double place(double value) const;
   // In order. Linear: steps of 1, 2 or 5 times a power of ten. Logarithmic: powers of ten with labels and
-  // their multiples without; over less than two powers the multiples 2 and 5 have labels too.
+  // their multiples without; over two powers and less the multiples 2 and 5 have labels too.
   std::vector<Tick> ticks() const;
 
 private:

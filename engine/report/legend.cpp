@@ -10,15 +10,6 @@ namespace {
 
 constexpr double kKey = 30, kAfterKey = 8, kBetween = 22;  // px
 
-// px, of text at the legend's size: on the wide side, since the viewer's font is not known. UTF-8's
-// continuation bytes take no room.
-double text_width(const std::string& text) {
-  constexpr double per_letter = 7.1;
-  return per_letter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
-           return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-         }));
-}
-
 std::string hue_class(int hue) {
   return hue == kInk ? "ink" : "h" + std::to_string(hue % kHues);
 }
@@ -64,6 +55,13 @@ std::string marker_path(Marker marker, double x, double y, double r) {
       return "M" + point(-r, -r) + "L" + point(r, r) + "M" + point(-r, r) + "L" + point(r, -r);
   }
   return {};
+}
+
+double Legend::text_width(const std::string& text) {
+  constexpr double per_letter = 7.1;
+  return per_letter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
+           return (static_cast<unsigned char>(c) & 0xc0) != 0x80;  // UTF-8's other bytes take no room
+         }));
 }
 
 Legend::Legend(const Plot& plot, double left, double right) : left_(left), next_(left) {

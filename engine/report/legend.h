@@ -17,6 +17,9 @@ public:
   double height() const { return kRow * rows_; }  // px
   std::string body(double top) const;             // top: px, of the first row
 
+  // px, of text in a plot: on the wide side, since the viewer's font is not known.
+  static double text_width(const std::string& text);
+
 private:
   static constexpr double kRow = 22;
   struct Entry {

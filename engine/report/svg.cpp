@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "engine/report/legend.h"
 #include "engine/report/markup.h"
@@ -151,6 +152,8 @@ private:
         y += 15;
         break;
     }
+    const double half = Legend::text_width(label.text) / 2;
+    if (std::string_view(anchor) == "middle") x = std::clamp(x, kLeft + half + 4, kWidth - kRight - half - 4);
     return "<text class=\"label\" x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor +
            "\">" + escaped(label.text) + "</text>";
   }
