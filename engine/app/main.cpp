@@ -94,6 +94,10 @@ int dispatch(int argc, char** argv) {
   explain->add_flag("--json", json, "As JSON");
   CLI::App* devices = program.add_subcommand("devices", "Which devices are there, and why others are not");
   devices->add_flag("--json", json, "As JSON");
+  CLI::App* stability =
+      program.add_subcommand("stability", "How stiff a wall each device can hold: simulated, and by theory");
+  add_out(stability, options);
+  stability->add_flag("--json", options.json, "Print the figures as JSON");
   CLI::App* schema = program.add_subcommand("schema", "The JSON Schema of a file, for an editor");
   schema->add_option("of", schema_of, "scenario (default), hand or device")
       ->check(CLI::IsMember({"scenario", "hand", "device"}));
@@ -109,6 +113,7 @@ int dispatch(int argc, char** argv) {
   if (*check) return check_command(files, json);
   if (*explain) return explain_command(scenario, options.overrides, json);
   if (*devices) return devices_command(json);
+  if (*stability) return stability_command(options);
   return schema_command(schema_of);
 }
 

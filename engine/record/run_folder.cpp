@@ -63,13 +63,13 @@ std::span<const std::string_view> result_file_names() {
   return names;
 }
 
-Result<fs::path> make_default_run_folder(std::string_view scenario,
-                                         std::chrono::system_clock::time_point now) {
+Result<fs::path> make_default_run_folder(std::string_view scenario, std::chrono::system_clock::time_point now,
+                                         std::string_view shelf) {
   const Result<fs::path> home = data_home();
   if (!home) {
     return home.error();
   }
-  const fs::path runs = *home / "fulcrum" / "runs";
+  const fs::path runs = *home / "fulcrum" / shelf;
   std::error_code failure;
   fs::create_directories(runs, failure);
   if (failure) {
@@ -86,19 +86,20 @@ Result<fs::path> make_default_run_folder(std::string_view scenario,
   return writable(folder);
 }
 
-Result<fs::path> prepare_run_folder(const fs::path& folder, bool force) {
+Result<fs::path> prepare_run_folder(const fs::path& folder, bool force,
+                                    std::span<const std::string_view> files) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) {
     return file_error("create", folder, failure.value());
   }
-  for (const std::string_view name : result_file_names()) {
+  for (const std::string_view name : files) {
     const fs::path file = folder / name;
     if (!fs::exists(fs::symlink_status(file, failure))) {
       continue;
     }
     if (!force) {
-      return Error{folder.string() + " holds the results of a run (" + std::string(name) +
+      return Error{folder.string() + " holds results (" + std::string(name) +
                    "): choose another folder with --out, or replace them with --force."};
     }
     // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.

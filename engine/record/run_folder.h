@@ -17,13 +17,16 @@ inline constexpr std::string_view kTraceName = "trace.csv", kTraceJsonName = "tr
 // Every file that a run may write into its folder by itself.
 std::span<const std::string_view> result_file_names();
 
-// Without --out: makes runs/SCENARIO-TIME under $XDG_DATA_HOME/fulcrum, or ~/.local/share/fulcrum; TIME is
-// UTC.
+// Without --out: makes SHELF/SCENARIO-TIME under $XDG_DATA_HOME/fulcrum, or ~/.local/share/fulcrum; TIME is
+// UTC. Runs lie in "runs", reports in "reports".
 Result<std::filesystem::path> make_default_run_folder(std::string_view scenario,
-                                                      std::chrono::system_clock::time_point now);
+                                                      std::chrono::system_clock::time_point now,
+                                                      std::string_view shelf = "runs");
 
-// With --out: makes the folder, or takes one that has no results in it. With force, results that are there
-// are removed: the files of result_file_names() and nothing else.
-Result<std::filesystem::path> prepare_run_folder(const std::filesystem::path& folder, bool force);
+// With --out: makes the folder, or takes one that has none of these files in it. With force, those that are
+// there are removed, and nothing else.
+Result<std::filesystem::path> prepare_run_folder(
+    const std::filesystem::path& folder, bool force,
+    std::span<const std::string_view> files = result_file_names());
 
 }  // namespace fulcrum::record

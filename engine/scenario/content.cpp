@@ -78,6 +78,20 @@ std::vector<ScenarioListing> list_scenarios(const std::vector<fs::path>& roots) 
   return listings;
 }
 
+std::map<std::string, fs::path> device_files() {
+  std::map<std::string, fs::path> files;
+  for (const fs::path& root : content_roots()) {
+    std::error_code error;
+    fs::directory_iterator entry(root / "devices", error);
+    while (!error && entry != fs::directory_iterator()) {
+      const fs::path& file = entry->path();
+      if (file.extension() == ".yaml" && is_file(file)) files.emplace(file.stem().string(), file);
+      entry.increment(error);
+    }
+  }
+  return files;
+}
+
 Result<fs::path> find_scenario(std::string_view name_or_file) {
   return find_scenario(name_or_file, content_roots());
 }

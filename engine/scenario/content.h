@@ -2,6 +2,7 @@
 // Where scenarios are found.
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,9 @@ struct ScenarioListing {
 // Every ROOT/scenarios/NAME/scenario.yaml, by name; a name that two roots have is the first root's.
 std::vector<ScenarioListing> list_scenarios();
 std::vector<ScenarioListing> list_scenarios(const std::vector<std::filesystem::path>& roots);
+
+// Every ROOT/devices/NAME.yaml by NAME; one that two roots have is the first root's.
+std::map<std::string, std::filesystem::path> device_files();
 
 // A scenario's name, or the path of its file or of the folder it lies in.
 Result<std::filesystem::path> find_scenario(std::string_view name_or_file);

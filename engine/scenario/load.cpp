@@ -117,6 +117,16 @@ Checked<Scenario> load_scenario(const std::filesystem::path& file, std::span<con
   return load(*text, file.string(), file.filename().string(), file.parent_path(), overrides, texts);
 }
 
+Checked<DeviceDesc> load_device(const std::filesystem::path& file) {
+  const auto text = read_text_file(file);
+  if (!text) return Faults{{file.string(), 0, 0, "cannot read the device: " + text.error().sentence}};
+  DeviceDesc device;
+  Faults faults = read_text(*text, file.string(), file.parent_path(),
+                            [&](KeyVisitor& visitor) { describe_device_file(visitor, device); });
+  if (!faults.empty()) return faults;
+  return device;
+}
+
 Checked<Scenario> load_scenario_text(std::string_view text, const std::filesystem::path& folder,
                                      std::span<const std::string> overrides) {
   TextStore texts;

@@ -29,4 +29,7 @@ Checked<Scenario> load_scenario_text(std::string_view text, const std::filesyste
 Checked<Scenario> load_scenario_texts(const SourceTexts& texts, const std::filesystem::path& folder,
                                       std::span<const std::string> overrides = {});
 
+// A file of content/devices alone.
+Checked<DeviceDesc> load_device(const std::filesystem::path& file);
+
 }  // namespace fulcrum::scenario

@@ -47,7 +47,7 @@ grep -q "$(sha256sum <A/trace.csv | cut -d' ' -f1)" A/summary.json || fail "summ
 expect 0 'bit for bit' "$FULCRUM" replay A/tape --out C
 cmp -s A/trace.csv C/trace.csv || fail "the replay's trace differs"
 for file in summary.json trace.csv trace.json timing.csv tape frame.png; do [ -s "A/$file" ] || fail "no A/$file"; done
-expect 1 'holds the results of a run.*--force' "$FULCRUM" run piping --headless --out A
+expect 1 'holds results.*--force' "$FULCRUM" run piping --headless --out A
 expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --seconds 1 --out D
 expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/tape --seconds 1 --out E
 expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/trace.csv --seconds 1 --out F

@@ -1,0 +1,134 @@
+#include "engine/analysis/simulated_wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/analysis/border.h"
+#include "haptics/estimate/counted_motion.h"
+#include "haptics/safety/energy_ledger.h"
+
+namespace fulcrum::analysis {
+namespace {
+
+constexpr double kCycles = 40;
+constexpr int kFewestTicks = 2000;
+constexpr double kBrokenOff = 1e4;  // times the undamped amplitude
+constexpr double kSoftest = 0.1;    // N/m
+constexpr double kPrecision = 5e-3;
+
+SimulatedDeviceDesc device_of(const WallLoop& loop) {
+  SimulatedDeviceDesc desc;
+  desc.device.handle_mass = loop.axis.mass;
+  desc.device.damping = loop.axis.damping;
+  desc.device.friction = loop.axis.friction;
+  desc.device.encoder_step = loop.axis.encoder_step;
+  desc.device.max_force = std::numeric_limits<double>::infinity();
+  desc.tick_s = loop.tick_s;
+  desc.sample_age_ticks = loop.delay_ticks;
+  return desc;
+}
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  void take(double x) {
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+};
+
+// Sum of x^2 under a bell over a stretch: the swing within a cycle cancels, and the ratio of two stretches
+// is the growth between their middles.
+class Stretch {
+public:
+  Stretch(int from, int ticks) : from_(from), ticks_(ticks) {}
+  void take(int tick, double x) {
+    if (tick < from_ || tick >= from_ + ticks_) return;
+    sum_ += (1 - std::cos(2 * std::numbers::pi * (tick - from_ + 0.5) / ticks_)) * x * x;
+  }
+  double sum() const { return sum_; }
+
+private:
+  int from_, ticks_;
+  double sum_ = 0;
+};
+
+}  // namespace
+
+SimulatedWall::SimulatedWall(const WallLoop& loop, const Wall& wall, double v0)
+    : wall_(wall), tick_s_(loop.tick_s), rest_(loop.axis.encoder_step / 2), device_(device_of(loop), Pose{}) {
+  device_.push({v0, 0, 0});
+}
+
+void SimulatedWall::tick() noexcept {
+  const double x = counted();
+  force_ = -wall_.K * (x - rest_) - wall_.B * (x - before_) / tick_s_;
+  before_ = x;
+  device_.write({.F_H_D = {Vec3(force_, 0, 0), Vec3::Zero()}});
+}
+
+Swing swing(const WallLoop& loop, const Wall& wall, double v0) {
+  const double w = std::sqrt(wall.K / loop.axis.mass), amplitude = std::abs(v0) / w;
+  const int ticks = std::max(
+      kFewestTicks, static_cast<int>(std::lround(2 * std::numbers::pi * kCycles / (w * loop.tick_s))));
+  const int quarter = ticks / 4;
+  Stretch before(2 * quarter, quarter), after(3 * quarter, quarter);
+  SimulatedWall run(loop, wall, v0);
+  Range early, late;
+  for (int i = 0; i < ticks; ++i) {
+    run.tick();
+    const double x = run.x();
+    if (!(std::abs(x) < kBrokenOff * amplitude)) {
+      constexpr double far = std::numeric_limits<double>::infinity();
+      return {std::log(kBrokenOff) / ((i + 1) * loop.tick_s), early.most - early.least, far};
+    }
+    if (i < ticks / 3) early.take(x);
+    if (i >= ticks - ticks / 3) late.take(x);
+    before.take(i, x);
+    after.take(i, x);
+  }
+  Swing result;
+  result.early = early.most - early.least;
+  result.late = late.most - late.least;
+  result.growth = after.sum() > 0 ? 0.5 * std::log(after.sum() / before.sum()) / (quarter * loop.tick_s)
+                                  : -std::numeric_limits<double>::infinity();  // it came to rest at 0
+  return result;
+}
+
+bool settles(const WallLoop& loop, const Wall& wall, double v0) {
+  const Swing end = swing(loop, wall, v0);
+  return loop.axis.linear() ? end.growth < 0 : end.late < end.early;
+}
+
+double simulated_stiffness_limit(const WallLoop& loop, double B, double v0) {
+  // An undamped mass on a spring that is integrated by ticks flies apart at 4 m / T^2.
+  const double unstable = 4 * loop.axis.mass / (loop.tick_s * loop.tick_s);
+  return border_below(unstable, kSoftest, kPrecision, [&](double K) { return settles(loop, {K, B}, v0); });
+}
+
+std::vector<double> port_energy(const WallLoop& loop, const Wall& wall, double v0, int ticks) {
+  Vec6 step = Vec6::Zero();
+  step[0] = loop.axis.encoder_step;
+  CountedMotion counted(step);
+  EnergyLedger ledger(1, true, false);
+  EnergyLedger::Port port;
+  port.open = true;
+  ledger.book(Vec6::Zero(), Vec6::Zero(), port);
+  SimulatedWall run(loop, wall, v0);
+  std::vector<double> energy;
+  double x = run.counted();
+  for (int i = 0; i < ticks; ++i) {
+    Vec6 d = Vec6::Zero();
+    d[0] = run.counted() - x;
+    x = run.counted();
+    counted.update(d);
+    run.tick();
+    port.F_H_W.force.x() = run.force();
+    ledger.book(d, counted.within_tick(), port);
+    energy.push_back(ledger.port());
+  }
+  return energy;
+}
+
+}  // namespace fulcrum::analysis

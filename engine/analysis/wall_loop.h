@@ -1,0 +1,29 @@
+#pragma once
+// One axis of a device against a virtual wall on both sides: what stability is asked of.
+//     m x'' = F - b x' - f_c sgn(x'),    F = -K x - B (x - x_before) / T,    computed each tick, then held
+// The law is this simulator's coupling against a still tool, with the velocity estimator `difference`.
+
+namespace fulcrum::analysis {
+
+struct DeviceAxis {
+  double mass = 0.1;        // kg
+  double damping = 0.5;     // N s/m
+  double friction = 0;      // N, Coulomb
+  double encoder_step = 0;  // m, 0: exact
+
+  // A loop with neither grows or decays at the same rate from any start.
+  bool linear() const { return friction == 0 && encoder_step == 0; }
+};
+
+struct WallLoop {
+  DeviceAxis axis;
+  double tick_s = 1e-3;
+  int delay_ticks = 0;  // whole ticks from the sample to the motors, 0 to 8
+};
+
+struct Wall {
+  double K = 0;  // N/m
+  double B = 0;  // N s/m
+};
+
+}  // namespace fulcrum::analysis

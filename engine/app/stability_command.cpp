@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "engine/analysis/stability_report.h"
+#include "engine/app/commands.h"
+#include "engine/app/exit_code.h"
+#include "engine/app/terminal.h"
+#include "engine/record/run_folder.h"
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
+
+namespace fulcrum::app {
+namespace {
+
+// Each device file that can be read; what is wrong with another is said, and nothing is returned.
+std::optional<std::vector<analysis::NamedAxis>> device_axes() {
+  std::vector<analysis::NamedAxis> axes;
+  for (const auto& [name, file] : scenario::device_files()) {
+    const scenario::Checked<DeviceDesc> device = scenario::load_device(file);
+    if (!device) {
+      complain(scenario::to_text(device.faults()));
+      return std::nullopt;
+    }
+    axes.push_back({name,
+                    {.mass = device->handle_mass,
+                     .damping = device->damping,
+                     .friction = device->friction,
+                     .encoder_step = device->encoder_step}});
+  }
+  return axes;
+}
+
+nlohmann::ordered_json to_json(const std::vector<analysis::ZWidth>& widths) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const analysis::ZWidth& width : widths) {
+    const auto best = [](double K, double B) { return nlohmann::ordered_json{{"K", K}, {"B", B}}; };
+    all.push_back({{"device", width.device},
+                   {"delay_ticks", width.delay_ticks},
+                   {"simulated", best(width.simulated.K_simulated, width.simulated.B)},
+                   {"exact", best(width.exact.K_exact, width.exact.B)},
+                   {"passive", best(width.passive.K_passive, width.passive.B)}});
+  }
+  return all;
+}
+
+// Columns side by side; widths count letters, not bytes.
+void print_table(const report::Table& table) {
+  const auto letters = [](const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  };
+  std::vector<std::size_t> width;
+  for (const std::string& cell : table.head) width.push_back(letters(cell));
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], letters(row[i]));
+  }
+  const auto print = [&](const std::vector<std::string>& row, bool head) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += "  " + (head ? bold(row[i]) : row[i]) + std::string(width[i] - letters(row[i]), ' ');
+    std::printf("%s\n", line.c_str());
+  };
+  print(table.head, true);
+  for (const auto& row : table.rows) print(row, false);
+}
+
+}  // namespace
+
+int stability_command(const RunOptions& options) {
+  constexpr std::string_view files[] = {analysis::kStabilityCsvName, analysis::kStabilityPageName};
+  const std::optional<std::vector<analysis::NamedAxis>> models = device_axes();
+  if (!models) return kError;
+  const Result<std::filesystem::path> folder =
+      options.out.empty()
+          ? record::make_default_run_folder("stability", std::chrono::system_clock::now(), "reports")
+          : record::prepare_run_folder(options.out, options.force, files);
+  if (!folder) {
+    complain(folder.error().sentence);
+    return kError;
+  }
+  ProgressBar bar;
+  const analysis::StabilityStudy study = analysis::study_stability(
+      *models, [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
+  bar.clear();
+  const std::pair<std::string_view, std::string> contents[] = {
+      {analysis::kStabilityCsvName, analysis::stability_csv(study).text()},
+      {analysis::kStabilityPageName, analysis::stability_page(study).html()}};
+  for (const auto& [name, content] : contents) {
+    if (const std::optional<Error> error = report::write_file(*folder / name, content)) {
+      complain(error->sentence);
+      return kError;
+    }
+  }
+  if (options.json) {
+    std::printf("%s\n", nlohmann::ordered_json{{"folder", folder->string()},
+                                               {"tick_s", analysis::kStudyTick},
+                                               {"speed_m_per_s", analysis::kStudySpeed},
+                                               {"z_width", to_json(analysis::z_widths(study.borders))}}
+                            .dump(2)
+                            .c_str());
+    return kCompleted;
+  }
+  std::printf("%s\n", bold("The stiffest walls, at a tick of 1 ms").c_str());
+  print_table(analysis::z_width_table(study));
+  std::printf("Plots and every border lie in %s\n", bold(folder->string()).c_str());
+  return kCompleted;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,52 @@
+#include "engine/report/csv.h"
+
+#include <cassert>
+
+#include "engine/record/block_file.h"
+#include "engine/record/number_text.h"
+
+namespace fulcrum::report {
+namespace {
+
+void append_text(std::string& to, std::string_view cell) {
+  if (cell.find_first_of(",\"\r\n") == cell.npos) {
+    to += cell;
+    return;
+  }
+  to += '"';
+  for (const char c : cell) to.append(c == '"' ? 2 : 1, c);
+  to += '"';
+}
+
+}  // namespace
+
+Csv::Csv(std::initializer_list<std::string_view> columns) : columns_(columns.size()) {
+  for (const std::string_view column : columns) {
+    if (!text_.empty()) text_ += ',';
+    append_text(text_, column);
+  }
+  text_ += '\n';
+}
+
+void Csv::row(std::initializer_list<Cell> cells) {
+  assert(cells.size() == columns_);
+  bool first = true;
+  for (const Cell& cell : cells) {
+    if (!first) text_ += ',';
+    first = false;
+    if (const double* number = std::get_if<double>(&cell))
+      record::append_number(text_, *number);
+    else
+      append_text(text_, std::get<std::string_view>(cell));
+  }
+  text_ += '\n';
+}
+
+std::optional<Error> write_file(const std::filesystem::path& path, std::string_view content) {
+  Result<record::BlockFile> file = record::BlockFile::create(path);
+  if (!file) return file.error();
+  if (std::optional<Error> error = file->append(content)) return error;
+  return file->close();
+}
+
+}  // namespace fulcrum::report

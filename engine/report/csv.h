@@ -1,0 +1,33 @@
+#pragma once
+// A table as CSV (RFC 4180, lines end in \n): one header line, numbers that read back to the same bits.
+
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "haptics/math/result.h"
+
+namespace fulcrum::report {
+
+class Csv {
+public:
+  explicit Csv(std::initializer_list<std::string_view> columns);
+
+  using Cell = std::variant<std::string_view, double>;
+  void row(std::initializer_list<Cell> cells);  // as many as columns
+
+  const std::string& text() const { return text_; }
+
+private:
+  std::size_t columns_;
+  std::string text_;
+};
+
+// A new file of that content; fails, with a sentence, if something of this name is there.
+std::optional<Error> write_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace fulcrum::report

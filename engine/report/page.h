@@ -1,0 +1,34 @@
+#pragma once
+// A report as one HTML page that needs nothing else: no script, no other file, light or dark as its reader
+// has it.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/report/plot.h"
+
+namespace fulcrum::report {
+
+struct Table {
+  std::vector<std::string> head;               // a title for each column
+  std::vector<std::vector<std::string>> rows;  // as many cells as head; columns but the first are set right
+};
+
+class Page {
+public:
+  explicit Page(std::string title) : title_(std::move(title)) {}
+
+  void heading(std::string_view text);
+  void paragraph(std::string_view text);
+  void command(std::string_view text);  // a line for a terminal
+  void table(const Table& table);
+  void plot(const Plot& plot, std::string_view caption);
+
+  std::string html() const;  // well-formed as XML, too
+
+private:
+  std::string title_, body_;
+};
+
+}  // namespace fulcrum::report
