@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/contact/shell_walk.h"
 #include "haptics/math/number_text.h"
 #include "haptics/world/world.h"
 
@@ -73,15 +74,20 @@ std::vector<BuiltPart> World::parts() const {
   const char* estimators[] = {"difference", "low_pass", "adaptive_window"};
   return {
       {"field",
-       "distance field, float in sparse bricks, voxel " + number_text(field.voxel_m() * 1e3) +
-           " mm, error at most " + number_text(field.error_bound_m() * 1e3) + " mm, thinnest wall " +
+       "distance field, " +
+           (field.format() == FieldFormat::int16 ? "int16 of " + number_text(field.quantum_m() * 1e6) + " um"
+                                                 : std::string("float32")) +
+           " in sparse bricks, " + number_text(static_cast<double>(field.bytes()) * 1e-6) + " MB, voxel " +
+           number_text(field.voxel_m() * 1e3) + " mm, error at most " +
+           number_text(field.error_bound_m() * 1e3) + " mm, thinnest wall " +
            number_text(field.thinnest_feature_m() * 1e3) + " mm",
        field.bytes()},
       {"pointshell",
        std::to_string(shell.size()) + " points, no surface farther than " +
            number_text(shell.covering_radius_m * 1e3) + " mm from one",
        shell_bytes},
-      {"query", "every point against the field, culled by the tool's reach", query_.bytes()},
+      {"query", std::string("16-ary sphere hierarchy over the points against the field, ") + simd_target(),
+       query_.bytes()},
       {"response",
        "penalty, " + number_text(desc_.contact.stiffness) + " N/m per region, at most " +
            std::to_string(kMaxContacts) + " points in " + std::to_string(kMaxRegions) + " regions",
