@@ -116,6 +116,7 @@ Result<Baked<DistanceField>> BakeCache::field(const Solid& solid, const FieldDes
   Sha256 hasher = hash_of(solid, "field");
   hash_value(hasher, desc.voxel_m);
   hash_value(hasher, desc.band_m);
+  hash_value(hasher, desc.format);
   return load_or_bake<DistanceField>(folder_, hasher.finish_hex() + ".field", field_from_bytes,
                                      [&] { return bake_field(solid, desc, progress); });
 }

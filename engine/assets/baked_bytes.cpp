@@ -37,11 +37,15 @@ bool is_of_one_piece(const FieldData& field) {
     if (along <= 0) return false;
     bricks *= along;
   }
+  const bool is_int16 = field.format == FieldFormat::int16;
   const std::size_t slots = field.slot_error_m.size();
   return bricks == static_cast<double>(field.brick_slot.size()) &&
-         field.coarse_m.size() == field.brick_slot.size() && field.values_m.size() == slots * kBrickValues &&
-         field.voxel_m > 0.0 && std::isfinite(field.voxel_m) && field.origin.allFinite() &&
-         field.surface_box.min().allFinite() && field.surface_box.max().allFinite() &&
+         field.centre_m.size() == field.brick_slot.size() && slots > 0 &&
+         field.values_int16.size() == (is_int16 ? slots * kBrickValues : 0) &&
+         field.values_float.size() == (is_int16 ? 0 : slots * kBrickValues) &&
+         std::isfinite(field.quantum_m) && field.voxel_m > 0.0 && std::isfinite(field.voxel_m) &&
+         field.origin.allFinite() && field.surface_box.min().allFinite() &&
+         field.surface_box.max().allFinite() &&
          std::all_of(field.brick_slot.begin(), field.brick_slot.end(), [slots](std::int32_t slot) {
            return slot == kNoBrick || (slot >= 0 && static_cast<std::size_t>(slot) < slots);
          });
@@ -57,8 +61,11 @@ std::vector<std::byte> to_bytes(const DistanceField& field) {
     out.value(x);
   out.value(data.bricks);
   out.vector(data.brick_slot);
-  out.vector(data.coarse_m);
-  out.vector(data.values_m);
+  out.vector(data.centre_m);
+  out.value(data.format);
+  out.value(data.quantum_m);
+  out.vector(data.values_float);
+  out.vector(data.values_int16);
   out.vector(data.slot_error_m);
   return out.bytes();
 }
@@ -73,8 +80,11 @@ std::optional<DistanceField> field_from_bytes(std::span<const std::byte> bytes) 
     *x = in.value<double>();
   data.bricks = in.value<std::array<std::int32_t, 3>>();
   data.brick_slot = in.vector<std::int32_t>();
-  data.coarse_m = in.vector<float>();
-  data.values_m = in.vector<float>();
+  data.centre_m = in.vector<float>();
+  data.format = in.value<FieldFormat>();
+  data.quantum_m = in.value<double>();
+  data.values_float = in.vector<float>();
+  data.values_int16 = in.vector<std::int16_t>();
   data.slot_error_m = in.vector<float>();
   if (!in.finished_well() || !is_of_one_piece(data)) return std::nullopt;
   return DistanceField(std::move(data));

@@ -7,6 +7,7 @@ namespace {
 // Each in the order of its enumeration.
 constexpr std::array<std::string_view, 4> kResponses{"penalty", "voxel", "static", "constraint"};
 constexpr std::array<std::string_view, 3> kIntegrators{"semi_implicit_euler", "implicit_euler", "momentum"};
+constexpr std::array<std::string_view, 2> kFieldFormats{"int16", "float32"};
 constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "serial_arm"};
 
 void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {
@@ -97,6 +98,8 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
                                  scenario.field.band_m, above_to(0, 10));
                     inner.rule("band", scenario.field.band_m >= 2 * scenario.field.voxel_m,
                                "must be at least two voxels");
+                    inner.choice_of({"format", "", "how its values are stored; int16 takes half the memory"},
+                                    scenario.field.format, kFieldFormats);
                   });
   visitor.mapping({"shell", "", "the points that the tool's model is baked to"}, [&](KeyVisitor& inner) {
     inner.number({"spacing", "m", "between neighbours"}, scenario.shell.spacing_m, above_to(0, 1));

@@ -39,12 +39,12 @@ double interpolate(std::span<const float> values, int cell, const Vec3& t) {
   return sum;
 }
 
-// Whether all eight values of a cell are.
-bool is_exact(std::span<const float> values, int cell, double exact_m) {
+// Whether the band can reach a cell.
+bool is_near(std::span<const float> values, int cell, double near_m) {
   for (int corner = 0; corner < 8; ++corner) {
     int index = cell;
     for (std::size_t axis = 0; axis < 3; ++axis) index += ((corner >> axis) & 1) * kSteps[axis];
-    if (std::abs(static_cast<double>(values[static_cast<std::size_t>(index)])) > exact_m) return false;
+    if (std::abs(static_cast<double>(values[static_cast<std::size_t>(index)])) > near_m) return false;
   }
   return true;
 }
@@ -86,20 +86,8 @@ double bend(const Bends& bends, int cell) {
   return static_cast<double>(sum) / 8.0;
 }
 
-// Needs the values before it along each axis.
-float lattice_value(UnionDistance& exact, const BrickPlace& place, const std::array<int, 3>& node,
-                    std::span<const float> values) {
-  const int index = index_of(node[0], node[1], node[2]);
-  float known = 0.0f;  // of the neighbours before it, the one farthest from the surface
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (node[axis] == 0) continue;
-    const float value = values[static_cast<std::size_t>(index - kSteps[axis])];
-    if (std::abs(value) > std::abs(known)) known = value;
-  }
-  const double least = std::abs(static_cast<double>(known)) - place.voxel_m;
-  return static_cast<float>(least > place.exact_m
-                                ? std::copysign(least, static_cast<double>(known))
-                                : exact(place.corner + place.voxel_m * Vec3(node[0], node[1], node[2])));
+float lattice_value(UnionDistance& exact, const BrickPlace& place, const std::array<int, 3>& node) {
+  return static_cast<float>(exact(place.corner + place.voxel_m * Vec3(node[0], node[1], node[2])));
 }
 
 double measure_cell(UnionDistance& exact, const Vec3& corner, double voxel_m, std::span<const float> values,
@@ -126,7 +114,7 @@ void fill_own_values(UnionDistance& exact, const BrickPlace& place, std::span<fl
   for (int k = 0; k < kBrickCells; ++k) {
     for (int j = 0; j < kBrickCells; ++j) {
       for (int i = 0; i < kBrickCells; ++i) {
-        values[static_cast<std::size_t>(index_of(i, j, k))] = lattice_value(exact, place, {i, j, k}, values);
+        values[static_cast<std::size_t>(index_of(i, j, k))] = lattice_value(exact, place, {i, j, k});
       }
     }
   }
@@ -142,7 +130,7 @@ void fill_shared_values(UnionDistance& exact, const BrickPlace& place, const Nei
         const float* there = neighbours[static_cast<std::size_t>(which)];
         values[static_cast<std::size_t>(index_of(i, j, k))] =
             there != nullptr ? there[index_of(i % kBrickCells, j % kBrickCells, k % kBrickCells)]
-                             : lattice_value(exact, place, {i, j, k}, values);
+                             : lattice_value(exact, place, {i, j, k});
       }
     }
   }
@@ -159,7 +147,7 @@ double measure_brick(UnionDistance& exact, const BrickPlace& place, std::span<co
   for (int k = 0; k < kBrickCells; ++k) {
     for (int j = 0; j < kBrickCells; ++j) {
       for (int i = 0; i < kBrickCells; ++i) {
-        if (!is_exact(values, index_of(i, j, k), place.exact_m)) continue;
+        if (!is_near(values, index_of(i, j, k), place.near_m)) continue;
         const Cell cell{bend(bends, index_of(i, j, k)), {i, j, k}};
         if (cell.bend > kSmooth * place.voxel_m) {
           bent.push_back(cell);

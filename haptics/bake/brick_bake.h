@@ -13,12 +13,10 @@ namespace fulcrum {
 struct BrickPlace {
   Vec3 corner;     // (3) m, the lowest
   double voxel_m;  // cell edge
-  double exact_m;  // |distance| up to which lattice values have to be exact
+  double near_m;   // |distance| up to which the values of cells that the band reaches may go
 };
 
-// values: (9^3) m at corner + voxel_m (i, j, k), x fastest. First the brick's own, i, j, k < 8. Beyond
-// exact_m a value may be a lower bound that is still beyond it: what the neighbour just filled says, less the
-// way from there.
+// values: (9^3) m at corner + voxel_m (i, j, k), x fastest. First the brick's own, i, j, k < 8.
 void fill_own_values(UnionDistance& exact, const BrickPlace& place, std::span<float> values);
 
 // Then the rest, copied from the bricks next to it where they have values. Bit b of a neighbour's number says
@@ -27,8 +25,8 @@ using Neighbours = std::array<const float*, 8>;
 void fill_shared_values(UnionDistance& exact, const BrickPlace& place, const Neighbours& neighbours,
                         std::span<float> values);
 
-// The largest |interpolant - exact| in m where lattice values are exact, measured and then given a margin; at
-// most sqrt(3)/2 voxel.
+// The largest |interpolant - exact| in m in the cells that the band reaches, measured and then given a
+// margin; at most sqrt(3)/2 voxel.
 //
 // Where the lattice bends little the error is h^2/8 (|f_xx| + |f_yy| + |f_zz|) by its second differences
 // (ground truths, distance fields). In the cells that bend most the exact distance is asked at the centre, at

@@ -32,7 +32,7 @@ std::optional<Error> check_desc(const FieldDesc& desc) {
   }
   if (!(desc.band_m >= 2.0 * desc.voxel_m) || !std::isfinite(desc.band_m)) {
     return Error{"A distance field's band must be at least two voxels (" + spell_mm(2.0 * desc.voxel_m) +
-                 "), not " + spell_mm(desc.band_m) + ": six voxels serve most tools."};
+                 "), not " + spell_mm(desc.band_m) + ": two voxels serve most tools."};
   }
   return std::nullopt;
 }
@@ -65,7 +65,7 @@ std::optional<Error> lay_grid(const FieldDesc& desc, FieldData& field) {
   }
   const auto count = static_cast<std::size_t>(bricks.prod());
   field.brick_slot.assign(count, kNoBrick);
-  field.coarse_m.assign(count, 0.0f);
+  field.centre_m.assign(count, 0.0f);
   return std::nullopt;
 }
 
@@ -77,7 +77,7 @@ public:
       blocks_[axis] = (field.bricks[axis] + kBlockBricks - 1) / kBlockBricks;
   }
 
-  // Signs and coarse values of all bricks, and which of them are in band.
+  // The centres of all bricks, and which of them are in band.
   void classify(const std::function<void(double)>& progress) {
     const auto count = static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
                        static_cast<std::size_t>(blocks_[2]);
@@ -94,7 +94,7 @@ public:
   std::size_t in_band() const { return in_band_.size(); }
 
   void fill(const std::function<void(double)>& progress) {
-    field_.values_m.resize(in_band_.size() * kBrickValues);
+    field_.values_float.resize(in_band_.size() * kBrickValues);
     field_.slot_error_m.resize(in_band_.size());
     const auto upto = [&progress](double from, double to) {
       return [&progress, from, to](double fraction) { progress(from + (to - from) * fraction); };
@@ -141,13 +141,9 @@ private:
   }
 
   void classify_brick(const Place& brick, UnionDistance& near) {
-    const double radius = brick_radius(field_.voxel_m);
     const double distance = near(brick_centre(brick));
     const std::size_t index = index_of(brick, field_.bricks);
-    // Nothing in the brick is nearer to the surface than its centre by more than its radius. Rounded towards
-    // zero.
-    const double least = std::max(std::abs(distance) - radius, 0.0);
-    field_.coarse_m[index] = std::nextafter(static_cast<float>(std::copysign(least, distance)), 0.0f);
+    field_.centre_m[index] = std::nextafter(static_cast<float>(distance), 0.0f);
     if (reaches_band(near, brick_centre(brick), distance))
       field_.brick_slot[index] = 0;  // numbered once all are known
   }
@@ -174,7 +170,7 @@ private:
     return {brick_corner(brick), field_.voxel_m, field_.band_m + std::numbers::sqrt3 * field_.voxel_m};
   }
   std::span<float> values_of(std::size_t slot) {
-    return std::span(field_.values_m).subspan(slot * kBrickValues, kBrickValues);
+    return std::span(field_.values_float).subspan(slot * kBrickValues, kBrickValues);
   }
 
   void fill_slot(std::size_t slot) {
@@ -230,7 +226,8 @@ Result<DistanceField> bake_field(const Solid& solid, const FieldDesc& desc, cons
   };
   Baker baker(solid, exact, desc, field);
   baker.classify(report(0.0, kClassifyShare));
-  const double bytes = static_cast<double>(baker.in_band()) * kBrickValues * sizeof(float);
+  const double bytes = static_cast<double>(baker.in_band()) * kBrickValues *
+                       (desc.format == FieldFormat::int16 ? sizeof(std::int16_t) : sizeof(float));
   if (bytes > kLargestField) {
     return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels would need " +
                  spell(bytes * 1e-9) + " GB: use a voxel of " +
@@ -238,6 +235,7 @@ Result<DistanceField> bake_field(const Solid& solid, const FieldDesc& desc, cons
                  " or more, or a narrower band than " + spell_mm(desc.band_m) + "."};
   }
   baker.fill(report(kClassifyShare, 1.0));
+  if (desc.format == FieldFormat::int16) quantise(field);
   if (progress) progress(1.0);
   return DistanceField(std::move(field));
 }

@@ -11,7 +11,8 @@ namespace fulcrum {
 
 struct FieldDesc {
   double voxel_m = 1e-3;  // cell edge
-  double band_m = 6e-3;   // how far from the surface the field is stored in full; at least two voxels
+  double band_m = 2e-3;   // how far from the surface the field is stored in full; at least two voxels
+  FieldFormat format = FieldFormat::int16;
   unsigned threads = 0;  // 0: as many as the machine has. The result is the same, bit for bit, for any number
 };
 

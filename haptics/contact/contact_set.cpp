@@ -3,17 +3,39 @@
 #include <algorithm>
 
 namespace fulcrum {
+namespace {
 
-bool ContactSet::add(const Contact& contact) noexcept {
-  if (contacts_.size() < kMaxContacts) {
+constexpr unsigned kPatchBits = 4;
+
+void take_in(Contact& kept, const Contact& other) {
+  const double area = kept.area + other.area;
+  if (other.depth > kept.depth) kept = other;
+  kept.area = area;
+}
+
+}  // namespace
+
+void ContactSet::add(const Contact& contact) noexcept {
+  while (contacts_.size() == kMaxContacts && (complete() || !of_one_run(contacts_.back(), contact)))
+    lengthen_runs();
+  if (!complete() && !contacts_.empty() && of_one_run(contacts_.back(), contact)) {
+    take_in(contacts_.back(), contact);
+  } else {
     contacts_.push_back(contact);  // within the reserved storage
-    return true;
   }
-  const auto shallowest =
-      std::min_element(contacts_.begin(), contacts_.end(),
-                       [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
-  if (shallowest->depth < contact.depth) *shallowest = contact;
-  return false;
+}
+
+void ContactSet::lengthen_runs() noexcept {
+  run_bits_ = complete() ? kPatchBits : run_bits_ + 1;
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < contacts_.size(); ++i) {
+    if (of_one_run(contacts_[kept], contacts_[i])) {
+      take_in(contacts_[kept], contacts_[i]);
+    } else {
+      contacts_[++kept] = contacts_[i];
+    }
+  }
+  contacts_.resize(kept + 1);
 }
 
 double ContactSet::depth_max() const {

@@ -17,8 +17,8 @@ struct Contact {
   std::uint32_t point = 0;     // index in the shell
   Vec3 p_W = Vec3::Zero();     // (3) m
   Vec3 nhat_W = Vec3::Zero();  // (3) unit, out of the scene: the direction in which the tool is pushed
-  double depth = 0;            // m, > 0 inside the scene, < 0 outside
-  double area = 0;             // m^2 of tool surface
+  double depth = 0;            // m, minus the distance: negative for a point within a query's margin
+  double area = 0;             // m^2 of tool surface that it stands for
 };
 
 // Touching points that lie together and are pushed alike. An id lasts as long as the region is touched.
@@ -33,18 +33,32 @@ struct ContactRegion {
   std::uint32_t points = 0;
 };
 
+// Where more points touch than fit, neighbours are taken together: the contacts of an aligned run of 16
+// points, a compact patch of the shell, become one, the deepest of them with all of their areas; then those
+// of runs of 32, 64 and so on. All of the touched surface stays represented, by between half the capacity and
+// all of it.
 class ContactSet {
 public:
   ContactSet() { contacts_.reserve(kMaxContacts); }
 
-  void clear() noexcept { contacts_.clear(); }
-  // Past the capacity the shallowest contact makes room; false if something was left out.
-  bool add(const Contact& contact) noexcept;
+  void clear() noexcept {
+    contacts_.clear();
+    run_bits_ = 0;
+  }
+  // In the order of the shell. Constant time but for a pass over the set each time that runs double.
+  void add(const Contact& contact) noexcept;
+  bool complete() const { return run_bits_ == 0; }  // nothing has been taken together
   std::span<const Contact> contacts() const { return contacts_; }
   double depth_max() const;  // m, 0 when nothing touches
 
 private:
+  bool of_one_run(const Contact& a, const Contact& b) const noexcept {
+    return a.point >> run_bits_ == b.point >> run_bits_;
+  }
+  void lengthen_runs() noexcept;
+
   std::vector<Contact> contacts_;
+  unsigned run_bits_ = 0;  // a run has 2^run_bits_ points
 };
 
 }  // namespace fulcrum

@@ -1,15 +1,16 @@
 #pragma once
-// Pointshell against distance field: which points of the tool are inside the scene, and how far off the
-// others are. W. A. McNeely, K. D. Puterbaugh, J. J. Troy, "Six degree-of-freedom haptic rendering using
-// voxel sampling", SIGGRAPH 1999; distance fields in place of voxels: J. Barbic, D. L. James, IEEE Trans.
-// Haptics 1(1), 2008.
+// Pointshell against distance field: which points of the tool are inside the scene, and how far it may move.
+// W. A. McNeely, K. D. Puterbaugh, J. J. Troy, "Six degree-of-freedom haptic rendering using
+// voxel sampling", SIGGRAPH 1999; distance fields in place of voxels, and a hierarchy over the points: J.
+// Barbic, D. L. James, IEEE Trans. Haptics 1(1), 2008.
 
 #include <memory>
-#include <vector>
 
 #include "haptics/contact/contact_set.h"
+#include "haptics/contact/shell_walk.h"
 #include "haptics/geometry/distance_field.h"
 #include "haptics/geometry/pointshell.h"
+#include "haptics/geometry/sphere_tree.h"
 #include "haptics/math/pose.h"
 
 namespace fulcrum {
@@ -19,11 +20,14 @@ public:
   ContactQuery(std::shared_ptr<const Pointshell> shell_T, std::shared_ptr<const DistanceField> field_W);
 
   struct Outcome {
-    bool complete = true;  // false: the set was too small and the shallowest contacts were left out
+    bool complete = true;  // false: the set was too small and neighbours were taken together
     bool in_band = true;   // false: a point is so deep inside that its normal is a guess
   };
-  // Fills the set for the tool at X_WT with every point that is nearer to the scene than `margin` m.
-  Outcome run(const Pose& X_WT, ContactSet& set, double margin = 0.0) noexcept;
+  // Fills the set for the tool at X_WT, in the order of the shell: every point whose distance is below
+  // `margin`. Past the field's band distances are lower bounds, and of the points that only their bound
+  // brings below a margin wider than the band, some are missing. Distances are of single precision:
+  // rounding() off at most.
+  Outcome run(const Pose& X_WT, ContactSet& set, double margin = 0) noexcept;
 
   // The largest fraction, 0 to 1, of a motion over which no shell point can enter the scene by more than
   // `allowance` m beyond where it was at the last run(). The field's values are 1-Lipschitz up to its error
@@ -31,16 +35,19 @@ public:
   // The travel of a point is bounded by |v| t + |w| t |p_T|.
   double safe_fraction(double travel, double turn, double allowance) const noexcept;
 
-  std::size_t bytes() const {
-    return distance_.capacity() * sizeof(double) + radius_.capacity() * sizeof(double);
-  }
+  double rounding() const { return rounding_; }  // m
+  std::size_t bytes() const { return tree_.bytes(); }
 
 private:
+  ShellWalk walk_at(const Pose& X_WT, double margin) const noexcept;
+
   std::shared_ptr<const Pointshell> shell_;
   std::shared_ptr<const DistanceField> field_;
-  std::vector<double> distance_;  // (n) m, lower bound at the last run
-  std::vector<double> radius_;    // (n) m, |p_T|
-  double nearest_ = 0;            // m, the smallest of distance_
+  SphereTree tree_;
+  FieldView view_;
+  double rounding_ = 0;
+  double overestimate_ = 0;  // m, most by which a distance exceeds the exact one
+  Pose X_WT_;                // at the last run
 };
 
 }  // namespace fulcrum

@@ -83,8 +83,9 @@ ContactQuery::Outcome VoxelQuery::run(const Pose& X_WT, ContactSet& set) const n
     outcome.in_band &= state != State::inside;
     const double depth = out_W.dot(centre_W - p_W);
     if (depth <= 0) continue;
-    outcome.complete &= set.add({static_cast<std::uint32_t>(i), p_W, out_W, depth, shell_->areas_m2[i]});
+    set.add({static_cast<std::uint32_t>(i), p_W, out_W, depth, shell_->areas_m2[i]});
   }
+  outcome.complete = set.complete();
   return outcome;
 }
 

@@ -16,7 +16,9 @@ void halve(std::span<const Vec3> points, std::span<std::uint32_t> order) {
   for (const std::uint32_t i : order) box.extend(points[i]);
   int axis = 0;
   box.sizes().maxCoeff(&axis);
-  const std::size_t half = (order.size() / 2 + kRun - 1) / kRun * kRun;
+  std::size_t unit = kRun;
+  while (unit * kRun < order.size()) unit *= kRun;
+  const std::size_t half = std::max(unit, (order.size() + unit) / (2 * unit) * unit);
   std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(),
                    [&](std::uint32_t l, std::uint32_t r) {
                      return points[l][axis] < points[r][axis] ||

@@ -10,8 +10,9 @@
 
 namespace fulcrum {
 
-// A permutation of the indices of `points`. Halves are cut at multiples of 16, so that every aligned run of
-// 16 is one cell of the halving. Ties are broken by index: same points, same order.
+// A permutation of the indices of `points`. Halves are cut at multiples of the largest power of 16 that both
+// can have, so that every aligned run of 16, 256, 4096 ... is one cell of the halving. Ties are broken by
+// index: same points, same order.
 std::vector<std::uint32_t> kd_order(std::span<const Vec3> points);
 
 }  // namespace fulcrum

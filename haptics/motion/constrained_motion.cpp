@@ -4,6 +4,7 @@
 
 #include "haptics/math/number_text.h"
 #include "haptics/motion/motion_limit.h"
+#include "haptics/motion/query_part.h"
 #include "haptics/safety/faults.h"
 
 namespace fulcrum {
@@ -114,7 +115,7 @@ Wrench ConstrainedMotion::share_force(const Wrench& coupling_F_T_W) noexcept {
 
 std::vector<BuiltPart> ConstrainedMotion::parts() const {
   return {
-      {"query", "every point against the field, culled by the tool's reach", query_.bytes()},
+      query_part(query_),
       {"response",
        "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kRounds) +
            " rounds of " + std::to_string(kMaxContacts) + " rows a tick, points within " +

@@ -2,6 +2,7 @@
 
 #include "haptics/math/number_text.h"
 #include "haptics/motion/motion_limit.h"
+#include "haptics/motion/query_part.h"
 #include "haptics/safety/faults.h"
 
 namespace fulcrum {
@@ -103,7 +104,7 @@ double DynamicMotion::stored_energy() const noexcept {
 
 std::vector<BuiltPart> DynamicMotion::parts() const {
   std::vector<BuiltPart> parts{
-      {"query", "every point against the field, culled by the tool's reach", query_.bytes()},
+      query_part(query_),
       {"response",
        "penalty, " + number_text(contact_.stiffness) + " N/m per region, at most " +
            std::to_string(kMaxContacts) + " points in " + std::to_string(kMaxRegions) + " regions",

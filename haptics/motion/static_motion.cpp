@@ -4,6 +4,7 @@
 
 #include "haptics/math/number_text.h"
 #include "haptics/motion/motion_limit.h"
+#include "haptics/motion/query_part.h"
 #include "haptics/safety/faults.h"
 
 namespace fulcrum {
@@ -75,7 +76,7 @@ Vec6 StaticMotion::newton_step(const Pose& X_WG) noexcept {
 
 std::vector<BuiltPart> StaticMotion::parts() const {
   return {
-      {"query", "every point against the field, culled by the tool's reach", query_.bytes()},
+      query_part(query_),
       {"response",
        "static: one 6 x 6 balance a tick, " + number_text(contact_.stiffness) + " N/m per region, at most " +
            std::to_string(kMaxContacts) + " points in " + std::to_string(kMaxRegions) + " regions",

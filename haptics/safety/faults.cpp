@@ -18,7 +18,7 @@ std::span<const FaultName> fault_names() {
       {kMotionLimited, "motion_limited", "The tool was slowed so that it could not pass a wall."},
       {kStiffnessCapped, "stiffness_capped", "Contact stiffness was lowered to what the tick can hold."},
       {kContactsReduced, "contacts_reduced",
-       "More points touched than are kept; the shallowest were left out."},
+       "More points touched than are kept; neighbours were taken together."},
       {kEnergyBound, "energy_bound", "The haptic loop gave out more energy than its bound allows."},
       {kPassivityControl, "passivity_control",
        "The motion was resisted, to take back energy that the loop had made."},

@@ -22,7 +22,7 @@ enum Fault : std::uint32_t {
   kMotorClamped = 1u << 19,     // a motor would have saturated: all were scaled, the direction kept
   kMotionLimited = 1u << 20,    // the tool moved less than its velocity, so that no point could pass a wall
   kStiffnessCapped = 1u << 21,  // summed contact stiffness was scaled down to what the tick can hold
-  kContactsReduced = 1u << 22,  // more points touched than the set holds: the shallowest were left out
+  kContactsReduced = 1u << 22,  // more points touched than the set holds: neighbours were taken together
   kEnergyBound = 1u << 23,      // the port gave out more energy than its bound allows
   kPassivityControl =
       1u << 24,  // the handle's motion was resisted, to take back energy that the loop had made

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/contact/shell_walk.h"
 #include "haptics/math/number_text.h"
 #include "haptics/world/world.h"
 
@@ -64,8 +65,7 @@ Result<World> World::build(SceneDesc desc) {
       (!any_gain && desc.coupling.angular_stiffness > largest_kr))
     return refuse_gain("coupling.angular_stiffness", desc.coupling.angular_stiffness, "N m/rad", largest_kr,
                        desc.tick_s);
-  if (massless(desc.contact.response) &&
-      tool_weight(tool) > kLargestSag * desc.coupling.max_force)
+  if (massless(desc.contact.response) && tool_weight(tool) > kLargestSag * desc.coupling.max_force)
     return Error{"The tool weighs " + number_text(tool_weight(tool)) + " N, which a coupling of at most " +
                  number_text(desc.coupling.max_force) +
                  " N cannot carry: raise coupling.max_force or set tool.weight to false."};
@@ -81,8 +81,12 @@ std::vector<BuiltPart> World::parts() const {
   const char* estimators[] = {"difference", "low_pass", "adaptive_window"};
   std::vector<BuiltPart> parts{
       {"field",
-       "distance field, float in sparse bricks, voxel " + number_text(field.voxel_m() * 1e3) +
-           " mm, error at most " + number_text(field.error_bound_m() * 1e3) + " mm, thinnest wall " +
+       "distance field, " +
+           (field.format() == FieldFormat::int16 ? "int16 of " + number_text(field.quantum_m() * 1e6) + " um"
+                                                 : std::string("float32")) +
+           " in sparse bricks, " + number_text(static_cast<double>(field.bytes()) * 1e-6) + " MB, voxel " +
+           number_text(field.voxel_m() * 1e3) + " mm, error at most " +
+           number_text(field.error_bound_m() * 1e3) + " mm, thinnest wall " +
            number_text(field.thinnest_feature_m() * 1e3) + " mm",
        field.bytes()},
       {"pointshell",

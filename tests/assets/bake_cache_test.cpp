@@ -48,8 +48,8 @@ TEST_F(BakeCacheTest, TheSecondTimeItIsReadBackTheSame) {
   const auto read = cache_.field(solid_, more_threads);
   ASSERT_TRUE(read);
   EXPECT_TRUE(read->from_cache);
-  EXPECT_EQ(read->value.data().values_m, made->value.data().values_m);
-  EXPECT_EQ(read->value.data().coarse_m, made->value.data().coarse_m);
+  EXPECT_EQ(read->value.data().values_int16, made->value.data().values_int16);
+  EXPECT_EQ(read->value.data().centre_m, made->value.data().centre_m);
   EXPECT_EQ(read->value.error_bound_m(), made->value.error_bound_m());
   EXPECT_EQ(read->value.thinnest_feature_m(), made->value.thinnest_feature_m());
   EXPECT_EQ(read->value.distance(Vec3(0.03, 0.012, 0)), made->value.distance(Vec3(0.03, 0.012, 0)));
@@ -86,7 +86,7 @@ TEST_F(BakeCacheTest, DamageIsNoticedAndRepaired) {
     ASSERT_TRUE(repaired) << damage;
     EXPECT_FALSE(repaired->from_cache) << damage;
     EXPECT_NE(repaired->note.find("was damaged and has been made anew"), std::string::npos) << damage;
-    EXPECT_EQ(repaired->value.data().values_m, made->value.data().values_m) << damage;
+    EXPECT_EQ(repaired->value.data().values_int16, made->value.data().values_int16) << damage;
     EXPECT_TRUE(cache_.field(solid_, field_desc_)->from_cache) << damage;
   };
   for (const std::uintmax_t place :

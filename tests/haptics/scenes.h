@@ -43,7 +43,8 @@ inline TriangleMesh joined(std::span<const TriangleMesh> meshes) {
 inline std::shared_ptr<const DistanceField> field_of(const TriangleMesh& mesh, double voxel = 2e-3,
                                                      double band = 10e-3) {
   const Solid solid = expect(build_solid(mesh));
-  return std::make_shared<DistanceField>(expect(bake_field(solid, FieldDesc{voxel, band, 1})));
+  return std::make_shared<DistanceField>(
+      expect(bake_field(solid, FieldDesc{.voxel_m = voxel, .band_m = band, .threads = 1})));
 }
 
 // A floor: everything below y = 0, .2 m wide.

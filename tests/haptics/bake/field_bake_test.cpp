@@ -34,7 +34,8 @@ TEST(FieldBake, NeverOverestimatesByMoreThanItStates) {
   ASSERT_TRUE(field) << field.error().sentence;
   const TriangleDistance exact(solid);
   EXPECT_GT(field->error_bound_m(), 0.0);
-  EXPECT_LE(field->error_bound_m(), std::numbers::sqrt3 / 2.0 * field->voxel_m() * (1.0 + 1e-6));
+  EXPECT_LE(field->error_bound_m(),
+            (std::numbers::sqrt3 / 2.0 * field->voxel_m() + 0.5 * field->quantum_m()) * (1.0 + 1e-6));
 
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> anywhere(-0.08, 0.08);
@@ -104,14 +105,14 @@ TEST(FieldBake, GradientPointsOutEvenDeepInside) {
 
 TEST(FieldBake, SameBitsForAnyNumberOfThreads) {
   const Solid solid = solid_of(cluster());
-  const auto one = bake_field(solid, {2e-3, 4e-3, 1});
+  const auto one = bake_field(solid, {2e-3, 4e-3, FieldFormat::int16, 1});
   ASSERT_TRUE(one);
   for (const unsigned threads : {2u, 5u}) {
-    const auto many = bake_field(solid, {2e-3, 4e-3, threads});
+    const auto many = bake_field(solid, {2e-3, 4e-3, FieldFormat::int16, threads});
     ASSERT_TRUE(many);
     EXPECT_EQ(one->data().brick_slot, many->data().brick_slot);
-    EXPECT_EQ(one->data().coarse_m, many->data().coarse_m);
-    EXPECT_EQ(one->data().values_m, many->data().values_m);
+    EXPECT_EQ(one->data().centre_m, many->data().centre_m);
+    EXPECT_EQ(one->data().values_int16, many->data().values_int16);
     EXPECT_EQ(one->data().slot_error_m, many->data().slot_error_m);
     EXPECT_EQ(one->thinnest_feature_m(), many->thinnest_feature_m());
   }
@@ -151,7 +152,8 @@ TEST(FieldBake, NonsenseIsRefused) {
   EXPECT_FALSE(bake_field(solid, {std::nan(""), 1e-2}));
   EXPECT_FALSE(bake_field(solid, {1e-2, 1e-2}));
   EXPECT_FALSE(bake_field(solid, {1e-6, 1e-2}));
-  const auto large = bake_field(solid_of(shapes::box(Vec3::Zero(), Vec3::Constant(0.2))), {1e-3, 0.3});
+  const auto large =
+      bake_field(solid_of(shapes::box(Vec3::Zero(), Vec3::Constant(0.2))), {1e-3, 0.3, FieldFormat::float32});
   ASSERT_FALSE(large);
   EXPECT_NE(large.error().sentence.find("GB: use a voxel of"), std::string::npos) << large.error().sentence;
 }

@@ -29,13 +29,13 @@ DistanceField filled_field(int n, double voxel, const Function& function) {
   data.surface_box = Box3(data.origin, -data.origin);
   for (int b = 0; b < n * n * n; ++b) {
     data.brick_slot.push_back(b);
-    data.coarse_m.push_back(0.0f);
+    data.centre_m.push_back(0.0f);
     data.slot_error_m.push_back(0.0f);
     const Vec3 corner = data.origin + kBrickCells * voxel * Vec3(b % n, b / n % n, b / n / n);
     for (int k = 0; k < kBrickSide; ++k) {
       for (int j = 0; j < kBrickSide; ++j) {
         for (int i = 0; i < kBrickSide; ++i) {
-          data.values_m.push_back(static_cast<float>(function(corner + voxel * Vec3(i, j, k))));
+          data.values_float.push_back(static_cast<float>(function(corner + voxel * Vec3(i, j, k))));
         }
       }
     }
@@ -151,6 +151,32 @@ TEST(DistanceField, TheGridsOwnFacesBelongToIt) {
   const DistanceField field = filled_field(2, 0.1, plane);
   EXPECT_NEAR(field.distance(field.grid_box().max()), field.grid_box().max().x(), 1e-6);
   EXPECT_NEAR(field.distance(field.grid_box().min()), field.grid_box().min().x(), 1e-6);
+}
+
+TEST(DistanceField, QuantisingErrsByHalfAQuantumAtMostAndSaysSo) {
+  const auto function = [](const Vec3& p) { return torus(p); };
+  const DistanceField exact = filled_field(3, 0.1, function);
+  FieldData data = exact.data();
+  data.band_m = 0.3;
+  data.error_bound_m = 0.0;
+  quantise(data);
+  const DistanceField stored(data);
+  const double quantum = stored.quantum_m();
+  EXPECT_EQ(stored.format(), FieldFormat::int16);
+  EXPECT_NEAR(quantum, (0.3 + 9 * std::sqrt(3.0) * 0.1) / 32767, 1e-3 * quantum);
+  EXPECT_GE(stored.error_bound_m(), 0.5 * quantum);
+  EXPECT_LE(stored.error_bound_m(), 0.51 * quantum);
+  EXPECT_LT(stored.bytes(), 0.6 * static_cast<double>(exact.bytes()));
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> coordinate(-1.2, 1.2);
+  double worst = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const Vec3 p(coordinate(random), coordinate(random), coordinate(random));
+    const double error = std::abs(stored.distance(p) - exact.distance(p));
+    worst = std::max(worst, error);
+    ASSERT_LE(error, stored.local_error_m(p) * (1 + 1e-6));
+  }
+  EXPECT_GT(worst, 0.25 * quantum) << "nothing was quantised";
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "haptics/geometry/sphere_tree.h"
+
 namespace fulcrum {
 namespace {
 
@@ -66,6 +68,37 @@ TEST(Pointshell, TransformMovesPointsAndTurnsNormals) {
   EXPECT_NEAR((moved.positions[0] - Vec3(0, 3, 0)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((moved.normals[0] - Vec3(0, 1, 0)).norm(), 0.0, 1e-15);
   EXPECT_NEAR(moved.max_radius_m, 3.0, 1e-15);
+}
+
+TEST(Pointshell, EveryNodeOfTheSphereTreeHoldsItsPointsTightly) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> coordinate(-0.1, 0.1);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 5003; ++i) points.emplace_back(coordinate(random), coordinate(random), 0.0);
+  const auto shell = pointshell_from_points(points, std::vector<Vec3>(points.size(), Vec3::UnitZ()),
+                                            std::vector<double>(points.size(), 1.0), 0.0);
+  ASSERT_TRUE(shell);
+  const SphereTree tree = build_sphere_tree(*shell);
+  ASSERT_EQ(tree.patches.size(), 313u);
+  ASSERT_EQ(tree.levels.size(), 3u);
+  ASSERT_EQ(tree.levels.back().size(), 1u);
+  std::size_t run = 1;
+  for (const auto& level : tree.levels) {
+    run *= kBlock;
+    double radii = 0, nodes = 0;
+    for (std::size_t i = 0; i * run < shell->size(); ++i) {
+      const SphereTree::Spheres& block = level[i / kBlock];
+      const std::size_t lane = i % kBlock;
+      const Vec3 centre(static_cast<double>(block.x[lane]), static_cast<double>(block.y[lane]),
+                        static_cast<double>(block.z[lane]));
+      for (std::size_t j = i * run; j < std::min((i + 1) * run, shell->size()); ++j)
+        ASSERT_LE((shell->positions[j] - centre).norm(), static_cast<double>(block.radius[lane]));
+      radii += static_cast<double>(block.radius[lane]);
+      nodes += 1;
+    }
+    EXPECT_LT(radii / nodes, 0.2 * std::sqrt(static_cast<double>(run) / 5003)) << run;  // cells of a square
+    EXPECT_TRUE(std::isnan(level.back().x.back()));
+  }
 }
 
 }  // namespace

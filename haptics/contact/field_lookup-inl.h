@@ -1,0 +1,173 @@
+// Trilinear look-up of several points at once in a FieldView; compiled once for each SIMD target.
+
+#if defined(FULCRUM_FIELD_LOOKUP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FULCRUM_FIELD_LOOKUP_INL_H
+#undef FULCRUM_FIELD_LOOKUP_INL_H
+#else
+#define FULCRUM_FIELD_LOOKUP_INL_H
+#endif
+
+#include <cstdint>
+#include <cstring>
+
+#include "haptics/geometry/field_view.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace fulcrum::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, 16>;
+using Ints = hn::RebindToSigned<Floats>;
+using F = hn::Vec<Floats>;
+using I = hn::Vec<Ints>;
+using M = hn::Mask<Floats>;
+constexpr Floats f{};
+constexpr Ints n{};
+
+// 32 bits at each byte offset, which need not be aligned.
+HWY_INLINE I gather(const void* base, I offset) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+  return hn::GatherOffset(n, static_cast<const std::int32_t*>(base), offset);
+#else
+  HWY_ALIGN std::int32_t at[16];
+  hn::Store(offset, n, at);
+  for (std::size_t i = 0; i < hn::Lanes(n); ++i)
+    std::memcpy(&at[i], static_cast<const char*>(base) + at[i], sizeof at[i]);
+  return hn::Load(n, at);
+#endif
+}
+
+HWY_INLINE F mix(F a, F b, F t) {
+  return hn::Add(a, hn::Mul(hn::Sub(b, a), t));
+}
+
+// Two neighbours along x from where `offset` counts in values.
+HWY_INLINE void load_pair(const std::int16_t* values, I offset, F& low, F& high) {
+  const I both = gather(values, hn::ShiftLeft<1>(offset));
+  low = hn::ConvertTo(f, hn::ShiftRight<16>(hn::ShiftLeft<16>(both)));
+  high = hn::ConvertTo(f, hn::ShiftRight<16>(both));
+}
+HWY_INLINE void load_pair(const float* values, I offset, F& low, F& high) {
+  const I bytes = hn::ShiftLeft<2>(offset);
+  low = hn::BitCast(f, gather(values, bytes));
+  high = hn::BitCast(f, gather(values + 1, bytes));
+}
+
+struct Place {
+  F x, y, z;  // cells
+};
+
+// Where `stored`: the interpolant's terms. Elsewhere they mean nothing.
+struct Terms {
+  M stored;
+  F tx, ty, tz;       // 0 to 1 within the cell
+  F low[4], high[4];  // the corners at both ends of x, in quanta; y fastest
+  F along_x[4];       // interpolated along x
+};
+
+HWY_INLINE F length(F x, F y, F z) {
+  return hn::Sqrt(hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)));
+}
+
+// The solid's bounds are no farther than its surface. Not a number: far outside.
+HWY_INLINE F distance_to_bounds(const FieldView& field, const Place& p) {
+  const auto beyond = [](F q, float low, float high) {
+    return hn::Sub(q, hn::Min(hn::Max(q, hn::Set(f, low)), hn::Set(f, high)));
+  };
+  const F far = hn::Set(f, static_cast<float>(kFarOutside_m));
+  const F distance = hn::Mul(length(beyond(p.x, field.box_low[0], field.box_high[0]),
+                                    beyond(p.y, field.box_low[1], field.box_high[1]),
+                                    beyond(p.z, field.box_low[2], field.box_high[2])),
+                             hn::Set(f, field.voxel_m));
+  const F number = hn::Add(hn::Add(p.x, p.y), p.z);
+  return hn::IfThenElse(hn::And(hn::Lt(distance, far), hn::Eq(number, number)), distance, far);
+}
+
+// Distance in m, and what its gradient is made of.
+template <class Value>
+HWY_INLINE F look_up(const FieldView& field, const Place& p, Terms& terms) {
+  const F zero = hn::Zero(f);
+  const auto within = [&](F q, float cells) {
+    return hn::And(hn::Ge(q, zero), hn::Le(q, hn::Set(f, cells)));  // false for NaN
+  };
+  const M in_grid =
+      hn::And(hn::And(within(p.x, field.cells[0]), within(p.y, field.cells[1])), within(p.z, field.cells[2]));
+  if (hn::AllFalse(f, in_grid)) {
+    terms.stored = in_grid;
+    return distance_to_bounds(field, p);
+  }
+  const Place q{hn::IfThenElseZero(in_grid, p.x), hn::IfThenElseZero(in_grid, p.y),
+                hn::IfThenElseZero(in_grid, p.z)};
+  const auto cell_of = [](F coordinate, std::int32_t bricks) {
+    return hn::Min(hn::ConvertTo(n, coordinate), hn::Set(n, bricks * kBrickCells - 1));
+  };
+  const I x = cell_of(q.x, field.bricks[0]), y = cell_of(q.y, field.bricks[1]),
+          z = cell_of(q.z, field.bricks[2]);
+  const I bx = hn::ShiftRight<3>(x), by = hn::ShiftRight<3>(y), bz = hn::ShiftRight<3>(z);
+  const I row = hn::Add(hn::Mul(bz, hn::Set(n, field.bricks[1])), by);
+  const I brick = hn::ShiftLeft<2>(hn::Add(hn::Mul(row, hn::Set(n, field.bricks[0])), bx));
+  const I slot = gather(field.brick_slot, brick);
+  const M has_values = hn::RebindMask(f, hn::Gt(slot, hn::Set(n, kNoBrick)));
+  terms.stored = hn::And(in_grid, has_values);
+
+  F distance = zero;
+  if (!hn::AllFalse(f, terms.stored)) {
+    terms.tx = hn::Sub(q.x, hn::ConvertTo(f, x));
+    terms.ty = hn::Sub(q.y, hn::ConvertTo(f, y));
+    terms.tz = hn::Sub(q.z, hn::ConvertTo(f, z));
+    const I seven = hn::Set(n, kBrickCells - 1);
+    const I in_brick =
+        hn::Add(hn::And(x, seven),
+                hn::Mul(hn::Add(hn::And(y, seven), hn::Mul(hn::And(z, seven), hn::Set(n, kBrickSide))),
+                        hn::Set(n, kBrickSide)));
+    const I start = hn::Max(slot, hn::Zero(n));
+    const I lowest = hn::Add(hn::Mul(start, hn::Set(n, kBrickValues)), in_brick);
+    const auto* values = static_cast<const Value*>(field.values);
+    constexpr int kSteps[4] = {0, kBrickSide, kBrickSide * kBrickSide, kBrickSide * kBrickSide + kBrickSide};
+    for (int i = 0; i < 4; ++i) {
+      load_pair(values + kSteps[i], lowest, terms.low[i], terms.high[i]);
+      terms.along_x[i] = mix(terms.low[i], terms.high[i], terms.tx);
+    }
+    distance = hn::Mul(mix(mix(terms.along_x[0], terms.along_x[1], terms.ty),
+                           mix(terms.along_x[2], terms.along_x[3], terms.ty), terms.tz),
+                       hn::Set(f, field.quantum_m));
+  }
+  if (hn::AllTrue(f, terms.stored)) return distance;
+
+  // The brick's centre, less the way from there.
+  const F centre = hn::BitCast(f, gather(field.centre_m, brick));
+  const auto from_middle = [](F coordinate, I b) {
+    const I middle = hn::Add(hn::ShiftLeft<3>(b), hn::Set(n, kBrickCells / 2));
+    return hn::Sub(coordinate, hn::ConvertTo(f, middle));
+  };
+  const F way = hn::Mul(length(from_middle(q.x, bx), from_middle(q.y, by), from_middle(q.z, bz)),
+                        hn::Set(f, field.voxel_m));
+  const F least = hn::Max(hn::Sub(hn::Abs(centre), way), hn::Set(f, field.band_m));
+  const F coarse = hn::CopySign(least, centre);
+  return hn::IfThenElse(
+      terms.stored, distance,
+      hn::IfThenElse(in_grid, coarse, hn::AllTrue(f, in_grid) ? zero : distance_to_bounds(field, p)));
+}
+
+// The interpolant's gradient, made unit. Answers where there is one.
+HWY_INLINE M unit_gradient(const FieldView& field, const Terms& terms, F& nx, F& ny, F& nz) {
+  const auto slope = [&](int i) { return hn::Sub(terms.high[i], terms.low[i]); };
+  const F* v = terms.along_x;
+  const F gx = mix(mix(slope(0), slope(1), terms.ty), mix(slope(2), slope(3), terms.ty), terms.tz);
+  const F gy = mix(hn::Sub(v[1], v[0]), hn::Sub(v[3], v[2]), terms.tz);
+  const F gz = hn::Sub(mix(v[2], v[3], terms.ty), mix(v[0], v[1], terms.ty));
+  constexpr float kFlat = 1e-3f;  // of the gradient that a distance has
+  const F size = length(gx, gy, gz);
+  const M steep = hn::And(terms.stored, hn::Gt(size, hn::Set(f, kFlat * field.voxel_m / field.quantum_m)));
+  const F divisor = hn::IfThenElse(steep, size, hn::Set(f, 1.0f));
+  nx = hn::Div(gx, divisor);
+  ny = hn::Div(gy, divisor);
+  nz = hn::Div(gz, divisor);
+  return steep;
+}
+
+}  // namespace fulcrum::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

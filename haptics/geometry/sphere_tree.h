@@ -1,0 +1,31 @@
+#pragma once
+// A pointshell as spheres within spheres: node i of a level bounds points 16^k i to 16^k (i + 1) - 1, so that
+// the tree needs no pointers. Single precision and sixteen to a block, as SIMD reads them.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "haptics/geometry/pointshell.h"
+
+namespace fulcrum {
+
+inline constexpr std::size_t kBlock = 16;
+
+struct SphereTree {
+  struct alignas(64) Points {
+    std::array<float, kBlock> x, y, z;  // p_T m; NaN past the last point
+  };
+  struct alignas(64) Spheres {
+    std::array<float, kBlock> x, y, z;  // p_T m, centres; NaN past the last node
+    std::array<float, kBlock> radius;   // m, no point of the node is farther from the centre
+  };
+  std::vector<Points> patches;               // (n / 16) of the points
+  std::vector<std::vector<Spheres>> levels;  // the first bounds patches, the last is one block
+
+  std::size_t bytes() const;
+};
+
+SphereTree build_sphere_tree(const Pointshell& shell_T);
+
+}  // namespace fulcrum

@@ -1,0 +1,199 @@
+// Every SIMD target against the same sums written out, bit for bit.
+
+#include "haptics/contact/shell_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "haptics/contact/query.h"
+#include "hwy/targets.h"
+#include "tests/haptics/bake/shapes.h"
+#include "tests/haptics/contact/walk_reference.h"
+#include "tests/haptics/scenes.h"
+
+namespace fulcrum {
+namespace {
+
+// Restores the processor's own choice.
+class Targets : public testing::Test {
+protected:
+  void TearDown() override {
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+  static std::vector<std::int64_t> all() {
+    hwy::SetSupportedTargetsForTest(0);
+    std::vector<std::int64_t> targets;
+    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1)
+      targets.push_back(left & -left);
+    return targets;
+  }
+  // Whether the program holds code for it: else the name would be that of another.
+  static bool take(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(target);
+    return std::string_view(simd_target()) == hwy::TargetName(target);
+  }
+};
+
+DistanceField torus_field(FieldFormat format) {
+  TriangleMesh mesh = shapes::torus(0.03, 0.01, 48, 24);
+  shapes::append(mesh, shapes::box(Vec3(-0.05, -0.02, -0.02), Vec3(0.05, 0.024, 0.024)));
+  const Solid solid = test::expect(build_solid(mesh));
+  return test::expect(bake_field(solid, {.voxel_m = 1e-3, .band_m = 2e-3, .format = format, .threads = 1}));
+}
+
+std::vector<Vec3> random_points(std::size_t n) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> coordinate(-0.03, 0.03);
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < n; ++i)
+    points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+  return points;
+}
+
+ShellWalk walk_of(const SphereTree& tree, const DistanceField& field, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const Mat3 turn =
+      Quat(normal(random), normal(random), normal(random), normal(random)).normalized().toRotationMatrix() /
+      field.voxel_m();
+  const Vec3 shift =
+      (0.03 * Vec3(normal(random), normal(random), normal(random)) - field.data().origin) / field.voxel_m();
+  ShellWalk walk{};
+  walk.tree = &tree;
+  walk.field = view_of(field);
+  for (int i = 0; i < 9; ++i) walk.turn[static_cast<std::size_t>(i)] = static_cast<float>(turn(i / 3, i % 3));
+  for (int i = 0; i < 3; ++i) walk.shift[static_cast<std::size_t>(i)] = static_cast<float>(shift[i]);
+  walk.slack = static_cast<float>(3 * field.error_bound_m());
+  walk.normals = true;
+  return walk;
+}
+
+// By point; what was not found stays as it is.
+std::vector<test::Looked> walked(ShellWalk walk) {
+  struct Found {
+    std::vector<test::Looked> points;
+    std::uint32_t next = 0;
+    bool in_order = true;
+  } found;
+  found.points.resize(walk.tree->patches.size() * kBlock);
+  walk.taker = &found;
+  walk.found = [](void* to, const PatchHit& hit) noexcept {
+    Found& into = *static_cast<Found*>(to);
+    into.in_order = into.in_order && hit.first >= into.next;
+    into.next = hit.first + 1;
+    for (std::uint32_t lane = 0; lane < kBlock; ++lane) {
+      if ((hit.touching >> lane & 1u) == 0) continue;
+      test::Looked& point = into.points[hit.first + lane];
+      point.distance = hit.distance[lane];
+      point.touching = true;
+      point.guessed = (hit.guessed >> lane & 1u) != 0;
+      if (!point.guessed) point.n = {hit.nx[lane], hit.ny[lane], hit.nz[lane]};
+    }
+  };
+  walk_shell(walk);
+  EXPECT_TRUE(found.in_order);
+  return found.points;
+}
+
+std::vector<test::Looked> expected(const ShellWalk& walk) {
+  std::vector<test::Looked> points;
+  for (const SphereTree::Points& patch : walk.tree->patches) {
+    for (std::size_t lane = 0; lane < kBlock; ++lane) {
+      const test::Looked point = test::look_up(walk, patch.x[lane], patch.y[lane], patch.z[lane]);
+      points.push_back(point.touching ? point : test::Looked{});
+    }
+  }
+  return points;
+}
+
+TEST_F(Targets, GiveTheBitsOfTheSumsWrittenOut) {
+  const auto shell = test::shell_of(random_points(5000));
+  const SphereTree tree = build_sphere_tree(*shell);
+  for (const FieldFormat format : {FieldFormat::int16, FieldFormat::float32}) {
+    const DistanceField field = torus_field(format);
+    int tried = 0;
+    for (const std::int64_t target : all()) {
+      if (!take(target)) continue;
+      ++tried;
+      std::mt19937_64 random(5);
+      std::size_t touching = 0, guessed = 0;
+      for (int pose = 0; pose < 60; ++pose) {
+        ShellWalk walk = walk_of(tree, field, random);
+        walk.margin = pose % 3 == 0 ? 1e-3f : 0.0f;
+        const std::vector<test::Looked> want = expected(walk);
+        ASSERT_TRUE(walked(walk) == want) << hwy::TargetName(target) << ", pose " << pose;
+        for (const test::Looked& point : want) {
+          touching += point.touching ? 1 : 0;
+          guessed += point.guessed ? 1 : 0;
+        }
+      }
+      EXPECT_GT(touching, 1000u);
+      EXPECT_GT(guessed, 10u);
+    }
+    EXPECT_GE(tried, 2) << "nothing was compared: this processor has one target alone";
+  }
+}
+
+// Numbers no tool has: the walk reads nothing out of bounds and finds nothing it should not.
+TEST_F(Targets, AreSafeWithWhatIsNotANumber) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinity = std::numeric_limits<float>::infinity();
+  const float tiny = std::numeric_limits<float>::denorm_min();
+  const DistanceField field = torus_field(FieldFormat::int16);
+  SphereTree tree = build_sphere_tree(*test::shell_of(random_points(48)));
+  const std::vector<float> odd{nan, infinity, -infinity, 1e38f, -1e38f, 1e9f, tiny, -tiny, 0.0f, -0.0f};
+  for (std::size_t i = 0; i < 48; ++i) {
+    SphereTree::Points& patch = tree.patches[i / kBlock];
+    patch.x[i % kBlock] = odd[i % odd.size()];
+    if (i % 2 == 1) patch.y[i % kBlock] = odd[(i / 2) % odd.size()];
+    if (i % 3 == 1) patch.z[i % kBlock] = odd[(i / 3) % odd.size()];
+  }
+  SphereTree::Spheres& spheres = tree.levels.at(0).at(0);
+  spheres.radius = {infinity, infinity, infinity};  // all are looked at
+  std::mt19937_64 random(6);
+  for (const std::int64_t target : all()) {
+    if (!take(target)) continue;
+    for (int pose = 0; pose < 20; ++pose) {
+      ShellWalk walk = walk_of(tree, field, random);
+      walk.margin = 0.02f;
+      spheres.x[0] = spheres.x[1] = spheres.x[2] = 0.0f;
+      if (pose % 4 == 1) walk.shift[1] = odd[static_cast<std::size_t>(pose) / 4];
+      if (pose % 4 == 2) walk.turn[4] = odd[static_cast<std::size_t>(pose) / 4];
+      for (std::size_t i = 0; i < tree.patches.size() * kBlock; ++i) {
+        const SphereTree::Points& patch = tree.patches[i / kBlock];
+        const test::Looked point =
+            test::look_up(walk, patch.x[i % kBlock], patch.y[i % kBlock], patch.z[i % kBlock]);
+        ASSERT_FALSE(std::isnan(point.distance));
+      }
+      if (pose % 4 == 0 || pose % 4 == 3) {
+        ASSERT_TRUE(walked(walk) == expected(walk)) << hwy::TargetName(target) << ", pose " << pose;
+      } else {
+        walked(walk);
+      }
+    }
+  }
+}
+
+TEST(ContactQuery, APoseThatIsNotANumberTouchesNothing) {
+  ContactQuery query(test::shell_of(random_points(500)), test::floor_field());
+  ContactSet set;
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300}) {
+    Pose X_WT;
+    X_WT.p = Vec3(0, bad, 0);
+    query.run(X_WT, set);
+    EXPECT_TRUE(set.contacts().empty()) << bad;
+    X_WT = {};
+    X_WT.q.x() = bad;
+    query.run(X_WT, set);
+    EXPECT_TRUE(set.contacts().empty()) << bad;
+  }
+  query.run({Quat::Identity(), Vec3(0, 0, 0)}, set);
+  EXPECT_FALSE(set.contacts().empty());
+}
+
+}  // namespace
+}  // namespace fulcrum
