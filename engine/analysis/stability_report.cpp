@@ -138,7 +138,8 @@ void say_rest(report::Page& page, const StabilityStudy& study) {
       "in "
       "this figure, eats more than the wall makes, and at 1100 N/m no longer. A wall with a damper of its "
       "own "
-      "takes energy from this swing even where it is not passive: what it gives, it gives at far higher "
+      "makes next to nothing in this swing even where it is not passive: what it gives, it gives at far "
+      "higher "
       "frequencies, where a loose handle or a tense hand may find it.");
 
   page.heading("Friction and encoder counts");
