@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "haptics/contact/query.h"
 #include "haptics/loop/run_tick.h"
+#include "haptics/motion/build_motion.h"
+#include "haptics/tool/virtual_coupling.h"
 
 namespace fulcrum::app {
 namespace {
@@ -40,11 +43,13 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
       static_cast<std::size_t>(std::min(kStretch, prepared.scenario.time_limit) / scene.tick_s);
   const std::size_t every = std::max<std::size_t>(1, ticks / kSamplesWanted);
   std::vector<Moment> moments;
+  std::vector<Pose> way;  // X_WH of every tick
   double whole_us = 0;
   for (std::size_t i = 0; i < ticks; ++i) {
     TickEvent event;
     run_tick(*world, **device, {}, event);
     whole_us += static_cast<double>(event.cpu_ns) * 1e-3 / static_cast<double>(ticks);
+    way.push_back(event.record.X_WH);
     if (i % every == 0)
       moments.push_back({{event.record.X_WT, event.record.V_WT},
                          event.sample,
@@ -54,8 +59,6 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
 
   const RigidBody body(scene.tool.mass, scene.tool.inertia_T);
   ContactQuery query(scene.tool_shell, scene.scene_field);
-  PenaltyResponse response(scene.contact, body, scene.tick_s, scene.integrator);
-  RegionTracker regions(scene.contact.region_radius);
   VirtualCoupling coupling(scene.coupling, body);
   VelocityEstimator velocity(scene.velocity, scene.tick_s);
   const DeviceArm arm(scene.device);
@@ -66,20 +69,25 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
   std::map<std::string, double> us;
   us["tick"] = whole_us;
   us["query"] = mean_us(moments, [&](const Moment& m) { query.run(m.tool.X_WT, set); });
-  us["response"] = mean_us(moments,
-                           [&](const Moment& m) {
-                             query.run(m.tool.X_WT, set);
-                             unused += response.push(set, m.tool).F_T_W.force.x();
-                             regions.update(set, response.forces(), m.tool);
-                           }) -
-                   us["query"];
   us["coupling"] = mean_us(moments, [&](const Moment& m) {
     unused += coupling.pull(m.X_WH * scene.tool.X_HT, {}, m.tool).force.x();
   });
-  us["integrator"] = mean_us(moments, [&](const Moment& m) {
-    const Twist V = body.accelerate(m.tool, m.coupling_F_T_W, scene.tick_s);
-    unused += RigidBody::advance(m.tool.X_WT, V, scene.tick_s).p.x();
-  });
+  // The response is what is left of a tick of the tool's motion, over the whole stretch.
+  const std::unique_ptr<ToolMotion> motion = build_motion(scene);
+  const std::int64_t before = thread_cpu_ns();
+  for (const Pose& X_WH : way) {
+    std::uint32_t faults = 0;
+    unused += motion->advance(X_WH * scene.tool.X_HT, {}, faults).contact_F_T_W.force.x();
+  }
+  us["response"] = static_cast<double>(thread_cpu_ns() - before) * 1e-3 / static_cast<double>(way.size()) -
+                   us["query"] - us["coupling"];
+  if (scene.contact.response == ContactResponse::penalty) {
+    us["integrator"] = mean_us(moments, [&](const Moment& m) {
+      const Twist V = body.accelerate(m.tool, m.coupling_F_T_W, scene.tick_s);
+      unused += RigidBody::advance(m.tool.X_WT, V, scene.tick_s).p.x();
+    });
+    us["response"] -= us["integrator"];
+  }
   us["estimator"] = mean_us(moments, [&](const Moment& m) { unused += velocity.update(m.X_WH).v.x(); });
   us["allocation"] = mean_us(
       moments, [&](const Moment& m) { unused += allocate(arm, m.sample.X_DH, m.coupling_F_T_W).load[0]; });

@@ -5,8 +5,8 @@ namespace fulcrum::scenario {
 namespace {
 
 // Each in the order of its enumeration.
-constexpr std::array<std::string_view, 1> kResponses{"penalty"};
-constexpr std::array<std::string_view, 2> kIntegrators{"semi_implicit_euler", "implicit_euler"};
+constexpr std::array<std::string_view, 3> kResponses{"penalty", "static", "constraint"};
+constexpr std::array<std::string_view, 3> kIntegrators{"semi_implicit_euler", "implicit_euler", "momentum"};
 constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "serial_arm"};
 
 void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {

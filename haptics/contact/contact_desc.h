@@ -3,11 +3,15 @@
 
 namespace fulcrum {
 
-enum class ContactResponse { penalty };
+enum class ContactResponse {
+  penalty,       // springs against a tool with mass
+  quasi_static,  // springs against a tool without: "static" in a scenario
+  constraint     // the tool stays out, as near to the hand as it can
+};
 
 struct ContactDesc {
-  ContactResponse response = ContactResponse::penalty;
-  double stiffness = 20000;      // N/m, per contact region
+  ContactResponse response = ContactResponse::constraint;
+  double stiffness = 20000;      // N/m, per contact region; a constraint has none
   double dissipation = 20;       // s/m, Hunt-Crossley: force k d (1 + dissipation * approach speed)
   double region_radius = 0.012;  // m, touching points nearer than this with like normals are one region
 };

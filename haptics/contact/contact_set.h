@@ -1,5 +1,5 @@
 #pragma once
-// The shell points that touch the scene in one tick, in storage that is sized once.
+// The shell points that touch the scene in one tick, or are about to, in storage that is sized once.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ struct Contact {
   std::uint32_t point = 0;     // index in the shell
   Vec3 p_W = Vec3::Zero();     // (3) m
   Vec3 nhat_W = Vec3::Zero();  // (3) unit, out of the scene: the direction in which the tool is pushed
-  double depth = 0;            // m, > 0
+  double depth = 0;            // m, > 0 inside the scene, < 0 outside
   double area = 0;             // m^2 of tool surface
 };
 
@@ -25,7 +25,7 @@ struct Contact {
 struct ContactRegion {
   std::uint32_t id = 0;
   std::int64_t age_ticks = 0;   // 0 in the tick in which it appears
-  Vec3 p_W = Vec3::Zero();      // (3) m, centre weighted by overlap volume
+  Vec3 p_W = Vec3::Zero();      // (3) m, centre of pressure
   Vec3 nhat_W = Vec3::Zero();   // (3) unit, weighted likewise
   Vec3 force_W = Vec3::Zero();  // (3) N on the tool
   double depth_max = 0;         // m

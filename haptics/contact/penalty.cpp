@@ -6,7 +6,7 @@ namespace fulcrum {
 
 PenaltyResponse::PenaltyResponse(const ContactDesc& desc, const RigidBody& tool, double tick_s,
                                  Integrator integrator)
-    : desc_(desc), tool_(tool), tick_s_(tick_s), capped_(integrator == Integrator::semi_implicit_euler) {}
+    : desc_(desc), tool_(tool), tick_s_(tick_s), capped_(integrator != Integrator::implicit_euler) {}
 
 PenaltyResponse::Answer PenaltyResponse::push(const ContactSet& set, const BodyState& tool) noexcept {
   const std::span<const Contact> contacts = set.contacts();

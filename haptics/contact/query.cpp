@@ -13,11 +13,11 @@ ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell_T,
   for (const Vec3& p_T : shell_->positions) radius_.push_back(p_T.norm());
 }
 
-ContactQuery::Outcome ContactQuery::run(const Pose& X_WT, ContactSet& set) noexcept {
+ContactQuery::Outcome ContactQuery::run(const Pose& X_WT, ContactSet& set, double margin) noexcept {
   set.clear();
   // Far from everything: the whole tool is farther off than it reaches.
   const double clear = field_->distance(X_WT.p) - shell_->max_radius_m - field_->error_bound_m();
-  if (clear > 0) {
+  if (clear > margin) {
     std::fill(distance_.begin(), distance_.end(), clear);
     nearest_ = clear;
     return {};
@@ -30,9 +30,9 @@ ContactQuery::Outcome ContactQuery::run(const Pose& X_WT, ContactSet& set) noexc
     const double distance = field_->distance(p_W);
     distance_[i] = distance;
     nearest_ = std::min(nearest_, distance);
-    if (distance < 0) {
+    if (distance < margin) {
       const FieldSample sample = field_->sample(p_W);
-      outcome.in_band &= sample.in_band;
+      outcome.in_band &= sample.in_band || distance > 0;
       outcome.complete &=
           set.add({static_cast<std::uint32_t>(i), p_W, sample.gradient, -distance, shell_->areas_m2[i]});
     }

@@ -22,8 +22,8 @@ public:
     bool complete = true;  // false: the set was too small and the shallowest contacts were left out
     bool in_band = true;   // false: a point is so deep inside that its normal is a guess
   };
-  // Fills the set for the tool at X_WT.
-  Outcome run(const Pose& X_WT, ContactSet& set) noexcept;
+  // Fills the set for the tool at X_WT with every point that is nearer to the scene than `margin` m.
+  Outcome run(const Pose& X_WT, ContactSet& set, double margin = 0.0) noexcept;
 
   // The largest fraction, 0 to 1, of a motion over which no shell point can enter the scene by more than
   // `allowance` m beyond where it was at the last run(). The field's values are 1-Lipschitz up to its error

@@ -6,6 +6,7 @@ namespace fulcrum {
 namespace {
 
 constexpr std::uint16_t kUnlabelled = 0xffff;
+constexpr double kNothing = 1e-9;  // N, so that points which touch without force have a centre too
 
 bool alike(const Contact& a, const Contact& b, double radius) {
   constexpr double cos_60_degrees = 0.5;
@@ -39,18 +40,17 @@ std::size_t RegionTracker::cluster(std::span<const Contact> contacts) noexcept {
   return labels;
 }
 
-void RegionTracker::update(const ContactSet& set, std::span<const Vec3> forces,
+void RegionTracker::update(std::span<const Contact> contacts, std::span<const Vec3> forces,
                            const BodyState& tool) noexcept {
   std::copy_n(regions_.begin(), count_, before_.begin());
   const std::size_t count_before = count_;
-  const std::span<const Contact> contacts = set.contacts();
   count_ = cluster(contacts);
-  std::array<double, kMaxRegions> volume{};
+  std::array<double, kMaxRegions> pressure{};
   std::fill_n(regions_.begin(), count_, ContactRegion{});
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     ContactRegion& region = regions_[label_[i]];
-    const double weight = contacts[i].area * contacts[i].depth;
-    volume[label_[i]] += weight;
+    const double weight = forces[i].norm() + kNothing;
+    pressure[label_[i]] += weight;
     region.p_W += weight * contacts[i].p_W;
     region.nhat_W += weight * contacts[i].nhat_W;
     region.force_W += forces[i];
@@ -59,7 +59,7 @@ void RegionTracker::update(const ContactSet& set, std::span<const Vec3> forces,
   }
   for (std::size_t r = 0; r < count_; ++r) {
     ContactRegion& region = regions_[r];
-    if (volume[r] > 0) region.p_W /= volume[r];
+    region.p_W /= pressure[r];
     region.nhat_W = region.nhat_W.normalized();  // a zero sum stays zero
     region.approach_speed =
         -region.nhat_W.dot(tool.V_WT.v + tool.V_WT.w.cross(Vec3(region.p_W - tool.X_WT.p)));

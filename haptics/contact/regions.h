@@ -15,8 +15,9 @@ public:
   // region, and a region keeps its id while its centre in the scene moves less than this in a tick.
   explicit RegionTracker(double radius) : radius_(radius) {}
 
-  // forces: (n x 3) N, one for each contact of the set.
-  void update(const ContactSet& set, std::span<const Vec3> forces, const BodyState& tool) noexcept;
+  // forces: (n x 3) N, one for each contact; at most kMaxContacts.
+  void update(std::span<const Contact> contacts, std::span<const Vec3> forces,
+              const BodyState& tool) noexcept;
 
   std::span<const ContactRegion> regions() const { return {regions_.data(), count_}; }
 

@@ -5,8 +5,9 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kWay = 1e-4;   // m of the handle's way, over which a deficit is taken back
-constexpr double kTurn = 2e-3;  // rad, likewise
+constexpr double kIgnored = 1e-6;  // J, what rounding and a single count make: nothing that could be felt
+constexpr double kWay = 1e-4;      // m of the handle's way, over which a deficit is taken back
+constexpr double kTurn = 2e-3;     // rad, likewise
 constexpr double kDampingShare = 0.1;
 
 Vec3 against(const Vec3& v, double most, double damping) {
@@ -26,6 +27,7 @@ PassivityControl::PassivityControl(const DeviceDesc& device, double tick_s)
 
 Wrench PassivityControl::resist(double deficit, const Vec6& per_tick) const noexcept {
   Wrench F_H_D;
+  deficit -= kIgnored;
   if (!(deficit > 0)) return F_H_D;
   const Vec6 V = per_tick / tick_s_;
   if (force_) F_H_D.force = against(V.head<3>(), deficit / kWay, damping_);

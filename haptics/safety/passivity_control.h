@@ -3,7 +3,8 @@
 // renders, for as long as the energy ledger tells of a deficit. After Hannaford and Ryu (2002), whose
 // controller takes the whole deficit back within a tick; here it is spread over a stretch of the hand's way,
 // because a handle whose encoder counts in steps stands still in most ticks:
-//     F = -min(deficit / way, b |v|) v / |v|,    b a tenth of what would stop the handle within a tick.
+//     F = -min((deficit - 1 uJ) / way, b |v|) v / |v|,    b a tenth of what would stop the handle within a
+//     tick.
 // The deficit thus settles where what is made per metre equals deficit / way.
 
 #include "haptics/device/device.h"

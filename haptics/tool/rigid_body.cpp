@@ -56,6 +56,19 @@ Twist RigidBody::accelerate(const BodyState& state, const Wrench& F_T_W, const L
   return {V.head<3>(), V.tail<3>()};
 }
 
+RigidBody::Move RigidBody::accelerate_keeping_momentum(const BodyState& state, const Wrench& F_T_W,
+                                                       double tick_s) const noexcept {
+  const Vec3 momentum = inertia_W(state.X_WT.q) * state.V_WT.w + tick_s * F_T_W.torque;
+  const Mat3 inverse_inertia = inverse_inertia_W(state.X_WT.q);
+  const Vec3 w = inverse_inertia * momentum;
+  Move move;
+  move.during.v = state.V_WT.v + tick_s / mass_ * F_T_W.force;
+  move.during.w = w - 0.5 * tick_s * (inverse_inertia * w.cross(momentum));
+  move.after.v = move.during.v;
+  move.after.w = inverse_inertia_W(quaternion_exp(tick_s * move.during.w) * state.X_WT.q) * momentum;
+  return move;
+}
+
 Pose RigidBody::advance(const Pose& X_WT, const Twist& V_WT, double tick_s) noexcept {
   Pose after;
   after.p = X_WT.p + tick_s * V_WT.v;

@@ -23,6 +23,12 @@ struct ToolDesc {
   bool weight = true;                 // gravity acts on the tool, and the hand feels it
 };
 
+// N
+inline double tool_weight(const ToolDesc& tool) {
+  constexpr double gravity = 9.80665;  // m/s^2
+  return tool.weight ? gravity * tool.mass : 0.0;
+}
+
 struct SceneDesc {
   double tick_s = 1e-3;
   ToolDesc tool;

@@ -13,6 +13,9 @@ namespace {
 // Of m / T^2. The coupling's part of what the tick can hold; the contact's comes on top (contact/penalty.h).
 constexpr double kCouplingShare = 0.25;
 
+// Of the coupling's largest force: what the weight may take of it where the tool has no inertia.
+constexpr double kLargestSag = 0.9;
+
 Error refuse_gain(const char* key, double given, const char* unit, double largest, double tick_s) {
   return {std::string(key) + " is " + number_text(given) + " " + unit + ", and with this tool a tick of " +
           number_text(tick_s * 1e3) + " ms can hold at most " + number_text(largest) +
@@ -61,6 +64,11 @@ Result<World> World::build(SceneDesc desc) {
       (!any_gain && desc.coupling.angular_stiffness > largest_kr))
     return refuse_gain("coupling.angular_stiffness", desc.coupling.angular_stiffness, "N m/rad", largest_kr,
                        desc.tick_s);
+  if (desc.contact.response != ContactResponse::penalty &&
+      tool_weight(tool) > kLargestSag * desc.coupling.max_force)
+    return Error{"The tool weighs " + number_text(tool_weight(tool)) + " N, which a coupling of at most " +
+                 number_text(desc.coupling.max_force) +
+                 " N cannot carry: raise coupling.max_force or set tool.weight to false."};
   if (desc.velocity.window < 1 || desc.velocity.window > 1000 || !positive(desc.velocity.cutoff_Hz))
     return Error{"The velocity estimator's window must be 1 to 1000 ticks and its cutoff_Hz positive."};
   return World(std::move(desc));
@@ -71,7 +79,7 @@ std::vector<BuiltPart> World::parts() const {
   const DistanceField& field = *desc_.scene_field;
   const std::size_t shell_bytes = shell.size() * (2 * sizeof(Vec3) + sizeof(double));
   const char* estimators[] = {"difference", "low_pass", "adaptive_window"};
-  return {
+  std::vector<BuiltPart> parts{
       {"field",
        "distance field, float in sparse bricks, voxel " + number_text(field.voxel_m() * 1e3) +
            " mm, error at most " + number_text(field.error_bound_m() * 1e3) + " mm, thinnest wall " +
@@ -81,21 +89,12 @@ std::vector<BuiltPart> World::parts() const {
        std::to_string(shell.size()) + " points, no surface farther than " +
            number_text(shell.covering_radius_m * 1e3) + " mm from one",
        shell_bytes},
-      {"query", "every point against the field, culled by the tool's reach", query_.bytes()},
-      {"response",
-       "penalty, " + number_text(desc_.contact.stiffness) + " N/m per region, at most " +
-           std::to_string(kMaxContacts) + " points in " + std::to_string(kMaxRegions) + " regions",
-       sizeof(PenaltyResponse) + sizeof(RegionTracker) + kMaxContacts * sizeof(Contact)},
       {"coupling",
        number_text(desc_.coupling.stiffness) + " N/m, " + number_text(desc_.coupling.angular_stiffness) +
            " N m/rad; the device renders " +
            number_text(desc_.coupling.stiffness * desc_.mapping.position_scale * desc_.mapping.force_scale) +
            " N/m",
        sizeof(VirtualCoupling)},
-      {"integrator",
-       std::string(desc_.integrator == Integrator::implicit_euler ? "implicit" : "semi-implicit") +
-           " Euler, order 1, tick " + number_text(desc_.tick_s * 1e3) + " ms",
-       sizeof(BodyState)},
       {"estimator",
        std::string("velocity by ") + estimators[static_cast<int>(desc_.velocity.kind)] + ", delay " +
            number_text(velocity_.delay() * 1e3) + " ms",
@@ -104,6 +103,9 @@ std::vector<BuiltPart> World::parts() const {
       {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control: always built",
        sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl)},
   };
+  const std::vector<BuiltPart> motion = motion_->parts();
+  parts.insert(parts.begin() + 2, motion.begin(), motion.end());
+  return parts;
 }
 
 }  // namespace fulcrum

@@ -69,6 +69,7 @@ inline SceneDesc floor_scene(const std::vector<Vec3>& shell_points, double heigh
   desc.tool_shell = shell_of(shell_points);
   desc.scene_field = floor_field();
   desc.velocity.kind = VelocityEstimatorKind::difference;
+  desc.contact.response = ContactResponse::penalty;
   return desc;
 }
 

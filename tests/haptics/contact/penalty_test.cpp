@@ -91,7 +91,7 @@ TEST(Regions, KeepTheirIdentityWhileTouched) {
     ContactSet set;  // two places that wander, told in changing order
     add_patch(set, (tick % 2 ? 1 : -1) * 0.03 + 1e-4 * tick, 2e-3, 2);
     add_patch(set, (tick % 2 ? -1 : 1) * 0.03 + 1e-4 * tick, 2e-3, 2);
-    tracker.update(set, forces, {});
+    tracker.update(set.contacts(), forces, {});
     ASSERT_EQ(tracker.regions().size(), 2u);
     for (const ContactRegion& region : tracker.regions()) {
       std::uint32_t& id = region.p_W.x() < 0 ? left : right;
@@ -100,10 +100,10 @@ TEST(Regions, KeepTheirIdentityWhileTouched) {
       EXPECT_EQ(region.age_ticks, tick);
     }
   }
-  tracker.update(ContactSet(), {}, {});
+  tracker.update({}, {}, {});
   ContactSet again;
   add_patch(again, 0.03, 2e-3, 2);
-  tracker.update(again, forces, {});
+  tracker.update(again.contacts(), forces, {});
   EXPECT_NE(tracker.regions()[0].id, right) << "a new touch is a new region";
 }
 

@@ -76,5 +76,39 @@ TEST(RigidBody, TumblingBodyKeepsItsMomentum) {
   EXPECT_NEAR(std::log2(drift(1e-3) / drift(5e-4)), 1.0, 0.1);
 }
 
+BodyState spun(const Vec3& inertia, const Vec3& w, double seconds, double tick) {
+  Mat3 I = Mat3::Zero();
+  I.diagonal() = inertia;
+  const RigidBody body(1, I);
+  BodyState state;
+  state.V_WT.w = w;
+  for (int i = 0; i < std::lround(seconds / tick); ++i) {
+    const RigidBody::Move move = body.accelerate_keeping_momentum(state, {}, tick);
+    state.X_WT = RigidBody::advance(state.X_WT, move.during, tick);
+    state.V_WT = move.after;
+  }
+  return state;
+}
+
+// Symmetric top I = (1, 1, 2), w = (.5, 0, 1): the pose after 10 s in closed form.
+TEST(RigidBody, MomentumIntegratorIsOfOrderTwoInRotation) {
+  const Quat truth(0.53869788, -0.05315610, 0.17969498, -0.82139439);
+  const auto error = [&](double tick) {
+    return rotation_vector(spun({1, 1, 2}, {0.5, 0, 1}, 10, tick).X_WT.q * truth.conjugate()).norm();
+  };
+  EXPECT_LT(error(1e-3), 1e-5);
+  EXPECT_NEAR(std::log2(error(2e-2) / error(1e-2)), 2.0, 0.1);
+}
+
+// The middle axis: w2 of I = (1, 2, 3), w = (.01, 1, .01) first crosses zero at 10.91691349 s, body axes.
+TEST(RigidBody, MomentumIntegratorFlipsATumblingBodyInTime) {
+  const auto middle = [&](double seconds) {
+    const BodyState state = spun({1, 2, 3}, {0.01, 1, 0.01}, seconds, 1e-3);
+    return (state.X_WT.q.conjugate() * state.V_WT.w).y();
+  };
+  EXPECT_GT(middle(10.90), 0);
+  EXPECT_LT(middle(10.93), 0);
+}
+
 }  // namespace
 }  // namespace fulcrum

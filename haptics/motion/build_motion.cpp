@@ -1,0 +1,21 @@
+#include "haptics/motion/build_motion.h"
+
+#include "haptics/motion/constrained_motion.h"
+#include "haptics/motion/dynamic_motion.h"
+#include "haptics/motion/static_motion.h"
+
+namespace fulcrum {
+
+std::unique_ptr<ToolMotion> build_motion(const SceneDesc& desc) {
+  switch (desc.contact.response) {
+    case ContactResponse::penalty:
+      break;
+    case ContactResponse::quasi_static:
+      return std::make_unique<StaticMotion>(desc);
+    case ContactResponse::constraint:
+      return std::make_unique<ConstrainedMotion>(desc);
+  }
+  return std::make_unique<DynamicMotion>(desc);
+}
+
+}  // namespace fulcrum

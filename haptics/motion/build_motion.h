@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "haptics/motion/tool_motion.h"
+#include "haptics/world/scene_desc.h"
+
+namespace fulcrum {
+
+// The one that desc.contact.response names; desc is one that World::build() takes.
+std::unique_ptr<ToolMotion> build_motion(const SceneDesc& desc);
+
+}  // namespace fulcrum

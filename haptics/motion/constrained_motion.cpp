@@ -1,0 +1,126 @@
+#include "haptics/motion/constrained_motion.h"
+
+#include <algorithm>
+
+#include "haptics/math/number_text.h"
+#include "haptics/motion/motion_limit.h"
+#include "haptics/safety/faults.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr int kRounds = 6;           // at most, in a tick
+constexpr double kSettled = 1e-6;    // m, a round that moves no point farther ends the tick
+constexpr double kTouching = 50e-6;  // m, a point nearer than this belongs to a region
+// Over the coupling's stiffness: conflicting rows share their depth at forces that are never felt, and
+// compatible ones give way by a ten thousandth of the coupling's own offset.
+constexpr double kSlackStiffness = 1e4;
+
+Vec6 metric(const CouplingDesc& coupling) {
+  Vec6 m;
+  m.head<3>().setConstant(coupling.stiffness);
+  m.tail<3>().setConstant(coupling.angular_stiffness);
+  return m;
+}
+
+}  // namespace
+
+ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
+    : tool_(desc),
+      query_(desc.tool_shell, desc.scene_field),
+      regions_(desc.contact.region_radius),
+      qp_(metric(desc.coupling), kSlackStiffness * desc.coupling.stiffness),
+      allowance_(motion_allowance(*desc.scene_field)),
+      reach_(std::min(2 * allowance_, desc.scene_field->band_m())),
+      tool_radius_(std::max(desc.tool_shell->max_radius_m, kSettled)) {}
+
+ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
+  if (!looked_) look();
+  looked_ = true;
+  bool limited = false, settled = false;
+  for (int round = 0; round < kRounds && !settled; ++round) {
+    const Vec6 step = solve(X_WG);
+    const double travel = step.head<3>().norm(), turn = step.tail<3>().norm();
+    const double reach = travel + turn * tool_radius_;
+    settled = reach < kSettled;
+    if (settled) break;
+    const double fraction = std::min(query_.safe_fraction(travel, turn, allowance_),
+                                     std::max(reach_ / reach, query_.safe_fraction(travel, turn, 0.0)));
+    limited = fraction < 1.0;
+    if (!tool_.move(step * std::min(fraction, 1.0))) {
+      faults |= kNotFinite;
+      break;
+    }
+    look();
+  }
+  if (!settled) solve(X_WG);  // for the forces at the pose that was reached
+  if (limited) faults |= kMotionLimited;
+  if (!outcome_.complete) faults |= kContactsReduced;
+  if (!outcome_.in_band) faults |= kToolInside;
+
+  ToolAnswer answer;
+  answer.X_WT = tool_.state().X_WT;
+  answer.coupling_F_T_W = tool_.settle(X_WG, V_WG);
+  answer.contact_F_T_W = share_force(answer.coupling_F_T_W);
+  return answer;
+}
+
+void ConstrainedMotion::look() noexcept {
+  outcome_ = query_.run(tool_.state().X_WT, contacts_, reach_);
+}
+
+Vec6 ConstrainedMotion::solve(const Pose& X_WG) noexcept {
+  const std::span<const Contact> contacts = contacts_.contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    rows_[i].a << contacts[i].nhat_W, Vec3(contacts[i].p_W - tool_.state().X_WT.p).cross(contacts[i].nhat_W);
+    rows_[i].b = contacts[i].depth;
+  }
+  return qp_
+      .solve(tool_.to_goal(X_WG), {rows_.data(), contacts.size()}, {multipliers_.data(), contacts.size()})
+      .x;
+}
+
+// The tool has no mass: what the coupling and the weight leave over, the scene gives. The rows' forces tell
+// how it is shared out; where the coupling's spring saturates they are larger than what is felt.
+Wrench ConstrainedMotion::share_force(const Wrench& coupling_F_T_W) noexcept {
+  const std::span<const Contact> contacts = contacts_.contacts();
+  Wrench rows_F_T_W;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    rows_F_T_W.force += multipliers_[i] * rows_[i].a.head<3>();
+    rows_F_T_W.torque += multipliers_[i] * rows_[i].a.tail<3>();
+  }
+  Wrench contact_F_T_W;
+  if (!rows_F_T_W.is_zero()) {
+    contact_F_T_W = -coupling_F_T_W;
+    contact_F_T_W.force.y() += tool_.weight();
+  }
+  // By least squares over the whole wrench: a pure couple has no force to compare. Torque counts by the force
+  // that it takes at the tool's reach.
+  const double arm = 1.0 / (tool_radius_ * tool_radius_);
+  const auto product = [arm](const Wrench& a, const Wrench& b) {
+    return a.force.dot(b.force) + arm * a.torque.dot(b.torque);
+  };
+  const double by_rows = product(rows_F_T_W, rows_F_T_W);
+  const double felt = by_rows > 0 ? std::max(0.0, product(contact_F_T_W, rows_F_T_W) / by_rows) : 0.0;
+  touching_count_ = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (multipliers_[i] == 0.0 && contacts[i].depth < -kTouching) continue;
+    touching_[touching_count_] = contacts[i];
+    forces_[touching_count_++] = contacts[i].nhat_W * (felt * multipliers_[i]);
+  }
+  regions_.update({touching_.data(), touching_count_}, {forces_.data(), touching_count_}, tool_.state());
+  return contact_F_T_W;
+}
+
+std::vector<BuiltPart> ConstrainedMotion::parts() const {
+  return {
+      {"query", "every point against the field, culled by the tool's reach", query_.bytes()},
+      {"response",
+       "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kRounds) +
+           " rounds of " + std::to_string(kMaxContacts) + " rows a tick, points within " +
+           number_text(reach_ * 1e3) + " mm",
+       sizeof(ConstrainedMotion)},
+  };
+}
+
+}  // namespace fulcrum

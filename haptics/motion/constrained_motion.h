@@ -1,0 +1,54 @@
+#pragma once
+// A tool without mass that never goes in: of all poses that keep every shell point out, the one nearest to
+// where the hand wants it, in the coupling's metric. C. B. Zilles, J. K. Salisbury, "A constraint-based
+// god-object method for haptic display", IROS 1995; in six axes M. Ortega, S. Redon, S. Coquillart, "A six
+// degree-of-freedom god-object method for haptic display of rigid bodies with surface properties", IEEE TVCG
+// 13(3), 2007.
+//
+// A tick is a few rounds of: linearise what is near, solve the quadratic program, go along its answer as far
+// as no shell point can have passed a wall, look again. Points within kReach of the scene are rows of the
+// program, so that they slide along it; the others bound how far a round may go.
+
+#include "haptics/contact/elastic_qp.h"
+#include "haptics/contact/query.h"
+#include "haptics/contact/regions.h"
+#include "haptics/motion/quasi_static.h"
+#include "haptics/motion/tool_motion.h"
+
+namespace fulcrum {
+
+class ConstrainedMotion final : public ToolMotion {
+public:
+  explicit ConstrainedMotion(const SceneDesc& desc);
+
+  ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
+  const BodyState& tool() const override { return tool_.state(); }
+  std::span<const ContactRegion> regions() const override { return regions_.regions(); }
+  double depth_max() const override { return contacts_.depth_max(); }
+  double stored_energy() const noexcept override { return tool_.coupling().stored(); }
+  std::vector<BuiltPart> parts() const override;
+
+private:
+  void look() noexcept;
+  // The step (6) towards the goal that the rows allow; fills rows_ and multipliers_.
+  Vec6 solve(const Pose& X_WG) noexcept;
+  Wrench share_force(const Wrench& coupling_F_T_W) noexcept;
+
+  QuasiStaticTool tool_;
+  ContactQuery query_;
+  RegionTracker regions_;
+  ElasticQp qp_;
+  double allowance_;  // m, see motion_allowance()
+  double reach_;      // m, points nearer than this are rows
+  double tool_radius_;
+  bool looked_ = false;
+  ContactQuery::Outcome outcome_;
+  ContactSet contacts_;  // nearer than reach_ to the scene, at the tool's pose
+  std::array<QpRow, kMaxContacts> rows_;
+  std::array<double, kMaxContacts> multipliers_{};  // N
+  std::array<Contact, kMaxContacts> touching_;
+  std::array<Vec3, kMaxContacts> forces_;  // (touching x 3) N
+  std::size_t touching_count_ = 0;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,44 @@
+#pragma once
+// A tool with mass between two springs: the coupling to the hand and the penalty of each contact region,
+// moved by a named integrator.
+
+#include "haptics/contact/penalty.h"
+#include "haptics/contact/query.h"
+#include "haptics/contact/regions.h"
+#include "haptics/motion/tool_motion.h"
+#include "haptics/tool/virtual_coupling.h"
+#include "haptics/world/scene_desc.h"
+
+namespace fulcrum {
+
+class DynamicMotion final : public ToolMotion {
+public:
+  explicit DynamicMotion(const SceneDesc& desc);
+
+  ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
+  const BodyState& tool() const override { return tool_; }
+  std::span<const ContactRegion> regions() const override { return regions_.regions(); }
+  double depth_max() const override { return contacts_.depth_max(); }
+  double stored_energy() const noexcept override;
+  std::vector<BuiltPart> parts() const override;
+
+private:
+  Wrench contact_wrench(std::uint32_t& faults) noexcept;
+  RigidBody::Move accelerated(const Wrench& F_T_W) const noexcept;
+  void move(const Wrench& F_T_W, std::uint32_t& faults) noexcept;
+
+  double tick_s_;
+  Integrator integrator_;
+  ContactDesc contact_;
+  RigidBody body_;
+  double weight_;  // N
+  ContactQuery query_;
+  PenaltyResponse response_;
+  RegionTracker regions_;
+  VirtualCoupling coupling_;
+  ContactSet contacts_;
+  BodyState tool_;
+  double motion_allowance_;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,45 @@
+#include "haptics/motion/quasi_static.h"
+
+#include <cmath>
+
+namespace fulcrum {
+
+QuasiStaticTool::QuasiStaticTool(const SceneDesc& desc)
+    : tick_s_(desc.tick_s),
+      body_(desc.tool.mass, desc.tool.inertia_T),
+      coupling_(desc.coupling, body_),
+      velocity_(desc.velocity, desc.tick_s),
+      weight_(tool_weight(desc.tool)),
+      // F_s (1 - exp(-k sag / F_s)) = weight
+      sag_(-desc.coupling.max_force / desc.coupling.stiffness *
+           std::log1p(-weight_ / desc.coupling.max_force)) {
+  state_.X_WT = desc.tool.X_WT_start;
+  state_.X_WT.p.y() -= sag_;
+}
+
+Vec6 QuasiStaticTool::to_hand(const Pose& X_WG) noexcept {
+  turn_ = rotation_vector_near(X_WG.q * state_.X_WT.q.conjugate(), turn_);
+  Vec6 d;
+  d << X_WG.p - state_.X_WT.p, turn_;
+  return d;
+}
+
+Vec6 QuasiStaticTool::to_goal(const Pose& X_WG) noexcept {
+  Vec6 d = to_hand(X_WG);
+  d[1] -= sag_;
+  return d;
+}
+
+bool QuasiStaticTool::move(const Vec6& d) noexcept {
+  const Pose X_WT = RigidBody::advance(state_.X_WT, {d.head<3>(), d.tail<3>()}, 1.0);
+  if (!X_WT.is_finite()) return false;
+  state_.X_WT = X_WT;
+  return true;
+}
+
+Wrench QuasiStaticTool::settle(const Pose& X_WG, const Twist& V_WG) noexcept {
+  state_.V_WT = velocity_.update(state_.X_WT);
+  return coupling_.pull(X_WG, V_WG, state_);
+}
+
+}  // namespace fulcrum

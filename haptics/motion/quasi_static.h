@@ -1,0 +1,41 @@
+#pragma once
+// What the two motions of a tool without mass share: the hand's goal as a small motion, the weight as an
+// offset of the goal, and the tool's velocity as an estimate.
+
+#include "haptics/estimate/velocity.h"
+#include "haptics/math/rotation.h"
+#include "haptics/tool/virtual_coupling.h"
+#include "haptics/world/scene_desc.h"
+
+namespace fulcrum {
+
+class QuasiStaticTool {
+public:
+  explicit QuasiStaticTool(const SceneDesc& desc);
+
+  const BodyState& state() const { return state_; }
+  const VirtualCoupling& coupling() const { return coupling_; }
+  double weight() const { return weight_; }
+
+  // (6) m and rad in W, about T: the motion that takes the tool to where the hand wants it.
+  Vec6 to_hand(const Pose& X_WG) noexcept;
+  // Likewise, to where coupling and weight alone would have it.
+  Vec6 to_goal(const Pose& X_WG) noexcept;
+  // Moves the tool by d (6). False, and nothing is moved: the result is not finite.
+  bool move(const Vec6& d) noexcept;
+  // The tick's last word: the tool's velocity, from its pose as the handle's is from its own, and the wrench
+  // of the coupling on the tool about T.
+  Wrench settle(const Pose& X_WG, const Twist& V_WG) noexcept;
+
+private:
+  double tick_s_;
+  RigidBody body_;
+  VirtualCoupling coupling_;
+  VelocityEstimator velocity_;
+  BodyState state_;
+  double weight_;  // N
+  double sag_;     // m, how far the coupling's spring yields to the weight
+  Vec3 turn_ = Vec3::Zero();
+};
+
+}  // namespace fulcrum

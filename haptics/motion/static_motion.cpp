@@ -1,0 +1,86 @@
+#include "haptics/motion/static_motion.h"
+
+#include <Eigen/Cholesky>
+
+#include "haptics/math/number_text.h"
+#include "haptics/motion/motion_limit.h"
+#include "haptics/safety/faults.h"
+
+namespace fulcrum {
+namespace {
+
+// Nothing moves by itself here, so contact has springs alone.
+ContactDesc springs_alone(ContactDesc contact) {
+  contact.dissipation = 0;
+  return contact;
+}
+
+double secant(const Vec3& force, const Vec3& d, double stiffness) {
+  const double length = d.norm();
+  return length > 0 ? force.norm() / length : stiffness;
+}
+
+BodyState at_rest(const Pose& X_WT) {
+  return {X_WT, {}};
+}
+
+}  // namespace
+
+StaticMotion::StaticMotion(const SceneDesc& desc)
+    : contact_(springs_alone(desc.contact)),
+      coupling_(desc.coupling),
+      tool_(desc),
+      query_(desc.tool_shell, desc.scene_field),
+      response_(contact_, RigidBody(desc.tool.mass, desc.tool.inertia_T), desc.tick_s,
+                Integrator::implicit_euler),
+      regions_(desc.contact.region_radius),
+      allowance_(motion_allowance(*desc.scene_field)) {}
+
+ToolAnswer StaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
+  if (!looked_) outcome_ = query_.run(tool_.state().X_WT, contacts_);
+  looked_ = true;
+  const Vec6 step = newton_step(X_WG);
+  const double fraction = query_.safe_fraction(step.head<3>().norm(), step.tail<3>().norm(), allowance_);
+  if (fraction < 1.0) faults |= kMotionLimited;
+  if (!tool_.move(step * fraction)) faults |= kNotFinite;
+  outcome_ = query_.run(tool_.state().X_WT, contacts_);
+  if (!outcome_.complete) faults |= kContactsReduced;
+  if (!outcome_.in_band) faults |= kToolInside;
+
+  ToolAnswer answer;
+  answer.X_WT = tool_.state().X_WT;
+  answer.contact_F_T_W = response_.push(contacts_, at_rest(answer.X_WT)).F_T_W;
+  answer.coupling_F_T_W = tool_.settle(X_WG, V_WG);
+  regions_.update(contacts_.contacts(), response_.forces(), tool_.state());
+  return answer;
+}
+
+// The coupling's springs saturate; their secants take the tool all the way through free space in one step and
+// converge to the balance from any side.
+Vec6 StaticMotion::newton_step(const Pose& X_WG) noexcept {
+  const BodyState tool = at_rest(tool_.state().X_WT);
+  const Wrench contact = response_.push(contacts_, tool).F_T_W;
+  Linearisation around;
+  response_.linearise(contacts_, tool, around);
+  const Vec6 d = tool_.to_hand(X_WG);
+  const Vec3 pull = saturated_spring(d.head<3>(), coupling_.stiffness, coupling_.max_force);
+  const Vec3 twist = saturated_spring(d.tail<3>(), coupling_.angular_stiffness, coupling_.max_torque);
+  around.K.diagonal().head<3>().array() += secant(pull, d.head<3>(), coupling_.stiffness);
+  around.K.diagonal().tail<3>().array() += secant(twist, d.tail<3>(), coupling_.angular_stiffness);
+  Vec6 force;
+  force << contact.force + pull, contact.torque + twist;
+  force[1] -= tool_.weight();
+  return around.K.ldlt().solve(force);
+}
+
+std::vector<BuiltPart> StaticMotion::parts() const {
+  return {
+      {"query", "every point against the field, culled by the tool's reach", query_.bytes()},
+      {"response",
+       "static: one 6 x 6 balance a tick, " + number_text(contact_.stiffness) + " N/m per region, at most " +
+           std::to_string(kMaxContacts) + " points in " + std::to_string(kMaxRegions) + " regions",
+       sizeof(StaticMotion)},
+  };
+}
+
+}  // namespace fulcrum

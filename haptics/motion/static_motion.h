@@ -1,0 +1,42 @@
+#pragma once
+// A tool without mass between two springs: where the coupling and the penalty of the contact regions balance.
+// Each tick is one step of Newton's method,
+//     (K_c + K_contact) dq = F_c + F_contact + weight,
+// cut so that no shell point can have passed a wall. M. Wan, W. A. McNeely, "Quasi-static approximation for
+// 6 degrees-of-freedom haptic rendering", IEEE Visualization 2003.
+
+#include "haptics/contact/penalty.h"
+#include "haptics/contact/query.h"
+#include "haptics/contact/regions.h"
+#include "haptics/motion/quasi_static.h"
+#include "haptics/motion/tool_motion.h"
+
+namespace fulcrum {
+
+class StaticMotion final : public ToolMotion {
+public:
+  explicit StaticMotion(const SceneDesc& desc);
+
+  ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
+  const BodyState& tool() const override { return tool_.state(); }
+  std::span<const ContactRegion> regions() const override { return regions_.regions(); }
+  double depth_max() const override { return contacts_.depth_max(); }
+  double stored_energy() const noexcept override { return tool_.coupling().stored(); }
+  std::vector<BuiltPart> parts() const override;
+
+private:
+  Vec6 newton_step(const Pose& X_WG) noexcept;
+
+  ContactDesc contact_;
+  CouplingDesc coupling_;
+  QuasiStaticTool tool_;
+  ContactQuery query_;
+  PenaltyResponse response_;
+  RegionTracker regions_;
+  double allowance_;  // m, see motion_allowance()
+  bool looked_ = false;
+  ContactQuery::Outcome outcome_;
+  ContactSet contacts_;
+};
+
+}  // namespace fulcrum

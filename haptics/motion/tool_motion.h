@@ -1,0 +1,46 @@
+#pragma once
+// How a tool answers, in one tick, to where the hand wants it and to what it touches. One of these is built
+// for a scene: the one that its contact response names.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "haptics/contact/contact_set.h"
+#include "haptics/math/wrench.h"
+#include "haptics/tool/rigid_body.h"
+
+namespace fulcrum {
+
+// A part of a World, for `fulcrum explain`.
+struct BuiltPart {
+  std::string name;
+  std::string what;
+  std::size_t bytes = 0;
+};
+
+// Both wrenches are on the tool, about T where it was when they acted.
+struct ToolAnswer {
+  Pose X_WT;
+  Wrench coupling_F_T_W;
+  Wrench contact_F_T_W;
+};
+
+class ToolMotion {
+public:
+  virtual ~ToolMotion() = default;
+
+  // One tick. X_WG, V_WG: where and how fast the hand wants the tool. Adds the bits of what went wrong or was
+  // limited. May: change the tool's state. Must not: allocate, lock, throw.
+  virtual ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept = 0;
+
+  virtual const BodyState& tool() const = 0;
+  virtual std::span<const ContactRegion> regions() const = 0;
+  virtual double depth_max() const = 0;  // m, deepest shell point at the last query
+  // J, what the coupling's springs and the tool's motion can give back now.
+  virtual double stored_energy() const noexcept = 0;
+  virtual std::vector<BuiltPart> parts() const = 0;
+};
+
+}  // namespace fulcrum
