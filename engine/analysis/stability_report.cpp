@@ -70,6 +70,12 @@ report::Table tick_table(const StabilityStudy& study) {
   return table;
 }
 
+report::Table speed_table(const std::vector<SpeedLimit>& limits) {
+  report::Table table{{"speed at the wall (m/s)", "settles below (N/m)"}, {}};
+  for (const SpeedLimit& limit : limits) table.rows.push_back({number(limit.v0), number(limit.K_simulated)});
+  return table;
+}
+
 void say_how(report::Page& page) {
   page.command("fulcrum stability");
   page.paragraph(
@@ -144,11 +150,12 @@ void say_rest(report::Page& page, const StabilityStudy& study) {
 
   page.heading("Friction and encoder counts");
   for (std::size_t i = 0; i < study.devices.size(); ++i) {
-    if (!study.speeds[i].empty())
-      page.plot(
-          speed_plot(study, i),
-          "Friction takes the same from every swing, the hold makes more the farther it goes: a wall that "
-          "holds a slow hand throws a fast one. B = 0, no delay.");
+    if (study.speeds[i].empty()) continue;
+    page.plot(
+        speed_plot(study, i),
+        "Friction takes the same from every swing, the hold makes more the farther it goes: a wall that "
+        "holds a slow hand throws a fast one. B = 0, no delay.");
+    page.table(speed_table(study.speeds[i]));
   }
   page.plot(
       diolaiti_plot(study),
