@@ -15,7 +15,8 @@ int replay_command(const std::filesystem::path& tape, const RunOptions& options)
 int check_command(const std::vector<std::string>& files, bool json);
 int explain_command(const std::string& scenario, const std::vector<std::string>& overrides, bool json);
 int devices_command(bool json);
-int stability_command(const RunOptions& options);  // its out, force and json
-int schema_command(const std::string& of);         // scenario, hand or device
+int stability_command(const RunOptions& options);      // its out, force and json
+int workprecision_command(const RunOptions& options);  // likewise
+int schema_command(const std::string& of);             // scenario, hand or device
 
 }  // namespace fulcrum::app

@@ -18,8 +18,8 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (response != ContactResponse::quasi_static) add("response static", "the scenario names another");
   if (response != ContactResponse::constraint)
     add("response constraint", "the scenario names another: no constraint solver is built");
-  if (response != ContactResponse::penalty)
-    add("integrator", "the tool has no mass under the scenario's response");
+  if (response != ContactResponse::voxel) add("response voxel", "the scenario names another");
+  if (massless(response)) add("integrator", "the tool has no mass under the scenario's response");
   if (!scene.device.renders_torque) add("torque motors", "the device '" + scene.device.name + "' has none");
   if (!scene.device.renders_force) add("force motors", "the device '" + scene.device.name + "' has none");
   if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");

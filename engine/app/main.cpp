@@ -98,6 +98,10 @@ int dispatch(int argc, char** argv) {
       program.add_subcommand("stability", "How stiff a wall each device can hold: simulated, and by theory");
   add_out(stability, options);
   stability->add_flag("--json", options.json, "Print the figures as JSON");
+  CLI::App* workprecision = program.add_subcommand(
+      "workprecision", "What each choice costs, and how far from a known truth it leaves the answer");
+  add_out(workprecision, options);
+  workprecision->add_flag("--json", options.json, "Print the figures as JSON");
   CLI::App* schema = program.add_subcommand("schema", "The JSON Schema of a file, for an editor");
   schema->add_option("of", schema_of, "scenario (default), hand or device")
       ->check(CLI::IsMember({"scenario", "hand", "device"}));
@@ -114,6 +118,7 @@ int dispatch(int argc, char** argv) {
   if (*explain) return explain_command(scenario, options.overrides, json);
   if (*devices) return devices_command(json);
   if (*stability) return stability_command(options);
+  if (*workprecision) return workprecision_command(options);
   return schema_command(schema_of);
 }
 

@@ -1,13 +1,11 @@
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/stability_report.h"
 #include "engine/app/commands.h"
 #include "engine/app/exit_code.h"
+#include "engine/app/report_output.h"
 #include "engine/app/terminal.h"
-#include "engine/record/run_folder.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
 
@@ -45,54 +43,21 @@ nlohmann::ordered_json to_json(const std::vector<analysis::ZWidth>& widths) {
   return all;
 }
 
-// Columns side by side; widths count letters, not bytes.
-void print_table(const report::Table& table) {
-  const auto letters = [](const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-  };
-  std::vector<std::size_t> width;
-  for (const std::string& cell : table.head) width.push_back(letters(cell));
-  for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], letters(row[i]));
-  }
-  const auto print = [&](const std::vector<std::string>& row, bool head) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += "  " + (head ? bold(row[i]) : row[i]) + std::string(width[i] - letters(row[i]), ' ');
-    std::printf("%s\n", line.c_str());
-  };
-  print(table.head, true);
-  for (const auto& row : table.rows) print(row, false);
-}
-
 }  // namespace
 
 int stability_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::kStabilityCsvName, analysis::kStabilityPageName};
   const std::optional<std::vector<analysis::NamedAxis>> models = device_axes();
   if (!models) return kError;
-  const Result<std::filesystem::path> folder =
-      options.out.empty()
-          ? record::make_default_run_folder("stability", std::chrono::system_clock::now(), "reports")
-          : record::prepare_run_folder(options.out, options.force, files);
-  if (!folder) {
-    complain(folder.error().sentence);
-    return kError;
-  }
+  const std::optional<std::filesystem::path> folder = report_folder("stability", options, files);
+  if (!folder) return kError;
   ProgressBar bar;
   const analysis::StabilityStudy study = analysis::study_stability(
       *models, [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
   bar.clear();
-  const std::pair<std::string_view, std::string> contents[] = {
-      {analysis::kStabilityCsvName, analysis::stability_csv(study).text()},
-      {analysis::kStabilityPageName, analysis::stability_page(study).html()}};
-  for (const auto& [name, content] : contents) {
-    if (const std::optional<Error> error = report::write_file(*folder / name, content)) {
-      complain(error->sentence);
-      return kError;
-    }
-  }
+  if (!write_report(*folder, {{analysis::kStabilityCsvName, analysis::stability_csv(study).text()},
+                              {analysis::kStabilityPageName, analysis::stability_page(study).html()}}))
+    return kError;
   if (options.json) {
     std::printf("%s\n", nlohmann::ordered_json{{"folder", folder->string()},
                                                {"tick_s", analysis::kStudyTick},

@@ -81,7 +81,7 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
   }
   us["response"] = static_cast<double>(thread_cpu_ns() - before) * 1e-3 / static_cast<double>(way.size()) -
                    us["query"] - us["coupling"];
-  if (scene.contact.response == ContactResponse::penalty) {
+  if (!massless(scene.contact.response)) {
     us["integrator"] = mean_us(moments, [&](const Moment& m) {
       const Twist V = body.accelerate(m.tool, m.coupling_F_T_W, scene.tick_s);
       unused += RigidBody::advance(m.tool.X_WT, V, scene.tick_s).p.x();

@@ -5,7 +5,7 @@ namespace fulcrum::scenario {
 namespace {
 
 // Each in the order of its enumeration.
-constexpr std::array<std::string_view, 3> kResponses{"penalty", "static", "constraint"};
+constexpr std::array<std::string_view, 4> kResponses{"penalty", "voxel", "static", "constraint"};
 constexpr std::array<std::string_view, 3> kIntegrators{"semi_implicit_euler", "implicit_euler", "momentum"};
 constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "serial_arm"};
 

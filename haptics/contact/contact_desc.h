@@ -5,9 +5,15 @@ namespace fulcrum {
 
 enum class ContactResponse {
   penalty,       // springs against a tool with mass
+  voxel,         // the same with depths from occupied voxels: the classic method, to compare with
   quasi_static,  // springs against a tool without: "static" in a scenario
   constraint     // the tool stays out, as near to the hand as it can
 };
+
+// Whether the tool has no mass under it.
+inline bool massless(ContactResponse response) {
+  return response == ContactResponse::quasi_static || response == ContactResponse::constraint;
+}
 
 struct ContactDesc {
   ContactResponse response = ContactResponse::constraint;

@@ -9,6 +9,7 @@ namespace fulcrum {
 std::unique_ptr<ToolMotion> build_motion(const SceneDesc& desc) {
   switch (desc.contact.response) {
     case ContactResponse::penalty:
+    case ContactResponse::voxel:
       break;
     case ContactResponse::quasi_static:
       return std::make_unique<StaticMotion>(desc);

@@ -33,6 +33,7 @@ DynamicMotion::DynamicMotion(const SceneDesc& desc)
       coupling_(desc.coupling, body_),
       motion_allowance_(motion_allowance(*desc.scene_field)) {
   tool_.X_WT = desc.tool.X_WT_start;
+  if (desc.contact.response == ContactResponse::voxel) voxels_.emplace(desc.tool_shell, desc.scene_field);
 }
 
 ToolAnswer DynamicMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
@@ -47,7 +48,8 @@ ToolAnswer DynamicMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint
 }
 
 Wrench DynamicMotion::contact_wrench(std::uint32_t& faults) noexcept {
-  const ContactQuery::Outcome outcome = query_.run(tool_.X_WT, contacts_);
+  ContactQuery::Outcome outcome = query_.run(tool_.X_WT, contacts_);
+  if (voxels_) outcome = voxels_->run(tool_.X_WT, contacts_);
   if (!outcome.complete) faults |= kContactsReduced;
   if (!outcome.in_band) faults |= kToolInside;
   const PenaltyResponse::Answer answer = response_.push(contacts_, tool_);
@@ -100,7 +102,7 @@ double DynamicMotion::stored_energy() const noexcept {
 }
 
 std::vector<BuiltPart> DynamicMotion::parts() const {
-  return {
+  std::vector<BuiltPart> parts{
       {"query", "every point against the field, culled by the tool's reach", query_.bytes()},
       {"response",
        "penalty, " + number_text(contact_.stiffness) + " N/m per region, at most " +
@@ -110,6 +112,9 @@ std::vector<BuiltPart> DynamicMotion::parts() const {
        std::string(integrator_text(integrator_)) + ", tick " + number_text(tick_s_ * 1e3) + " ms",
        sizeof(BodyState)},
   };
+  if (voxels_)
+    parts.push_back({"voxels", "occupied or not, for depths by the classic method", voxels_->bytes()});
+  return parts;
 }
 
 }  // namespace fulcrum

@@ -2,9 +2,12 @@
 // A tool with mass between two springs: the coupling to the hand and the penalty of each contact region,
 // moved by a named integrator.
 
+#include <optional>
+
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
+#include "haptics/contact/voxel_query.h"
 #include "haptics/motion/tool_motion.h"
 #include "haptics/tool/virtual_coupling.h"
 #include "haptics/world/scene_desc.h"
@@ -33,6 +36,7 @@ private:
   RigidBody body_;
   double weight_;  // N
   ContactQuery query_;
+  std::optional<VoxelQuery> voxels_;  // under the response voxel; query_ then bounds the motion alone
   PenaltyResponse response_;
   RegionTracker regions_;
   VirtualCoupling coupling_;

@@ -64,7 +64,7 @@ Result<World> World::build(SceneDesc desc) {
       (!any_gain && desc.coupling.angular_stiffness > largest_kr))
     return refuse_gain("coupling.angular_stiffness", desc.coupling.angular_stiffness, "N m/rad", largest_kr,
                        desc.tick_s);
-  if (desc.contact.response != ContactResponse::penalty &&
+  if (massless(desc.contact.response) &&
       tool_weight(tool) > kLargestSag * desc.coupling.max_force)
     return Error{"The tool weighs " + number_text(tool_weight(tool)) + " N, which a coupling of at most " +
                  number_text(desc.coupling.max_force) +

@@ -64,7 +64,8 @@ const Case kCases[] = {
     {"unknown_choice", "role: scene", "role: scen",
      "6:34: 'models.block.role' must be one of scene, tool, decor; found 'scen'; did you mean 'scene'?"},
     {"unknown_response", "  stiffness: 5000", "  response: constrain",
-     "11:13: 'contact.response' must be one of penalty, static, constraint; found 'constrain'; did you mean "
+     "11:13: 'contact.response' must be one of penalty, voxel, static, constraint; found 'constrain'; did "
+     "you mean "
      "'constraint'?"},
     {"short_vector", "position: [0, 0.1, 0]", "position: [0, 0.1]",
      "9:21: 'tool.start.position' must be three numbers [x, y, z] in m; found 2 values"},

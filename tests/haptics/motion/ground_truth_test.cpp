@@ -125,15 +125,8 @@ INSTANTIATE_TEST_SUITE_P(Each, GroundTruth,
                          testing::Values(ContactResponse::penalty, ContactResponse::quasi_static,
                                          ContactResponse::constraint),
                          [](const auto& response) -> std::string {
-                           switch (response.param) {
-                             case ContactResponse::penalty:
-                               return "penalty";
-                             case ContactResponse::quasi_static:
-                               return "static";
-                             case ContactResponse::constraint:
-                               break;
-                           }
-                           return "constraint";
+                           if (response.param == ContactResponse::penalty) return "penalty";
+                           return response.param == ContactResponse::quasi_static ? "static" : "constraint";
                          });
 
 }  // namespace

@@ -1,0 +1,15 @@
+#pragma once
+// Meshes of bodies whose distance is known in closed form.
+
+#include "haptics/geometry/triangle_mesh.h"
+
+namespace fulcrum::analysis {
+
+// A ball about the origin; vertices on the sphere, splits^2 * 20 triangles (a power of two).
+TriangleMesh ball_mesh(double radius, int splits);
+
+// A tube along z about the origin: inner and outer radius, length, all m; `sides` facets a turn whose middles
+// are as much inside the circle as their corners are outside.
+TriangleMesh tube_mesh(double inner, double outer, double length, int sides);
+
+}  // namespace fulcrum::analysis
