@@ -70,6 +70,12 @@ report::Table tick_table(const StabilityStudy& study) {
   return table;
 }
 
+report::Table speed_table(const std::vector<SpeedLimit>& limits) {
+  report::Table table{{"speed at the wall (m/s)", "settles below (N/m)"}, {}};
+  for (const SpeedLimit& limit : limits) table.rows.push_back({number(limit.v0), number(limit.K_simulated)});
+  return table;
+}
+
 void say_how(report::Page& page) {
   page.command("fulcrum stability");
   page.paragraph(
@@ -138,16 +144,18 @@ void say_rest(report::Page& page, const StabilityStudy& study) {
       "in "
       "this figure, eats more than the wall makes, and at 1100 N/m no longer. A wall with a damper of its "
       "own "
-      "takes energy from this swing even where it is not passive: what it gives, it gives at far higher "
+      "makes next to nothing in this swing even where it is not passive: what it gives, it gives at far "
+      "higher "
       "frequencies, where a loose handle or a tense hand may find it.");
 
   page.heading("Friction and encoder counts");
   for (std::size_t i = 0; i < study.devices.size(); ++i) {
-    if (!study.speeds[i].empty())
-      page.plot(
-          speed_plot(study, i),
-          "Friction takes the same from every swing, the hold makes more the farther it goes: a wall that "
-          "holds a slow hand throws a fast one. B = 0, no delay.");
+    if (study.speeds[i].empty()) continue;
+    page.plot(
+        speed_plot(study, i),
+        "Friction takes the same from every swing, the hold makes more the farther it goes: a wall that "
+        "holds a slow hand throws a fast one. B = 0, no delay.");
+    page.table(speed_table(study.speeds[i]));
   }
   page.plot(
       diolaiti_plot(study),

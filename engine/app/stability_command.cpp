@@ -15,7 +15,7 @@ namespace {
 // Each device file that can be read; what is wrong with another is said, and nothing is returned.
 std::optional<std::vector<analysis::NamedAxis>> device_axes() {
   std::vector<analysis::NamedAxis> axes;
-  for (const auto& [name, file] : scenario::device_files()) {
+  for (const auto& [name, file] : scenario::device_files(scenario::content_roots())) {
     const scenario::Checked<DeviceDesc> device = scenario::load_device(file);
     if (!device) {
       complain(scenario::to_text(device.faults()));

@@ -78,9 +78,9 @@ std::vector<ScenarioListing> list_scenarios(const std::vector<fs::path>& roots) 
   return listings;
 }
 
-std::map<std::string, fs::path> device_files() {
+std::map<std::string, fs::path> device_files(const std::vector<fs::path>& roots) {
   std::map<std::string, fs::path> files;
-  for (const fs::path& root : content_roots()) {
+  for (const fs::path& root : roots) {
     std::error_code error;
     fs::directory_iterator entry(root / "devices", error);
     while (!error && entry != fs::directory_iterator()) {

@@ -31,7 +31,7 @@ std::vector<ScenarioListing> list_scenarios();
 std::vector<ScenarioListing> list_scenarios(const std::vector<std::filesystem::path>& roots);
 
 // Every ROOT/devices/NAME.yaml by NAME; one that two roots have is the first root's.
-std::map<std::string, std::filesystem::path> device_files();
+std::map<std::string, std::filesystem::path> device_files(const std::vector<std::filesystem::path>& roots);
 
 // A scenario's name, or the path of its file or of the folder it lies in.
 Result<std::filesystem::path> find_scenario(std::string_view name_or_file);

@@ -5,7 +5,8 @@ namespace fulcrum {
 std::span<const FaultName> fault_names() {
   static constexpr FaultName names[] = {
       {kStopRequested, "stop_requested", "Stop was asked for."},
-      {kNotFinite, "not_finite", "The device or the simulation gave a value that is not a number."},
+      {kNotFinite, "not_finite",
+       "The device or the simulation gave a value that is not a number, or that no handle can have."},
       {kSampleStale, "sample_stale", "The device has sent nothing for more than 20 ms."},
       {kDeviceLost, "device_lost", "The device is gone."},
       {kWatchdog, "watchdog", "The haptic thread stood still for a quarter of a second or more."},

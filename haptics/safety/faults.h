@@ -10,7 +10,8 @@ namespace fulcrum {
 enum Fault : std::uint32_t {
   // Faults: the force falls to zero within 2 ms and stays there until acknowledged.
   kStopRequested = 1u << 0,  // Esc or an emergency stop
-  kNotFinite = 1u << 1,      // NaN or infinity in the sample or in a result: the tool stays where it was
+  kNotFinite = 1u << 1,      // NaN, infinity or a handle a kilometre off in the sample, or in a result: the
+                             // tool stays where it was
   kSampleStale = 1u << 2,    // the sample is older than 20 ms
   kDeviceLost = 1u << 3,     // the device is gone
   kWatchdog = 1u << 4,       // the haptic thread stood still for a quarter of a second

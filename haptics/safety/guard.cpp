@@ -10,7 +10,9 @@ Guard::Guard(const DeviceDesc& device, double tick_s) : device_(device), tick_s_
 
 std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> commands) noexcept {
   std::uint32_t faults = 0;
-  if (!sample.X_DH.is_finite() || !(sample.X_DH.q.norm() > 0.5) || !(sample.age >= 0)) faults |= kNotFinite;
+  const bool usable = sample.X_DH.is_finite() && sample.X_DH.p.cwiseAbs().maxCoeff() <= kFarthestHandle &&
+                      sample.X_DH.q.norm() > 0.5 && sample.age >= 0;
+  if (!usable) faults |= kNotFinite;
   if (sample.age > kStaleSample) faults |= kSampleStale;
   if (!sample.connected) faults |= kDeviceLost;
   bool acknowledged = false;

@@ -15,7 +15,9 @@ namespace fulcrum {
 inline constexpr double kStopFall = 2e-3;      // s, from the commanded force to nothing
 inline constexpr double kRampIn = 0.5;         // s, from nothing to the whole force
 inline constexpr double kStaleSample = 20e-3;  // s, a sample older than this stops the force
-inline constexpr double kSlewTime = 5e-3;      // s, from nothing to the device's limit at the fastest
+inline constexpr double kFarthestHandle =
+    1e3;                                   // m, from D's origin: no handle is there, the sample is damaged
+inline constexpr double kSlewTime = 5e-3;  // s, from nothing to the device's limit at the fastest
 
 class Guard {
 public:

@@ -24,7 +24,7 @@ expect() {
 # --- commands
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
-for command in list run replay check explain devices schema; do expect 0 '.' "$FULCRUM" $command --help; done
+for command in list run replay check explain devices stability schema; do expect 0 '.' "$FULCRUM" $command --help; done
 expect 2 '.' "$FULCRUM"
 expect 2 '.' "$FULCRUM" run
 expect 2 'no size' "$FULCRUM" run piping --size big
@@ -53,6 +53,15 @@ expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/tape
 expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/trace.csv --seconds 1 --out F
 expect 3 'Late ticks: [0-9]+, lost: [0-9]+' "$FULCRUM" run piping --headless --realtime --seconds 2 --out G
 expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H
+
+# --- reports
+expect 0 'stiffest walls' "$FULCRUM" stability --out S
+[ "$(head -1 S/stability.csv)" = device,delay_ticks,B,K_simulated,K_exact,K_passive ] || fail "stability.csv has other columns"
+grep -q '^phantom_like,2,' S/stability.csv || fail "stability.csv knows no phantom_like"
+grep -q '</html>' S/stability.html || fail "no stability.html"
+expect 1 'holds results.*--force' "$FULCRUM" stability --out S
+rm S/stability.csv # half of a report is one, too
+expect 1 'stability.html.*--force' "$FULCRUM" stability --out S
 
 # --- bad input
 expect 1 'no hand' "$FULCRUM" run piping --headless --hand nobody --out X

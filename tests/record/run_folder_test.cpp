@@ -26,6 +26,9 @@ TEST(RunFolder, DefaultsToTheDataFolderAndIsNewEachTime) {
   EXPECT_EQ(*second, runs / "piping-20231114T221320Z-2");
   EXPECT_EQ(*third, runs / "---my-scene-yaml-20231114T221320Z");
   EXPECT_TRUE(fs::is_directory(*first) && fs::is_directory(*second) && fs::is_directory(*third));
+  const auto report = make_default_run_folder("stability", kTime, "reports");
+  ASSERT_TRUE(report);
+  EXPECT_EQ(*report, home / "fulcrum/reports/stability-20231114T221320Z");
   ::unsetenv("XDG_DATA_HOME");
 }
 
@@ -64,6 +67,18 @@ TEST(RunFolder, ResultsAreKeptUnlessForced) {
   ASSERT_TRUE(prepare_run_folder(folder.path(), true));
   EXPECT_FALSE(fs::exists(folder / "trace.csv"));
   EXPECT_EQ(contents(folder / "notes.txt"), "mine");
+}
+
+TEST(RunFolder, AReportsFilesAreItsOwn) {
+  const TemporaryFolder folder;
+  constexpr std::string_view files[] = {"stability.csv", "stability.html"};
+  write(folder / "trace.csv", "a run's");
+  EXPECT_TRUE(prepare_run_folder(folder.path(), false, files));
+  write(folder / "stability.html", "old");
+  EXPECT_FALSE(prepare_run_folder(folder.path(), false, files));
+  ASSERT_TRUE(prepare_run_folder(folder.path(), true, files));
+  EXPECT_FALSE(fs::exists(folder / "stability.html"));
+  EXPECT_EQ(contents(folder / "trace.csv"), "a run's");
 }
 
 TEST(RunFolder, ForceRemovesALinkAndNotWhatItPointsTo) {

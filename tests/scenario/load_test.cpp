@@ -188,5 +188,28 @@ TEST(Content, ThatComesWithTheProgramReads) {
   EXPECT_EQ(next, piping->checkpoints.size());
 }
 
+TEST(Devices, AreFilesOfTheirOwn) {
+  const Folder first, second;
+  second.write("devices/other.yaml", "fulcrum: 1\nname: Other\n");
+  second.write("devices/notes.txt", "");
+  const auto files = device_files({first.root(), second.root(), "/nowhere"});
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files.at("test_arm"), first.root() / "devices" / "test_arm.yaml");
+  const auto device = load_device(files.at("test_arm"));
+  ASSERT_TRUE(device) << to_text(device.faults());
+  EXPECT_EQ(device->name, "Test arm");
+  EXPECT_EQ(device->max_force, 3);
+  EXPECT_EQ(device->handle_mass, DeviceDesc{}.handle_mass);
+}
+
+TEST(Devices, SayWhatIsWrong) {
+  const Folder folder;
+  folder.write("devices/test_arm.yaml", "fulcrum: 1\nname: Test arm\nhandle_mass: -1\n");
+  const auto device = load_device(folder.root() / "devices" / "test_arm.yaml");
+  ASSERT_FALSE(device);
+  EXPECT_NE(to_text(device.faults()).find("test_arm.yaml:3:"), std::string::npos) << to_text(device.faults());
+  EXPECT_FALSE(load_device(folder.root() / "devices" / "nothing.yaml"));
+}
+
 }  // namespace
 }  // namespace fulcrum::scenario::test
