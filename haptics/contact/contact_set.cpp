@@ -16,20 +16,28 @@ void take_in(Contact& kept, const Contact& other) {
 }  // namespace
 
 void ContactSet::add(const Contact& contact) noexcept {
-  while (contacts_.size() == kMaxContacts && (complete() || !of_one_run(contacts_.back(), contact)))
+  while (contacts_.size() == kMaxContacts && (complete() || !of_one_run(contacts_.back(), contact.point)))
     lengthen_runs();
-  if (!complete() && !contacts_.empty() && of_one_run(contacts_.back(), contact)) {
+  if (!complete() && !contacts_.empty() && of_one_run(contacts_.back(), contact.point)) {
     take_in(contacts_.back(), contact);
   } else {
     contacts_.push_back(contact);  // within the reserved storage
   }
 }
 
+bool ContactSet::absorb(std::uint32_t point, double depth, double area) noexcept {
+  if (complete() || contacts_.empty()) return false;
+  Contact& last = contacts_.back();
+  if (!of_one_run(last, point) || depth > last.depth) return false;
+  last.area += area;
+  return true;
+}
+
 void ContactSet::lengthen_runs() noexcept {
   run_bits_ = complete() ? kPatchBits : run_bits_ + 1;
   std::size_t kept = 0;
   for (std::size_t i = 1; i < contacts_.size(); ++i) {
-    if (of_one_run(contacts_[kept], contacts_[i])) {
+    if (of_one_run(contacts_[kept], contacts_[i].point)) {
       take_in(contacts_[kept], contacts_[i]);
     } else {
       contacts_[++kept] = contacts_[i];

@@ -47,13 +47,16 @@ public:
   }
   // In the order of the shell. Constant time but for a pass over the set each time that runs double.
   void add(const Contact& contact) noexcept;
+  // add(), where no more is needed than to credit the area to a deeper contact of the same run; false if the
+  // contact itself is wanted.
+  bool absorb(std::uint32_t point, double depth, double area) noexcept;
   bool complete() const { return run_bits_ == 0; }  // nothing has been taken together
   std::span<const Contact> contacts() const { return contacts_; }
   double depth_max() const;  // m, 0 when nothing touches
 
 private:
-  bool of_one_run(const Contact& a, const Contact& b) const noexcept {
-    return a.point >> run_bits_ == b.point >> run_bits_;
+  bool of_one_run(const Contact& a, std::uint32_t point) const noexcept {
+    return a.point >> run_bits_ == point >> run_bits_;
   }
   void lengthen_runs() noexcept;
 

@@ -42,17 +42,23 @@ struct Collector {
 
   void take(const PatchHit& hit) {
     auto deepest = static_cast<unsigned>(std::countr_zero(hit.touching));
+    float least = hit.distance[deepest];
     double area = 0;
     const bool one_by_one = set.complete();
     for (std::uint32_t left = hit.touching; left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
       const double own = shell_T.areas_m2[hit.first + lane];
       if (one_by_one) set.add(contact(hit, lane, own));
-      if (hit.distance[lane] < hit.distance[deepest]) deepest = lane;
+      if (hit.distance[lane] < least) {
+        least = hit.distance[lane];
+        deepest = lane;
+      }
       area += own;
     }
-    if (!one_by_one) set.add(contact(hit, deepest, area));  // as one by one would end up, sooner
-    in_band &= static_cast<double>(hit.distance[deepest]) >= -field_W.band_m();
+    const double depth = -static_cast<double>(least);
+    if (!one_by_one && !set.absorb(hit.first + deepest, depth, area))  // as one by one would end up, sooner
+      set.add(contact(hit, deepest, area));
+    in_band &= depth <= field_W.band_m();
   }
 };
 

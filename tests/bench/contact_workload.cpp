@@ -57,6 +57,12 @@ Solid piping() {
   return solid_of(content::make_piping(), 100000);
 }
 
+Solid one_pipe() {
+  content::Model model = content::make_piping();
+  std::erase_if(model.parts, [](const content::Part& part) { return part.name != "pipe/01"; });
+  return solid_of(model, 1);
+}
+
 // Area-weighted random points on the triangles, in the order and with the areas of a baked shell.
 Pointshell shell_of(const Solid& tool, std::size_t n) {
   std::vector<double> up_to;

@@ -13,8 +13,9 @@ namespace fulcrum::bench {
 
 inline constexpr double kPenetration = 0.8e-3;  // m
 
-Solid spanner();  // at least 20 000 triangles, origin at its centre of mass
-Solid piping();   // at least 100 000 triangles
+Solid spanner();   // at least 20 000 triangles, origin at its centre of mass
+Solid piping();    // at least 100 000 triangles
+Solid one_pipe();  // of piping()
 
 // Exactly n points, evenly over the tool's surface.
 Pointshell shell_of(const Solid& tool, std::size_t n);

@@ -1,5 +1,5 @@
-# Shared by tools/run and tools/test: install what is missing, configure, build. Messages go to stderr, so that
-# stdout is the program's alone; where there is nothing to do, nothing is said.
+# Shared by tools/run, tools/test and tools/bench: install what is missing, configure, build. Messages go to stderr, so
+# that stdout is the program's alone; where there is nothing to do, nothing is said.
 # shellcheck shell=bash
 
 top=$(dirname "$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")")
