@@ -28,6 +28,7 @@ struct Collector {
   Mat3 R_WT;
   Vec3 p_WT;
   ContactSet& set;
+  double margin;
   bool in_band = true;
 
   Contact contact(const PatchHit& hit, unsigned lane, double area) const {
@@ -37,7 +38,8 @@ struct Collector {
                             ? field_W.sample(p_W).gradient
                             : Vec3(static_cast<double>(hit.nx[lane]), static_cast<double>(hit.ny[lane]),
                                    static_cast<double>(hit.nz[lane]));
-    return {point, p_W, nhat_W, -static_cast<double>(hit.distance[lane]), area};
+    // Stiff contact feels the rounding of single precision: depths are looked up again in double.
+    return {point, p_W, nhat_W, -field_W.distance(p_W), area};
   }
 
   void take(const PatchHit& hit) {
@@ -48,7 +50,10 @@ struct Collector {
     for (std::uint32_t left = hit.touching; left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
       const double own = shell_T.areas_m2[hit.first + lane];
-      if (one_by_one) set.add(contact(hit, lane, own));
+      if (one_by_one) {
+        const Contact each = contact(hit, lane, own);
+        if (-each.depth < margin) set.add(each);
+      }
       if (hit.distance[lane] < least) {
         least = hit.distance[lane];
         deepest = lane;
@@ -120,8 +125,8 @@ ShellWalk ContactQuery::walk_at(const Pose& X_WT, double margin) const noexcept 
 ContactQuery::Outcome ContactQuery::run(const Pose& X_WT, ContactSet& set, double margin) noexcept {
   set.clear();
   X_WT_ = X_WT;
-  Collector collector{*shell_, *field_, X_WT.q.toRotationMatrix(), X_WT.p, set};
-  ShellWalk walk = walk_at(X_WT, margin);
+  Collector collector{*shell_, *field_, X_WT.q.toRotationMatrix(), X_WT.p, set, margin};
+  ShellWalk walk = walk_at(X_WT, margin + rounding_);
   walk.normals = true;
   walk_into(walk, collector);
   return {set.complete(), collector.in_band};

@@ -25,8 +25,8 @@ public:
   };
   // Fills the set for the tool at X_WT, in the order of the shell: every point whose distance is below
   // `margin`. Past the field's band distances are lower bounds, and of the points that only their bound
-  // brings below a margin wider than the band, some are missing. Distances are of single precision:
-  // rounding() off at most.
+  // brings below a margin wider than the band, some are missing. Where neighbours are taken together, which
+  // of them is deepest is decided in single precision: rounding() off at most.
   Outcome run(const Pose& X_WT, ContactSet& set, double margin = 0) noexcept;
 
   // The largest fraction, 0 to 1, of a motion over which no shell point can enter the scene by more than

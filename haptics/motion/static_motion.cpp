@@ -10,6 +10,11 @@
 namespace fulcrum {
 namespace {
 
+// An even number: stiff contact is balanced within the rounding of a distance, and a step that begins just
+// outside goes in, the next one back out to the balance.
+constexpr int kRounds = 4;           // at most, in a tick
+constexpr double kSettled = 0.1e-6;  // m, a step that moves no point farther ends the tick
+
 // Nothing moves by itself here, so contact has springs alone.
 ContactDesc springs_alone(ContactDesc contact) {
   contact.dissipation = 0;
@@ -35,16 +40,26 @@ StaticMotion::StaticMotion(const SceneDesc& desc)
       response_(contact_, RigidBody(desc.tool.mass, desc.tool.inertia_T), desc.tick_s,
                 Integrator::implicit_euler),
       regions_(desc.contact.region_radius),
-      allowance_(motion_allowance(*desc.scene_field)) {}
+      allowance_(motion_allowance(*desc.scene_field)),
+      tool_radius_(desc.tool_shell->max_radius_m) {}
 
 ToolAnswer StaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
   if (!looked_) outcome_ = query_.run(tool_.state().X_WT, contacts_);
   looked_ = true;
-  const Vec6 step = newton_step(X_WG);
-  const double fraction = query_.safe_fraction(step.head<3>().norm(), step.tail<3>().norm(), allowance_);
-  if (fraction < 1.0) faults |= kMotionLimited;
-  if (!tool_.move(step * fraction)) faults |= kNotFinite;
-  outcome_ = query_.run(tool_.state().X_WT, contacts_);
+  bool limited = false;
+  for (int round = 0; round < kRounds; ++round) {
+    const Vec6 step = newton_step(X_WG);
+    const double travel = step.head<3>().norm(), turn = step.tail<3>().norm();
+    const double fraction = query_.safe_fraction(travel, turn, allowance_);
+    limited = fraction < 1.0;
+    if (!tool_.move(step * fraction)) {
+      faults |= kNotFinite;
+      break;
+    }
+    outcome_ = query_.run(tool_.state().X_WT, contacts_);
+    if (travel + turn * tool_radius_ < kSettled) break;
+  }
+  if (limited) faults |= kMotionLimited;
   if (!outcome_.complete) faults |= kContactsReduced;
   if (!outcome_.in_band) faults |= kToolInside;
 
@@ -78,8 +93,9 @@ std::vector<BuiltPart> StaticMotion::parts() const {
   return {
       query_part(query_),
       {"response",
-       "static: one 6 x 6 balance a tick, " + number_text(contact_.stiffness) + " N/m per region, at most " +
-           std::to_string(kMaxContacts) + " points in " + std::to_string(kMaxRegions) + " regions",
+       "static: at most " + std::to_string(kRounds) + " 6 x 6 steps a tick, " +
+           number_text(contact_.stiffness) + " N/m per region, at most " + std::to_string(kMaxContacts) +
+           " points in " + std::to_string(kMaxRegions) + " regions",
        sizeof(StaticMotion)},
   };
 }

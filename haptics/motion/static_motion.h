@@ -1,9 +1,9 @@
 #pragma once
 // A tool without mass between two springs: where the coupling and the penalty of the contact regions balance.
-// Each tick is one step of Newton's method,
+// Each tick is a few steps of Newton's method,
 //     (K_c + K_contact) dq = F_c + F_contact + weight,
-// cut so that no shell point can have passed a wall. M. Wan, W. A. McNeely, "Quasi-static approximation for
-// 6 degrees-of-freedom haptic rendering", IEEE Visualization 2003.
+// each cut so that no shell point can have passed a wall. M. Wan, W. A. McNeely, "Quasi-static approximation
+// for 6 degrees-of-freedom haptic rendering", IEEE Visualization 2003.
 
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
@@ -34,6 +34,7 @@ private:
   PenaltyResponse response_;
   RegionTracker regions_;
   double allowance_;  // m, see motion_allowance()
+  double tool_radius_;
   bool looked_ = false;
   ContactQuery::Outcome outcome_;
   ContactSet contacts_;

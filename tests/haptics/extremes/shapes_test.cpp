@@ -61,7 +61,7 @@ TEST(Extremes, WhereTheFieldHasNoSlopeAPushIsStillOneWay) {
 
 TEST(Extremes, ASheetThinnerThanItsVoxelsIsRefused) {
   const Solid sheet = expect(build_solid(box_mesh({-0.05, 0, -0.05}, {0.05, 1e-4, 0.05})));
-  const Result<DistanceField> field = bake_field(sheet, {1e-3, 6e-3, 1});
+  const Result<DistanceField> field = bake_field(sheet, {.voxel_m = 1e-3, .band_m = 6e-3, .threads = 1});
   ASSERT_FALSE(field);
   EXPECT_NE(field.error().sentence.find("0.1 mm thick"), std::string::npos) << field.error().sentence;
   EXPECT_NE(field.error().sentence.find("use a voxel of"), std::string::npos) << field.error().sentence;
@@ -78,13 +78,14 @@ TEST(Extremes, AnOpenSheetIsRefused) {
 TEST(Extremes, ANeedleIsFeltFromEitherSide) {
   const TriangleMesh needle = box_mesh({-0.05, -0.000635, -0.000635}, {0.05, 0.000635, 0.000635});
   const Solid solid = expect(build_solid(needle));
-  const Result<DistanceField> coarse = bake_field(solid, {1e-3, 3e-3, 1});
+  const Result<DistanceField> coarse = bake_field(solid, {.voxel_m = 1e-3, .band_m = 3e-3, .threads = 1});
   ASSERT_FALSE(coarse);
   EXPECT_NE(coarse.error().sentence.find("1.27 mm thick"), std::string::npos) << coarse.error().sentence;
 
   // As the scene: a handle that is driven across at 1 m/s does not pass.
   SceneDesc scene = floor_scene({Vec3::Zero()}, 0.01);
-  scene.scene_field = std::make_shared<DistanceField>(expect(bake_field(solid, {0.4e-3, 3e-3, 1})));
+  scene.scene_field = std::make_shared<DistanceField>(
+      expect(bake_field(solid, {.voxel_m = 0.4e-3, .band_m = 3e-3, .threads = 1})));
   World world = expect(World::build(scene));
   hold(world, {Quat::Identity(), Vec3(0, 0.01, 0)}, 600);
   StepResult result;

@@ -158,7 +158,8 @@ TEST(Static, AnyContactStiffnessSettles) {
     held(world, at_height(0.01));
     const Pose before = held(world, at_height(-4e-3)).record.X_WT;
     const Pose after = hold(world, at_height(-4e-3), 1).record.X_WT;
-    EXPECT_LT((after.p - before.p).norm(), 1e-8) << k;
+    // Distances are of single precision; at 1e8 N/m a few newtons are a depth of no more than that.
+    EXPECT_LT((after.p - before.p).norm(), 1e-6) << k;
   }
 }
 
