@@ -165,7 +165,8 @@ WorkStudy study_sampling(bool quick) {
       "A ball of 10 mm pressed 0.5 mm into a plane, turned in 200 ways, with a voxel of 0.5 mm. Over the cap "
       "that is inside, depth weighted by overlap volume is two thirds of the deepest: F = 2/3 k h. The "
       "error is the root mean square of F / truth - 1, the work the query and the response at one pose. "
-      "An area-weighted region does not feel how many points sample it.",
+      "An area-weighted region does not feel how many points sample it; where more points touch than a set "
+      "holds, neighbours are taken together by the deepest of them, which is the error of the finest two.",
       "spacing of points (mm)",
       "",
       {},

@@ -65,8 +65,12 @@ function(fulcrum_room name)
 endfunction()
 
 # Eigen is half of what compiling the haptic core costs: read once for all rooms that know poses.
-function(fulcrum_precompile_eigen first)
-  target_precompile_headers(fulcrum_${first} PRIVATE <Eigen/Core> <Eigen/Geometry>)
+function(fulcrum_precompile_eigen room)
+  target_precompile_headers(fulcrum_${room} PRIVATE <Eigen/Core> <Eigen/Geometry>)
+endfunction()
+
+# The rooms that follow use what the first has compiled.
+function(fulcrum_reuse_eigen first)
   foreach(room IN LISTS ARGN)
     target_precompile_headers(fulcrum_${room} REUSE_FROM fulcrum_${first})
   endforeach()
