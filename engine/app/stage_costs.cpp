@@ -43,13 +43,16 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
       static_cast<std::size_t>(std::min(kStretch, prepared.scenario.time_limit) / scene.tick_s);
   const std::size_t every = std::max<std::size_t>(1, ticks / kSamplesWanted);
   std::vector<Moment> moments;
-  std::vector<Pose> way;  // X_WH of every tick
+  struct Place {
+    Pose X_WH, X_WT;
+  };
+  std::vector<Place> way;  // of every tick
   double whole_us = 0;
   for (std::size_t i = 0; i < ticks; ++i) {
     TickEvent event;
     run_tick(*world, **device, {}, event);
     whole_us += static_cast<double>(event.cpu_ns) * 1e-3 / static_cast<double>(ticks);
-    way.push_back(event.record.X_WH);
+    way.push_back({event.record.X_WH, event.record.X_WT});
     if (i % every == 0)
       moments.push_back({{event.record.X_WT, event.record.V_WT},
                          event.sample,
@@ -68,25 +71,30 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
 
   std::map<std::string, double> us;
   us["tick"] = whole_us;
-  us["query"] = mean_us(moments, [&](const Moment& m) { query.run(m.tool.X_WT, set); });
   us["coupling"] = mean_us(moments, [&](const Moment& m) {
     unused += coupling.pull(m.X_WH * scene.tool.X_HT, {}, m.tool).force.x();
   });
-  // The response is what is left of a tick of the tool's motion, over the whole stretch.
+  // Tick after tick, since what a query reads lies where the one before left off.
+  const auto mean_over_ticks = [&way](const auto& f) {
+    const std::int64_t before = thread_cpu_ns();
+    for (const Place& place : way) f(place);
+    return static_cast<double>(thread_cpu_ns() - before) * 1e-3 / static_cast<double>(way.size());
+  };
   const std::unique_ptr<ToolMotion> motion = build_motion(scene);
-  const std::int64_t before = thread_cpu_ns();
-  for (const Pose& X_WH : way) {
+  us["response"] = mean_over_ticks([&](const Place& place) {
     std::uint32_t faults = 0;
-    unused += motion->advance(X_WH * scene.tool.X_HT, {}, faults).contact_F_T_W.force.x();
-  }
-  us["response"] = static_cast<double>(thread_cpu_ns() - before) * 1e-3 / static_cast<double>(way.size()) -
-                   us["query"] - us["coupling"];
+    unused += motion->advance(place.X_WH * scene.tool.X_HT, {}, faults).contact_F_T_W.force.x();
+  });
+  us["response"] -= us["coupling"];
+  // A tool with mass queries once a tick. One without looks as often as it moves: its queries are its
+  // response's.
   if (!massless(scene.contact.response)) {
+    us["query"] = mean_over_ticks([&](const Place& place) { query.run(place.X_WT, set); });
     us["integrator"] = mean_us(moments, [&](const Moment& m) {
       const Twist V = body.accelerate(m.tool, m.coupling_F_T_W, scene.tick_s);
       unused += RigidBody::advance(m.tool.X_WT, V, scene.tick_s).p.x();
     });
-    us["response"] -= us["integrator"];
+    us["response"] -= us["query"] + us["integrator"];
   }
   us["estimator"] = mean_us(moments, [&](const Moment& m) { unused += velocity.update(m.X_WH).v.x(); });
   us["allocation"] = mean_us(

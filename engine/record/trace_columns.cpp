@@ -89,8 +89,7 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors) :
   add(c, {"energy/port", "J", "", "Passivity observer: below zero the loop has given out energy."},
       [](const TickRecord& record) { return record.energy_port; });
   add(c,
-      {"energy/unrendered", "J", "",
-       "Of energy/port, what turning brought in against a torque that the device does not render."},
+      {"energy/unrendered", "J", "", "Of energy/port, what came in on axes that the device does not render."},
       [](const TickRecord& record) { return record.energy_unrendered; });
   add(c,
       {"fault", "1", "", "Bits of Fault: 0 to 15 stop the force, the others are limits that were applied."},

@@ -74,8 +74,7 @@ ElasticQp::Solution ElasticQp::solve(const Vec6& goal, std::span<const QpRow> ro
         break;
       }
       Vec7 z, r;
-      const bool independent = active_count_ < kDimension && project(c_[worst], z, r);
-      if (active_count_ == kDimension) project(c_[worst], z, r);
+      const bool independent = project(c_[worst], z, r) && active_count_ < kDimension;
       // As far as no active row begins to pull.
       double dual = std::numeric_limits<double>::infinity();
       int leaving = -1;

@@ -39,16 +39,18 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
   if (!looked_) look();
   looked_ = true;
   bool limited = false, settled = false;
-  for (int round = 0; round < kRounds && !settled; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     const Vec6 step = solve(X_WG);
     const double travel = step.head<3>().norm(), turn = step.tail<3>().norm();
     const double reach = travel + turn * tool_radius_;
     settled = reach < kSettled;
     if (settled) break;
-    const double fraction = std::min(query_.safe_fraction(travel, turn, allowance_),
-                                     std::max(reach_ / reach, query_.safe_fraction(travel, turn, 0.0)));
+    double fraction = query_.safe_fraction(travel, turn, allowance_);
+    // Points that are no rows must not come in at all: they are reach_ away at least, or as free as they are.
+    if (reach > reach_)
+      fraction = std::min(fraction, std::max(reach_ / reach, query_.safe_fraction(travel, turn, 0.0)));
     limited = fraction < 1.0;
-    if (!tool_.move(step * std::min(fraction, 1.0))) {
+    if (!tool_.move(step * fraction)) {
       faults |= kNotFinite;
       break;
     }

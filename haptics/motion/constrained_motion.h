@@ -6,7 +6,7 @@
 // 13(3), 2007.
 //
 // A tick is a few rounds of: linearise what is near, solve the quadratic program, go along its answer as far
-// as no shell point can have passed a wall, look again. Points within kReach of the scene are rows of the
+// as no shell point can have passed a wall, look again. Points within reach_ of the scene are rows of the
 // program, so that they slide along it; the others bound how far a round may go.
 
 #include "haptics/contact/elastic_qp.h"

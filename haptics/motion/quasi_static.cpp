@@ -5,9 +5,7 @@
 namespace fulcrum {
 
 QuasiStaticTool::QuasiStaticTool(const SceneDesc& desc)
-    : tick_s_(desc.tick_s),
-      body_(desc.tool.mass, desc.tool.inertia_T),
-      coupling_(desc.coupling, body_),
+    : coupling_(desc.coupling, RigidBody(desc.tool.mass, desc.tool.inertia_T)),
       velocity_(desc.velocity, desc.tick_s),
       weight_(tool_weight(desc.tool)),
       // F_s (1 - exp(-k sag / F_s)) = weight

@@ -28,8 +28,6 @@ public:
   Wrench settle(const Pose& X_WG, const Twist& V_WG) noexcept;
 
 private:
-  double tick_s_;
-  RigidBody body_;
   VirtualCoupling coupling_;
   VelocityEstimator velocity_;
   BodyState state_;

@@ -26,6 +26,7 @@ TEST(VoxelQuery, DepthIsRightToHalfADiagonalAndJumps) {
   }
   EXPECT_LT(worst, 0.5 * std::sqrt(3.0) * voxel);
   EXPECT_GT(worst, 0.1 * voxel);
+  EXPECT_GT(jump, 0.5 * voxel);
   query.run({Quat::Identity(), Vec3(0, 0.01, 0)}, set);
   EXPECT_TRUE(set.contacts().empty());
 }
