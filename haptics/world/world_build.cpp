@@ -56,7 +56,7 @@ Result<World> World::build(SceneDesc desc) {
     return Error{
         "The coupling's max_force and max_torque must be positive and its damping_ratio from 0 to 1."};
   const double rate_squared = 1.0 / (desc.tick_s * desc.tick_s);
-  const bool any_gain = desc.integrator == Integrator::implicit_euler;
+  const bool any_gain = desc.integrator == Integrator::implicit_euler || massless(desc.contact.response);
   const double largest_k = kCouplingShare * tool.mass * rate_squared;
   if (!positive(desc.coupling.stiffness) || (!any_gain && desc.coupling.stiffness > largest_k))
     return refuse_gain("coupling.stiffness", desc.coupling.stiffness, "N/m", largest_k, desc.tick_s);
