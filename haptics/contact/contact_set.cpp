@@ -8,9 +8,10 @@ namespace {
 constexpr unsigned kPatchBits = 4;
 
 void take_in(Contact& kept, const Contact& other) {
-  const double area = kept.area + other.area;
+  Overlap both = kept.overlap;
+  both += other.overlap;
   if (other.depth > kept.depth) kept = other;
-  kept.area = area;
+  kept.overlap = both;
 }
 
 }  // namespace
@@ -25,11 +26,11 @@ void ContactSet::add(const Contact& contact) noexcept {
   }
 }
 
-bool ContactSet::absorb(std::uint32_t point, double depth, double area) noexcept {
+bool ContactSet::absorb(std::uint32_t point, double depth, const Overlap& overlap) noexcept {
   if (complete() || contacts_.empty()) return false;
   Contact& last = contacts_.back();
   if (!of_one_run(last, point) || depth > last.depth) return false;
-  last.area += area;
+  last.overlap += overlap;
   return true;
 }
 

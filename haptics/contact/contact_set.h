@@ -1,6 +1,7 @@
 #pragma once
 // The shell points that touch the scene in one tick, or are about to, in storage that is sized once.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,12 +14,36 @@ namespace fulcrum {
 inline constexpr std::size_t kMaxContacts = 256;
 inline constexpr std::size_t kMaxRegions = 32;
 
+// How much of the tool lies in the scene about some points, and where: sums over them.
+struct Overlap {
+  double area = 0;              // m^2 of tool surface
+  double volume = 0;            // m^3, of area x depth
+  double moment = 0;            // m^4, of area x depth^2
+  Vec3 centred = Vec3::Zero();  // (3) m^4, of area x depth x p
+
+  static Overlap of(double area, double depth, const Vec3& p) {
+    const double inside = area * std::max(depth, 0.0);
+    return {area, inside, inside * depth, inside * p};
+  }
+  Overlap& operator+=(const Overlap& other) {
+    area += other.area;
+    volume += other.volume;
+    moment += other.moment;
+    centred += other.centred;
+    return *this;
+  }
+  double mean_depth() const { return volume > 0 ? moment / volume : 0.0; }  // m, weighted by the overlap
+};
+
 struct Contact {
   std::uint32_t point = 0;     // index in the shell
   Vec3 p_W = Vec3::Zero();     // (3) m
   Vec3 nhat_W = Vec3::Zero();  // (3) unit, out of the scene: the direction in which the tool is pushed
   double depth = 0;            // m, minus the distance: negative for a point within a query's margin
-  double area = 0;             // m^2 of tool surface that it stands for
+  Overlap overlap;             // of the points that it stands for, in W
+
+  // (3) m: where the overlap presses.
+  Vec3 pressed_W() const { return overlap.volume > 0 ? Vec3(overlap.centred / overlap.volume) : p_W; }
 };
 
 // Touching points that lie together and are pushed alike. An id lasts as long as the region is touched.
@@ -34,7 +59,7 @@ struct ContactRegion {
 };
 
 // Where more points touch than fit, neighbours are taken together: the contacts of an aligned run of 16
-// points, a compact patch of the shell, become one, the deepest of them with all of their areas; then those
+// points, a compact patch of the shell, become one, the deepest of them with all of their overlap; then those
 // of runs of 32, 64 and so on. All of the touched surface stays represented, by between half the capacity and
 // all of it.
 class ContactSet {
@@ -47,9 +72,9 @@ public:
   }
   // In the order of the shell. Constant time but for a pass over the set each time that runs double.
   void add(const Contact& contact) noexcept;
-  // add(), where no more is needed than to credit the area to a deeper contact of the same run; false if the
-  // contact itself is wanted.
-  bool absorb(std::uint32_t point, double depth, double area) noexcept;
+  // add(), where no more is needed than to credit the overlap to a deeper contact of the same run; false if
+  // the contact itself is wanted.
+  bool absorb(std::uint32_t point, double depth, const Overlap& overlap) noexcept;
   bool complete() const { return run_bits_ == 0; }  // nothing has been taken together
   std::span<const Contact> contacts() const { return contacts_; }
   double depth_max() const;  // m, 0 when nothing touches

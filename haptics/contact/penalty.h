@@ -2,7 +2,9 @@
 // Penalty response: a spring and damper for each contact region.
 //
 // Touching points share the stiffness of the region they lie in, so that sampling is not felt: point i gets
-//     share_i = v_i / sum_j K_ij v_j,   v = area x depth (its part of the overlap volume),
+//     share_i = v_i / sum_j K_ij v_j,   v = area x depth (its part of the overlap volume; contacts that stand
+//                                       for several points have the sum, and their mean depth d weighted by
+//                                       it),
 //     K_ij    = max(0, nhat_i . nhat_j) (1 - |p_i - p_j|^2 / R^2)^2  within R, else 0
 // A tight cluster's shares add up to 1, two clusters farther apart than R to 2, and in between they change
 // smoothly: no force jump where regions meet or part. On each point acts
@@ -56,6 +58,7 @@ private:
   double tick_s_;
   bool capped_;
   std::size_t count_ = 0;
+  std::array<Vec3, kMaxContacts> pressed_W_{};  // (3) m, of each contact at the last push
   std::array<double, kMaxContacts> share_{};
   std::array<double, kMaxContacts> stiffness_{};  // N/m, of each contact at the last push
   std::array<double, kMaxContacts> damping_{};    // N s/m, likewise; 0 where the damper had let go

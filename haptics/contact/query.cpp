@@ -65,34 +65,43 @@ struct Collector {
   float margin;
   bool in_band = true;
 
-  Contact contact(const PatchHit& hit, unsigned lane, double area) const {
+  Overlap in_W(Overlap overlap) const {
+    overlap.centred = R_WT * overlap.centred + overlap.volume * p_WT;
+    return overlap;
+  }
+
+  // overlap: in T.
+  Contact contact(const PatchHit& hit, unsigned lane, const Overlap& overlap) const {
     const std::uint32_t point = hit.first + lane;
     const Vec3 p_W = R_WT * shell_T.positions[point] + p_WT;
     const Vec3 nhat_W = (hit.guessed >> lane & 1u) != 0
                             ? field_W.sample(p_W).gradient
                             : Vec3(static_cast<double>(hit.nx[lane]), static_cast<double>(hit.ny[lane]),
                                    static_cast<double>(hit.nz[lane]));
-    return {point, p_W, nhat_W, -static_cast<double>(hit.distance[lane]), area};
+    return {point, p_W, nhat_W, -static_cast<double>(hit.distance[lane]), in_W(overlap)};
   }
 
   float take(const PatchHit& hit) {
     auto deepest = static_cast<unsigned>(std::countr_zero(hit.touching));
     float least = hit.distance[deepest];
-    double area = 0;
+    Overlap overlap;
     const bool one_by_one = set.complete();
     for (std::uint32_t left = hit.touching; left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
-      const double own = shell_T.areas_m2[hit.first + lane];
+      const Overlap own =
+          Overlap::of(shell_T.areas_m2[hit.first + lane], -static_cast<double>(hit.distance[lane]),
+                      shell_T.positions[hit.first + lane]);
       if (one_by_one) set.add(contact(hit, lane, own));
       if (hit.distance[lane] < least) {
         least = hit.distance[lane];
         deepest = lane;
       }
-      area += own;
+      overlap += own;
     }
     const double depth = -static_cast<double>(least);
-    if (!one_by_one && !set.absorb(hit.first + deepest, depth, area))  // as one by one would end up, sooner
-      set.add(contact(hit, deepest, area));
+    if (!one_by_one &&
+        !set.absorb(hit.first + deepest, depth, in_W(overlap)))  // as one by one would end up, sooner
+      set.add(contact(hit, deepest, overlap));
     in_band &= depth <= field_W.band_m();
     return margin;
   }

@@ -83,7 +83,7 @@ ContactQuery::Outcome VoxelQuery::run(const Pose& X_WT, ContactSet& set) const n
     outcome.in_band &= state != State::inside;
     const double depth = out_W.dot(centre_W - p_W);
     if (depth <= 0) continue;
-    set.add({static_cast<std::uint32_t>(i), p_W, out_W, depth, shell_->areas_m2[i]});
+    set.add({static_cast<std::uint32_t>(i), p_W, out_W, depth, Overlap::of(shell_->areas_m2[i], depth, p_W)});
   }
   outcome.complete = set.complete();
   return outcome;

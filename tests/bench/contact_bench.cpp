@@ -60,7 +60,7 @@ Costs cost_of_queries(const std::shared_ptr<const DistanceField>& field,
   std::vector<double> us;
   for (const Pose& X_WT : poses) {
     us.push_back(cpu_us([&] { query.run(X_WT, set); }));
-    for (const Contact& contact : set.contacts()) touched_m2 += contact.area;
+    for (const Contact& contact : set.contacts()) touched_m2 += contact.overlap.area;
   }
   return {quantile(us, 0.5), quantile(us, 0.99), touched_m2 / all_m2 / static_cast<double>(poses.size())};
 }

@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
+#include "tests/haptics/scenes.h"
 
 namespace fulcrum {
 namespace {
@@ -19,7 +24,7 @@ void add_patch(ContactSet& set, double x, double side, int n) {
       contact.p_W = Vec3(x + side * ((i + 0.5) / n - 0.5), 0, side * ((j + 0.5) / n - 0.5));
       contact.nhat_W = Vec3::UnitY();
       contact.depth = 0.2e-3;
-      contact.area = side * side / n / n;
+      contact.overlap = Overlap::of(side * side / n / n, contact.depth, contact.p_W);
       set.add(contact);
     }
   }
@@ -43,6 +48,31 @@ TEST(Penalty, SamplingIsNotFelt) {
   add_patch(coarse, 0, 6e-3, 4);
   add_patch(fine, 0, 6e-3, 12);
   EXPECT_NEAR(force(fine) / force(coarse), 1.0, 0.02);
+}
+
+// A ball of 2 cm pressed a millimetre into the floor; n points spread evenly over the part of it that
+// touches.
+double pressed_ball(int n, bool& complete) {
+  std::vector<Vec3> points;
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < n; ++i) {
+    const double y = -0.02 + 1e-3 * (i + 0.5) / n, r = std::sqrt(0.02 * 0.02 - y * y);
+    points.emplace_back(r * std::cos(golden * i), y, r * std::sin(golden * i));
+  }
+  ContactQuery query(test::shell_of(points), test::floor_field());
+  ContactSet set;
+  complete = query.run({Quat::Identity(), Vec3(0, 0.019, 0)}, set).complete;
+  return force(set);
+}
+
+TEST(Penalty, TakingPointsTogetherIsNotFelt) {
+  bool complete = false;
+  const double one_by_one = pressed_ball(250, complete);
+  EXPECT_TRUE(complete);
+  for (const int n : {500, 2000, 8000, 60000}) {
+    EXPECT_NEAR(pressed_ball(n, complete) / one_by_one, 1.0, 0.02) << n;
+    EXPECT_FALSE(complete);
+  }
 }
 
 TEST(Penalty, PlacesFarApartAreASpringEachAndMeetSmoothly) {

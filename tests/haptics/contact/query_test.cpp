@@ -185,7 +185,7 @@ TEST(ContactQuery, AHundredThousandTouchingPointsAreTakenTogether) {
   for (std::size_t i = 0; i < set.contacts().size(); ++i) {
     const Contact& contact = set.contacts()[i];
     ASSERT_TRUE(i == 0 || contact.point > set.contacts()[i - 1].point);
-    area += contact.area;
+    area += contact.overlap.area;
   }
   for (const Vec3& p : shell->positions) deepest = std::max(deepest, -test::floor_field()->distance(p));
   EXPECT_NEAR(area, all_area, 1e-9 * all_area);
@@ -210,19 +210,21 @@ TEST(ContactQuery, AsManyAsFitAreLeftAsTheyAre) {
   EXPECT_TRUE(set.contacts().empty());
 }
 
-TEST(ContactSet, ThePatchKeepsItsDeepestPointAndAllOfItsArea) {
+TEST(ContactSet, ThePatchKeepsItsDeepestPointAndAllOfItsOverlap) {
   ContactSet set;
   for (std::uint32_t i = 0; i < 320; ++i) {
     Contact contact;
     contact.point = i;
     contact.depth = i % 16 == 5 ? 2e-3 : 1e-3;
-    contact.area = 1.0;
+    contact.overlap = Overlap::of(1.0, contact.depth, contact.p_W);
     set.add(contact);
   }
   ASSERT_EQ(set.contacts().size(), 20u);
   for (std::uint32_t i = 0; i < 20; ++i) {
     EXPECT_EQ(set.contacts()[i].point, 16 * i + 5);
-    EXPECT_EQ(set.contacts()[i].area, 16.0);
+    EXPECT_EQ(set.contacts()[i].overlap.area, 16.0);
+    EXPECT_NEAR(set.contacts()[i].overlap.volume, 17e-3, 1e-12);
+    EXPECT_NEAR(set.contacts()[i].overlap.mean_depth(), (15e-6 + 4e-6) / 17e-3, 1e-12);
   }
 }
 
