@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "haptics/math/rotation.h"
@@ -82,6 +83,35 @@ TEST(Constraint, SlidesAlongASurface) {
 // +-a; the handle a depth below the floor and turned by a small angle about z. If two corners touch,
 //   minimise k_T y^2 / 2 + k_R t^2 / 2,   y, t the tool's offsets from the handle, subject to
 //   -depth + y - a sin(theta - t) = 0 at the lower edge.
+std::vector<std::uint32_t> ids_of(const World& world) {
+  std::vector<std::uint32_t> ids;
+  for (const ContactRegion& region : world.regions()) ids.push_back(region.id);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+// Impacts will be told from it: sliding is no new touch, coming back is.
+TEST(Constraint, RegionsKeepTheirIdentityUntilTheToolLeaves) {
+  World world =
+      expect(World::build(scene(ContactResponse::constraint,
+                                {Vec3(0.02, -0.01, 0.02), Vec3(-0.02, -0.01, 0.02), Vec3(0, -0.01, -0.02)})));
+  hold(world, at_height(0.02), 600);
+  hold(world, at_height(0.008), 10);
+  const std::vector<std::uint32_t> first = ids_of(world);
+  ASSERT_EQ(first.size(), 3u);
+  for (int i = 1; i <= 300; ++i) {
+    const Pose X_WH{quaternion_exp(Vec3(0, 1e-3 * i, 0)), Vec3(1e-4 * i, 0.008, 5e-5 * i)};
+    step(world, at(X_WH), {});
+    ASSERT_EQ(ids_of(world), first) << i;
+    for (const ContactRegion& region : world.regions()) ASSERT_GE(region.age_ticks, i);
+  }
+  hold(world, at_height(0.02), 10);
+  ASSERT_TRUE(world.regions().empty());
+  hold(world, at_height(0.008), 10);
+  ASSERT_EQ(world.regions().size(), 3u);
+  for (const ContactRegion& region : world.regions()) EXPECT_GT(region.id, first.back());
+}
+
 TEST(Constraint, NearestPoseIsInTheMetricOfTheCoupling) {
   const double a = 0.02, depth = 2e-3, angle = 0.04;
   SceneDesc desc = scene(ContactResponse::constraint, {{a, 0, a}, {a, 0, -a}, {-a, 0, a}, {-a, 0, -a}});
