@@ -14,6 +14,8 @@ void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {
   visitor.choice_of({"response", "", "how contact forces are found"}, contact.response, kResponses);
   visitor.number({"stiffness", "N/m", "of each contact region"}, contact.stiffness, above_to(0, 1e7));
   visitor.number({"dissipation", "s/m", "Hunt-Crossley damping"}, contact.dissipation, from_to(0, 1000));
+  visitor.number({"friction", "", "Coulomb's coefficient, under the response constraint"}, contact.friction,
+                 from_to(0, 10));
   visitor.number(
       {"region_radius", "m", "touching points nearer than this, with like normals, are one region"},
       contact.region_radius, above_to(0, 1));

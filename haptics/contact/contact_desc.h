@@ -19,6 +19,7 @@ struct ContactDesc {
   ContactResponse response = ContactResponse::constraint;
   double stiffness = 20000;      // N/m, per contact region; a constraint has none
   double dissipation = 20;       // s/m, Hunt-Crossley: force k d (1 + dissipation * approach speed)
+  double friction = 0;           // Coulomb's coefficient, of a constraint; 0: none is built
   double region_radius = 0.012;  // m, touching points nearer than this with like normals are one region
 };
 

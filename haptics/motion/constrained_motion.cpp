@@ -11,6 +11,7 @@ namespace fulcrum {
 namespace {
 
 constexpr int kRounds = 6;           // at most, in a tick
+constexpr int kPasses = 3;           // in which normal forces and friction find each other
 constexpr double kSettled = 1e-6;    // m, a round that moves no point farther ends the tick
 constexpr double kTouching = 50e-6;  // m, a point nearer than this belongs to a region
 // Over the coupling's stiffness: conflicting rows share their depth at forces that are never felt, and
@@ -30,7 +31,9 @@ ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
     : tool_(desc),
       query_(desc.tool_shell, desc.scene_field),
       regions_(desc.contact.region_radius),
-      qp_(metric(desc.coupling), kSlackStiffness * desc.coupling.stiffness),
+      metric_(metric(desc.coupling)),
+      qp_(metric_, kSlackStiffness * desc.coupling.stiffness),
+      friction_(desc.contact.friction),
       allowance_(motion_allowance(*desc.scene_field)),
       reach_(std::min(2 * allowance_, desc.scene_field->band_m())),
       tool_radius_(std::max(desc.tool_shell->max_radius_m, kSettled)) {}
@@ -38,6 +41,7 @@ ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
 ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
   if (!looked_) look();
   looked_ = true;
+  X_WT_before_ = tool_.state().X_WT;
   bool limited = false, settled = false;
   for (int round = 0; round < kRounds; ++round) {
     const Vec6 step = solve(X_WG);
@@ -75,20 +79,65 @@ Vec6 ConstrainedMotion::solve(const Pose& X_WG) noexcept {
     rows_[i].a << contacts[i].nhat_W, Vec3(contacts[i].p_W - tool_.state().X_WT.p).cross(contacts[i].nhat_W);
     rows_[i].b = contacts[i].depth;
   }
+  const Vec6 goal = tool_.to_goal(X_WG);
+  if (friction_ == 0.0) return solve_rows(goal);
+  // Rows have the last word: friction never pushes a point in.
+  Vec6 rubbing = friction();
+  for (int pass = 0; pass < kPasses; ++pass)
+    rubbing = rub_along(solve_rows(goal + rubbing.cwiseQuotient(metric_)), rubbing);
+  return solve_rows(goal + rubbing.cwiseQuotient(metric_));
+}
+
+Vec6 ConstrainedMotion::solve_rows(const Vec6& goal) noexcept {
+  const std::span<const Contact> contacts = contacts_.contacts();
   // The points that pushed last are the best guess at those that will.
+  const std::array<Pushing, 8> before = pushing_;
+  const std::size_t before_count = pushing_count_;
+  std::array<Vec3, kMaxContacts>& friction_W = forces_;  // not needed for anything else yet
   std::size_t next = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    while (next < pushing_count_ && pushing_[next].point < contacts[i].point) ++next;
-    const bool pushed = next < pushing_count_ && pushing_[next].point == contacts[i].point;
-    multipliers_[i] = pushed ? pushing_[next].multiplier : 0.0;
+    while (next < before_count && before[next].point < contacts[i].point) ++next;
+    const bool pushed = next < before_count && before[next].point == contacts[i].point;
+    multipliers_[i] = pushed ? before[next].multiplier : 0.0;
+    friction_W[i] = pushed ? before[next].friction_W : Vec3(Vec3::Zero());
   }
   const Vec6 step =
-      qp_.solve(tool_.to_goal(X_WG), {rows_.data(), contacts.size()}, {multipliers_.data(), contacts.size()})
-          .x;
+      qp_.solve(goal, {rows_.data(), contacts.size()}, {multipliers_.data(), contacts.size()}).x;
   pushing_count_ = 0;
-  for (std::size_t i = 0; i < contacts.size() && pushing_count_ < pushing_.size(); ++i)
-    if (multipliers_[i] > 0) pushing_[pushing_count_++] = {contacts[i].point, multipliers_[i]};
+  for (std::size_t i = 0; i < contacts.size() && pushing_count_ < pushing_.size(); ++i) {
+    if (multipliers_[i] > 0)
+      pushing_[pushing_count_++] = {contacts[i].point, i, multipliers_[i], friction_W[i]};
+  }
   return step;
+}
+
+Vec6 ConstrainedMotion::friction() const noexcept {
+  Vec6 sum = Vec6::Zero();
+  for (std::size_t i = 0; i < pushing_count_; ++i) {
+    const Vec3 r_W = contacts_.contacts()[pushing_[i].contact].p_W - tool_.state().X_WT.p;
+    sum.head<3>() += pushing_[i].friction_W;
+    sum.tail<3>() += r_W.cross(pushing_[i].friction_W);
+  }
+  return sum;
+}
+
+Vec6 ConstrainedMotion::rub_along(Vec6 step, const Vec6& under) noexcept {
+  const Pose& X_WT = tool_.state().X_WT;
+  std::array<RubbingPoint, 8> points;
+  for (std::size_t i = 0; i < pushing_count_; ++i) {
+    const Contact& contact = contacts_.contacts()[pushing_[i].contact];
+    const Vec3 p_T = X_WT.inverse() * contact.p_W;
+    points[i] = {.nhat_W = contact.nhat_W,
+                 .r_W = contact.p_W - X_WT.p,
+                 .slip_W = contact.p_W - X_WT_before_ * p_T,
+                 .normal_force = pushing_[i].multiplier,
+                 .force_W = pushing_[i].friction_W};
+  }
+  // Points that no longer push no longer rub.
+  step += (friction() - under).cwiseQuotient(metric_);
+  const Vec6 now = rub(metric_, friction_, step, {points.data(), pushing_count_});
+  for (std::size_t i = 0; i < pushing_count_; ++i) pushing_[i].friction_W = points[i].force_W;
+  return now;
 }
 
 // The tool has no mass: what the coupling and the weight leave over, the scene gives. The rows' forces tell
@@ -100,6 +149,8 @@ Wrench ConstrainedMotion::share_force(const Wrench& coupling_F_T_W) noexcept {
     rows_F_T_W.force += multipliers_[i] * rows_[i].a.head<3>();
     rows_F_T_W.torque += multipliers_[i] * rows_[i].a.tail<3>();
   }
+  const Vec6 rubbing = friction();
+  rows_F_T_W += {rubbing.head<3>(), rubbing.tail<3>()};
   Wrench contact_F_T_W;
   if (!rows_F_T_W.is_zero()) {
     contact_F_T_W = -coupling_F_T_W;
@@ -114,10 +165,13 @@ Wrench ConstrainedMotion::share_force(const Wrench& coupling_F_T_W) noexcept {
   const double by_rows = product(rows_F_T_W, rows_F_T_W);
   const double felt = by_rows > 0 ? std::max(0.0, product(contact_F_T_W, rows_F_T_W) / by_rows) : 0.0;
   touching_count_ = 0;
+  std::size_t next = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (multipliers_[i] == 0.0 && contacts[i].depth < -kTouching) continue;
+    const bool rubs = next < pushing_count_ && pushing_[next].contact == i;
+    const Vec3 friction_W = rubs ? pushing_[next++].friction_W : Vec3(Vec3::Zero());
     touching_[touching_count_] = contacts[i];
-    forces_[touching_count_++] = contacts[i].nhat_W * (felt * multipliers_[i]);
+    forces_[touching_count_++] = felt * (contacts[i].nhat_W * multipliers_[i] + friction_W);
   }
   regions_.update({touching_.data(), touching_count_}, {forces_.data(), touching_count_}, tool_.state());
   return contact_F_T_W;
@@ -129,7 +183,8 @@ std::vector<BuiltPart> ConstrainedMotion::parts() const {
       {"response",
        "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kRounds) +
            " rounds of " + std::to_string(kMaxContacts) + " rows a tick, points within " +
-           number_text(reach_ * 1e3) + " mm",
+           number_text(reach_ * 1e3) + " mm" +
+           (friction_ > 0 ? ", friction " + number_text(friction_) : std::string()),
        sizeof(ConstrainedMotion)},
   };
 }

@@ -10,6 +10,7 @@
 // program, so that they slide along it; the others bound how far a round may go.
 
 #include "haptics/contact/elastic_qp.h"
+#include "haptics/contact/friction.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
 #include "haptics/motion/quasi_static.h"
@@ -30,17 +31,24 @@ public:
 
 private:
   void look() noexcept;
-  // The step (6) towards the goal that the rows allow; fills rows_ and multipliers_.
+  // The step (6) towards the goal that the rows and friction allow; fills rows_, multipliers_ and pushing_.
   Vec6 solve(const Pose& X_WG) noexcept;
+  Vec6 solve_rows(const Vec6& goal) noexcept;
+  // The friction (6) of the points that push, under which `step` was found and then is.
+  Vec6 rub_along(Vec6 step, const Vec6& friction) noexcept;
+  Vec6 friction() const noexcept;
   Wrench share_force(const Wrench& coupling_F_T_W) noexcept;
 
   QuasiStaticTool tool_;
   ContactQuery query_;
   RegionTracker regions_;
+  Vec6 metric_;
   ElasticQp qp_;
+  double friction_;   // coefficient
   double allowance_;  // m, see motion_allowance()
   double reach_;      // m, points nearer than this are rows
   double tool_radius_;
+  Pose X_WT_before_;  // at the start of the tick
   bool looked_ = false;
   ContactQuery::Outcome outcome_;
   ContactSet contacts_;  // nearer than reach_ to the scene, at the tool's pose
@@ -48,7 +56,9 @@ private:
   std::array<double, kMaxContacts> multipliers_{};  // N
   struct Pushing {
     std::uint32_t point = 0;  // of the shell
-    double multiplier = 0;    // N
+    std::size_t contact = 0;
+    double multiplier = 0;           // N
+    Vec3 friction_W = Vec3::Zero();  // (3) N
   };
   std::array<Pushing, 8> pushing_{};  // at the last solution, in the order of the shell
   std::size_t pushing_count_ = 0;

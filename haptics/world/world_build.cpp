@@ -60,6 +60,12 @@ Result<World> World::build(SceneDesc desc) {
   if (!positive(desc.contact.stiffness) || !(desc.contact.dissipation >= 0) ||
       !positive(desc.contact.region_radius))
     return Error{"Contact stiffness and region radius must be positive, and dissipation not negative."};
+  if (!(desc.contact.friction >= 0) || !std::isfinite(desc.contact.friction))
+    return Error{"The coefficient of friction must be 0 or more."};
+  if (desc.contact.friction > 0 && desc.contact.response != ContactResponse::constraint)
+    return Error{
+        "contact.friction is there for the response constraint alone: name that response, or leave friction "
+        "out."};
   if (!positive(desc.coupling.max_force) || !positive(desc.coupling.max_torque) ||
       !(desc.coupling.damping_ratio >= 0 && desc.coupling.damping_ratio <= 1))
     return Error{

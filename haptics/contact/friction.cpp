@@ -1,0 +1,54 @@
+#include "haptics/contact/friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr int kSweeps = 40;
+constexpr double kSettled = 1e-9;  // of the largest normal force: a sweep that changes less is the last
+
+Vec6 about_T(const Vec3& force_W, const Vec3& r_W) {
+  Vec6 F;
+  F << force_W, r_W.cross(force_W);
+  return F;
+}
+
+// m/N: by how much at most the point gives way to a force along its surface.
+double mobility(const RubbingPoint& point, const Vec6& metric) {
+  const Vec3 t = point.nhat_W.unitOrthogonal(), u = point.nhat_W.cross(t);
+  const Vec3 turn_t = point.r_W.cross(t), turn_u = point.r_W.cross(u);
+  const double k = metric[0], k_R = metric[3];
+  const double tt = turn_t.squaredNorm(), uu = turn_u.squaredNorm(), tu = turn_t.dot(turn_u);
+  const double largest = 0.5 * (tt + uu) + std::hypot(0.5 * (tt - uu), tu);
+  return 1 / k + largest / k_R;
+}
+
+}  // namespace
+
+Vec6 rub(const Vec6& metric, double coefficient, Vec6& step, std::span<RubbingPoint> points) noexcept {
+  double largest = 0;
+  for (const RubbingPoint& point : points) largest = std::max(largest, point.normal_force);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double changed = 0;
+    for (RubbingPoint& point : points) {
+      const Vec3 moved = step.head<3>() + step.tail<3>().cross(point.r_W) + point.slip_W;
+      const Vec3 along = moved - point.nhat_W * point.nhat_W.dot(moved);
+      Vec3 wanted = point.force_W - along / mobility(point, metric);
+      wanted -= point.nhat_W * point.nhat_W.dot(wanted);  // a guess may be of another normal
+      const double most = coefficient * point.normal_force, size = wanted.norm();
+      if (size > most) wanted *= most / size;
+      const Vec3 change = wanted - point.force_W;
+      step += about_T(change, point.r_W).cwiseQuotient(metric);
+      point.force_W = wanted;
+      changed = std::max(changed, change.norm());
+    }
+    if (changed <= kSettled * largest) break;
+  }
+  Vec6 sum = Vec6::Zero();
+  for (const RubbingPoint& point : points) sum += about_T(point.force_W, point.r_W);
+  return sum;
+}
+
+}  // namespace fulcrum
