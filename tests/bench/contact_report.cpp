@@ -129,8 +129,8 @@ void write_rest(const Report& r, std::ostream& out) {
 
 void write_tables(const Report& r, std::ostream& out) {
   out << "Contact on " << r.machine << ", " << r.simd << "\n"
-      << "A ring spanner of " << r.tool_triangles << " triangles in pipes of " << r.scene_triangles << ", "
-      << text(1e3 * kPenetration) << " mm deep\n\n";
+      << "A ring spanner of " << count_text(r.tool_triangles) << " triangles in pipes of "
+      << count_text(r.scene_triangles) << ", " << text(1e3 * kPenetration) << " mm deep\n\n";
   write_queries(r, out);
   write_peers(r, out);
   write_rest(r, out);
