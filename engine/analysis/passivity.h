@@ -1,7 +1,7 @@
 #pragma once
 // What theory promises of a wall in any hand that is passive itself.
 
-#include "engine/analysis/wall_loop.h"
+#include "haptics/device/wall_loop.h"
 
 namespace fulcrum::analysis {
 

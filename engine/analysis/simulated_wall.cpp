@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/analysis/border.h"
 #include "haptics/estimate/counted_motion.h"
+#include "haptics/math/border.h"
 #include "haptics/safety/energy_ledger.h"
 
 namespace fulcrum::analysis {
@@ -57,13 +57,18 @@ private:
 }  // namespace
 
 SimulatedWall::SimulatedWall(const WallLoop& loop, const Wall& wall, double v0)
-    : wall_(wall), tick_s_(loop.tick_s), rest_(loop.axis.encoder_step / 2), device_(device_of(loop), Pose{}) {
+    : wall_(wall),
+      tick_s_(loop.tick_s),
+      rest_(loop.axis.encoder_step / 2),
+      device_(device_of(loop), Pose{}),
+      keep_(loop.keep) {
   device_.push({v0, 0, 0});
 }
 
 void SimulatedWall::tick() noexcept {
   const double x = counted();
-  force_ = -wall_.K * (x - rest_) - wall_.B * (x - before_) / tick_s_;
+  velocity_ = keep_ * velocity_ + (1 - keep_) * (x - before_) / tick_s_;
+  force_ = -wall_.K * (x - rest_) - wall_.B * velocity_;
   before_ = x;
   device_.write({.F_H_D = {Vec3(force_, 0, 0), Vec3::Zero()}});
 }

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "engine/analysis/wall_loop.h"
 #include "haptics/device/simulated_device.h"
+#include "haptics/device/wall_loop.h"
 
 namespace fulcrum::analysis {
 
@@ -26,7 +26,9 @@ private:
   double tick_s_;
   double rest_;  // m, the wall's zero
   SimulatedDevice device_;
+  double keep_;
   double before_ = 0;
+  double velocity_ = 0;  // m/s, as estimated
   double force_ = 0;
 };
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "engine/analysis/linear_loop.h"
 #include "engine/analysis/simulated_wall.h"
+#include "haptics/device/linear_loop.h"
 
 namespace fulcrum::analysis {
 namespace {

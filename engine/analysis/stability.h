@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/analysis/passivity.h"
-#include "engine/analysis/wall_loop.h"
+#include "haptics/device/wall_loop.h"
 
 namespace fulcrum::analysis {
 

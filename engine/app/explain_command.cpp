@@ -101,7 +101,6 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
       "  A whole tick takes %.1f us of the processor, in the mean over the '%s' hand's motion.\n\n%s\n",
       tick_us, hand.c_str(), bold("Left out").c_str());
   print_table(list.left_out, false);
-  for (const std::string& note : prepared->models.notes) std::printf("%s\n", dim(note).c_str());
   for (const std::string& note : prepared->haptic.notes) std::printf("%s\n", dim(note).c_str());
   return kCompleted;
 }

@@ -63,6 +63,7 @@ std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scen
     complain(haptic.error().sentence);
     return std::nullopt;
   }
+  for (const std::string& warning : haptic->warnings) complain(name + ": " + warning);
   return Prepared{name, std::move(scenario), std::move(*models), std::move(*haptic)};
 }
 

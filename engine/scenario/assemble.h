@@ -42,6 +42,7 @@ struct HapticAssembly {
   Solid tool_T;
   std::vector<std::string>
       notes;  // sentences: from the cache or baked in how long; what the cache had to say
+  std::vector<std::string> warnings;  // sentences: what runs, and may not do what its author wants
 };
 
 // `what` is being baked, "distance field"; `fraction` runs from 0 to 1, in whole percents. Called on the

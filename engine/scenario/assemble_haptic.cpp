@@ -86,10 +86,11 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   scene.tool = tool_desc(scenario.tool, models, X_MT);
   scene.contact = scenario.contact;
   scene.integrator = scenario.integrator;
-  scene.coupling = scenario.coupling;
   scene.velocity = scenario.velocity_estimator;
   scene.mapping = scenario.device.mapping;
   scene.device = scenario.device.desc;
+  scene.coupling = suit_coupling(scenario.coupling, scene);
+  if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
 
   Baking shell_baking("pointshell", progress);
   auto shell = cache.pointshell(result.tool_T, scenario.shell);

@@ -19,15 +19,18 @@ void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {
       contact.region_radius, above_to(0, 1));
 }
 
-void describe_coupling(KeyVisitor& visitor, CouplingDesc& coupling) {
-  visitor.number({"stiffness", "N/m", "of the spring between hand and tool"}, coupling.stiffness,
-                 above_to(0, 1e5));
-  visitor.number({"angular_stiffness", "N m/rad", "likewise, in rotation"}, coupling.angular_stiffness,
-                 above_to(0, 1e3));
+void describe_coupling(KeyVisitor& visitor, CouplingGains& coupling) {
+  visitor.optional_number(
+      {"stiffness", "N/m", "of the spring between hand and tool; without it, what suits the device"},
+      coupling.stiffness, above_to(0, 1e5));
+  visitor.optional_number({"angular_stiffness", "N m/rad", "likewise, in rotation"},
+                          coupling.angular_stiffness, above_to(0, 1e3));
   visitor.number({"damping_ratio", "", "of critical damping"}, coupling.damping_ratio, from_to(0, 10));
-  visitor.number({"max_force", "N", "at which the spring saturates"}, coupling.max_force, above_to(0, 1000));
-  visitor.number({"max_torque", "N m", "at which the spring saturates"}, coupling.max_torque,
-                 above_to(0, 100));
+  visitor.optional_number(
+      {"max_force", "N", "at which the spring saturates; without it, just below the device's limit"},
+      coupling.max_force, above_to(0, 1000));
+  visitor.optional_number({"max_torque", "N m", "likewise, in rotation"}, coupling.max_torque,
+                          above_to(0, 100));
 }
 
 void describe_velocity_estimator(KeyVisitor& visitor, VelocityEstimatorDesc& velocity) {

@@ -16,6 +16,7 @@
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/pointshell_bake.h"
 #include "haptics/device/hand.h"
+#include "haptics/world/coupling_gains.h"
 #include "haptics/world/scene_desc.h"
 
 namespace fulcrum::scenario {
@@ -91,7 +92,7 @@ struct Scenario {
   PointshellDesc shell;
   ContactDesc contact;
   Integrator integrator = SceneDesc{}.integrator;
-  CouplingDesc coupling;
+  CouplingGains coupling;
   VelocityEstimatorDesc velocity_estimator;
   DeviceEntry device;
   std::vector<Checkpoint> checkpoints;

@@ -32,27 +32,42 @@ public:
     int iterations = 0;
   };
   // rows: at most kMaxRows; the rest are not looked at. multipliers: (rows) receives the force of each row,
-  // >= 0, m (x - g) = sum_i multiplier_i a_i.
+  // >= 0, m (x - g) = sum_i multiplier_i a_i. What it holds before is a guess: rows above zero are tried as
+  // active first. The answer is the same, sooner.
   Solution solve(const Vec6& goal, std::span<const QpRow> rows, std::span<double> multipliers) noexcept;
 
 private:
   static constexpr int kDimension = 7;
   using Vec7 = Eigen::Matrix<double, kDimension, 1>;
+  using Mat7 = Eigen::Matrix<double, kDimension, kDimension>;
 
   struct Active {
     std::size_t row = 0;
     double multiplier = 0;
   };
+  // A row beside the active ones.
+  struct Split {
+    Vec7 along;   // its coordinates in the basis
+    Vec7 beyond;  // the part of it that no active row spans
+    bool independent;
+  };
+  Vec7 start(const Vec7& goal, std::span<const double> multipliers) noexcept;
   void scale(std::span<const QpRow> rows) noexcept;
-  bool project(const Vec7& c, Vec7& z, Vec7& r) const noexcept;
+  Split split(const Vec7& c) const noexcept;
+  void activate(std::size_t row, double multiplier, const Split& parts) noexcept;
+  void deactivate(int which) noexcept;
+  Vec7 over_triangle(const Vec7& v) const noexcept;
+  Vec7 over_transposed(const Vec7& v) const noexcept;
 
-  Vec6 root_metric_;
-  double root_slack_;
+  Vec6 per_root_metric_;
+  double per_root_slack_;
   std::array<Vec7, kMaxRows> c_;      // rows over the root of the metric, unit
   std::array<double, kMaxRows> b_{};  // likewise
   std::array<double, kMaxRows> scale_{};
   std::array<Active, kDimension> active_{};
   int active_count_ = 0;
+  Mat7 basis_;     // orthonormal columns, as many as rows are active
+  Mat7 triangle_;  // upper: active row j is basis_ times its column j
 };
 
 }  // namespace fulcrum

@@ -55,11 +55,14 @@ HWY_INLINE void load_pair(const float* values, I offset, F& low, F& high) {
 }
 
 struct Place {
-  F x, y, z;  // cells
+  F x, y, z;  // cells from `from`
+  std::array<std::int32_t, 3> from;
 };
 
 // Where `stored`: the interpolant's terms. Elsewhere they mean nothing.
 struct Terms {
+  M in_grid;
+  I brick;  // of the place, where in the grid: its number times four
   M stored;
   F tx, ty, tz;       // 0 to 1 within the cell
   F low[4], high[4];  // the corners at both ends of x, in quanta; y fastest
@@ -70,17 +73,17 @@ HWY_INLINE F length(F x, F y, F z) {
   return hn::Sqrt(hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)));
 }
 
-// The solid's bounds are no farther than its surface. Not a number: far outside.
-HWY_INLINE F distance_to_bounds(const FieldView& field, const Place& p) {
+// The solid's bounds are no farther than its surface. Not a number: far outside. p: cells.
+HWY_INLINE F distance_to_bounds(const FieldView& field, F x, F y, F z) {
   const auto beyond = [](F q, float low, float high) {
     return hn::Sub(q, hn::Min(hn::Max(q, hn::Set(f, low)), hn::Set(f, high)));
   };
   const F far = hn::Set(f, static_cast<float>(kFarOutside_m));
-  const F distance = hn::Mul(length(beyond(p.x, field.box_low[0], field.box_high[0]),
-                                    beyond(p.y, field.box_low[1], field.box_high[1]),
-                                    beyond(p.z, field.box_low[2], field.box_high[2])),
-                             hn::Set(f, field.voxel_m));
-  const F number = hn::Add(hn::Add(p.x, p.y), p.z);
+  const F distance = hn::Mul(
+      length(beyond(x, field.box_low[0], field.box_high[0]), beyond(y, field.box_low[1], field.box_high[1]),
+             beyond(z, field.box_low[2], field.box_high[2])),
+      hn::Set(f, field.voxel_m));
+  const F number = hn::Add(hn::Add(x, y), z);
   return hn::IfThenElse(hn::And(hn::Lt(distance, far), hn::Eq(number, number)), distance, far);
 }
 
@@ -91,31 +94,42 @@ HWY_INLINE F look_up(const FieldView& field, const Place& p, Terms& terms) {
   const auto within = [&](F q, float cells) {
     return hn::And(hn::Ge(q, zero), hn::Le(q, hn::Set(f, cells)));  // false for NaN
   };
-  const M in_grid =
-      hn::And(hn::And(within(p.x, field.cells[0]), within(p.y, field.cells[1])), within(p.z, field.cells[2]));
-  if (hn::AllFalse(f, in_grid)) {
-    terms.stored = in_grid;
-    return distance_to_bounds(field, p);
-  }
-  const Place q{hn::IfThenElseZero(in_grid, p.x), hn::IfThenElseZero(in_grid, p.y),
-                hn::IfThenElseZero(in_grid, p.z)};
-  const auto cell_of = [](F coordinate, std::int32_t bricks) {
-    return hn::Min(hn::ConvertTo(n, coordinate), hn::Set(n, bricks * kBrickCells - 1));
+  const auto whole = [](F coordinate, std::int32_t from) {
+    return hn::Add(coordinate, hn::Set(f, static_cast<float>(from)));
   };
-  const I x = cell_of(q.x, field.bricks[0]), y = cell_of(q.y, field.bricks[1]),
-          z = cell_of(q.z, field.bricks[2]);
+  const F wx = whole(p.x, p.from[0]), wy = whole(p.y, p.from[1]), wz = whole(p.z, p.from[2]);
+  const M in_grid =
+      hn::And(hn::And(within(wx, field.cells[0]), within(wy, field.cells[1])), within(wz, field.cells[2]));
+  terms.in_grid = in_grid;
+  if (hn::AllFalse(f, in_grid)) {
+    terms.brick = hn::Zero(n);
+    terms.stored = in_grid;
+    return distance_to_bounds(field, wx, wy, wz);
+  }
+  const F px = hn::IfThenElseZero(in_grid, p.x), py = hn::IfThenElseZero(in_grid, p.y),
+          pz = hn::IfThenElseZero(in_grid, p.z);
+  const auto cell_of = [](F coordinate, std::int32_t from, std::int32_t bricks) {
+    const I cell = hn::Add(hn::ConvertTo(n, hn::Floor(coordinate)), hn::Set(n, from));
+    return hn::Min(hn::Max(cell, hn::Zero(n)), hn::Set(n, bricks * kBrickCells - 1));
+  };
+  const I x = cell_of(px, p.from[0], field.bricks[0]), y = cell_of(py, p.from[1], field.bricks[1]),
+          z = cell_of(pz, p.from[2], field.bricks[2]);
   const I bx = hn::ShiftRight<3>(x), by = hn::ShiftRight<3>(y), bz = hn::ShiftRight<3>(z);
   const I row = hn::Add(hn::Mul(bz, hn::Set(n, field.bricks[1])), by);
   const I brick = hn::ShiftLeft<2>(hn::Add(hn::Mul(row, hn::Set(n, field.bricks[0])), bx));
+  terms.brick = brick;
   const I slot = gather(field.brick_slot, brick);
   const M has_values = hn::RebindMask(f, hn::Gt(slot, hn::Set(n, kNoBrick)));
   terms.stored = hn::And(in_grid, has_values);
 
   F distance = zero;
   if (!hn::AllFalse(f, terms.stored)) {
-    terms.tx = hn::Sub(q.x, hn::ConvertTo(f, x));
-    terms.ty = hn::Sub(q.y, hn::ConvertTo(f, y));
-    terms.tz = hn::Sub(q.z, hn::ConvertTo(f, z));
+    const auto rest = [](F coordinate, I cell, std::int32_t from) {
+      return hn::Sub(coordinate, hn::ConvertTo(f, hn::Sub(cell, hn::Set(n, from))));
+    };
+    terms.tx = rest(px, x, p.from[0]);
+    terms.ty = rest(py, y, p.from[1]);
+    terms.tz = rest(pz, z, p.from[2]);
     const I seven = hn::Set(n, kBrickCells - 1);
     const I in_brick =
         hn::Add(hn::And(x, seven),
@@ -141,13 +155,14 @@ HWY_INLINE F look_up(const FieldView& field, const Place& p, Terms& terms) {
     const I middle = hn::Add(hn::ShiftLeft<3>(b), hn::Set(n, kBrickCells / 2));
     return hn::Sub(coordinate, hn::ConvertTo(f, middle));
   };
-  const F way = hn::Mul(length(from_middle(q.x, bx), from_middle(q.y, by), from_middle(q.z, bz)),
+  const F way = hn::Mul(length(from_middle(wx, bx), from_middle(wy, by), from_middle(wz, bz)),
                         hn::Set(f, field.voxel_m));
   const F least = hn::Max(hn::Sub(hn::Abs(centre), way), hn::Set(f, field.band_m));
   const F coarse = hn::CopySign(least, centre);
   return hn::IfThenElse(
       terms.stored, distance,
-      hn::IfThenElse(in_grid, coarse, hn::AllTrue(f, in_grid) ? zero : distance_to_bounds(field, p)));
+      hn::IfThenElse(in_grid, coarse,
+                     hn::AllTrue(f, in_grid) ? zero : distance_to_bounds(field, wx, wy, wz)));
 }
 
 // The interpolant's gradient, made unit. Answers where there is one.

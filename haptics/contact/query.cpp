@@ -7,18 +7,52 @@
 namespace fulcrum {
 namespace {
 
-// Of single precision, in the sums that take a point to cells and in the look-up.
+// Of single precision, in the sums that take a place to cells and in the look-up.
 constexpr double kUnitRoundoff = 0x1p-24, kRoundings = 16;
 
-double rounding_of(const Pointshell& shell, const DistanceField& field) {
-  const double reach = field.grid_box().sizes().maxCoeff() + 2 * shell.max_radius_m;
-  return kRoundings * kUnitRoundoff * reach;
+double rounding_over(double metres) {
+  return kRoundings * kUnitRoundoff * metres;
+}
+
+double beyond_band_error(const DistanceField& field) {
+  return field.voxel_m() * field.voxel_m() / (4 * field.band_m()) + 0.5 * field.quantum_m();
 }
 
 double overestimate_of(const DistanceField& field) {
-  const double beyond_band =
-      field.voxel_m() * field.voxel_m() / (4 * field.band_m()) + 0.5 * field.quantum_m();
-  return std::max(field.error_bound_m(), beyond_band);
+  return std::max(field.error_bound_m(), beyond_band_error(field));
+}
+
+// (bricks) m: by how much the field may say too much at a place in the brick and too little at another no
+// farther from it than a brick's edge.
+std::vector<float> slack_of_bricks(const DistanceField& field, double rounding) {
+  const FieldData& data = field.data();
+  const auto at = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    return static_cast<std::size_t>((z * data.bricks[1] + y) * data.bricks[0] + x);
+  };
+  std::vector<float> own(data.brick_slot.size(), 0.0f);
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (data.brick_slot[i] != kNoBrick)
+      own[i] = data.slot_error_m[static_cast<std::size_t>(data.brick_slot[i])];
+  // The largest of three in a row, along each axis in turn: of all the bricks around.
+  std::vector<float> around = own, before;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    before = around;
+    for (std::int32_t z = 0; z < data.bricks[2]; ++z) {
+      for (std::int32_t y = 0; y < data.bricks[1]; ++y) {
+        for (std::int32_t x = 0; x < data.bricks[0]; ++x) {
+          std::array<std::int32_t, 3> next{x, y, z};
+          if (++next[axis] == data.bricks[axis]) continue;
+          const std::size_t a = at(x, y, z), b = at(next[0], next[1], next[2]);
+          around[a] = std::max(around[a], before[b]);
+          around[b] = std::max(around[b], before[a]);
+        }
+      }
+    }
+  }
+  const auto beyond = static_cast<float>(beyond_band_error(field));
+  for (std::size_t i = 0; i < around.size(); ++i)
+    around[i] += std::max(own[i], beyond) + static_cast<float>(rounding);
+  return around;
 }
 
 // Turns patches into contacts.
@@ -28,7 +62,7 @@ struct Collector {
   Mat3 R_WT;
   Vec3 p_WT;
   ContactSet& set;
-  double margin;
+  float margin;
   bool in_band = true;
 
   Contact contact(const PatchHit& hit, unsigned lane, double area) const {
@@ -38,11 +72,10 @@ struct Collector {
                             ? field_W.sample(p_W).gradient
                             : Vec3(static_cast<double>(hit.nx[lane]), static_cast<double>(hit.ny[lane]),
                                    static_cast<double>(hit.nz[lane]));
-    // Stiff contact feels the rounding of single precision: depths are looked up again in double.
-    return {point, p_W, nhat_W, -field_W.distance(p_W), area};
+    return {point, p_W, nhat_W, -static_cast<double>(hit.distance[lane]), area};
   }
 
-  void take(const PatchHit& hit) {
+  float take(const PatchHit& hit) {
     auto deepest = static_cast<unsigned>(std::countr_zero(hit.touching));
     float least = hit.distance[deepest];
     double area = 0;
@@ -50,10 +83,7 @@ struct Collector {
     for (std::uint32_t left = hit.touching; left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
       const double own = shell_T.areas_m2[hit.first + lane];
-      if (one_by_one) {
-        const Contact each = contact(hit, lane, own);
-        if (-each.depth < margin) set.add(each);
-      }
+      if (one_by_one) set.add(contact(hit, lane, own));
       if (hit.distance[lane] < least) {
         least = hit.distance[lane];
         deepest = lane;
@@ -64,30 +94,38 @@ struct Collector {
     if (!one_by_one && !set.absorb(hit.first + deepest, depth, area))  // as one by one would end up, sooner
       set.add(contact(hit, deepest, area));
     in_band &= depth <= field_W.band_m();
+    return margin;
   }
 };
 
 // The least fraction of a motion that a point near the scene allows.
 struct Advance {
   const Pointshell& shell_T;
-  double travel, turn, allowance, overestimate;
+  double travel, turn, allowance, known, overestimate, farthest;
   double fraction = 1;
 
-  void take(const PatchHit& hit) {
+  // Points beyond cannot lower the fraction that has been found: they are farther than they travel by it.
+  float margin() const { return static_cast<float>(fraction * farthest + overestimate); }
+
+  float take(const PatchHit& hit) {
     for (std::uint32_t left = hit.touching; left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
-      const double reach = travel + turn * shell_T.positions[hit.first + lane].norm();
       const double distance = static_cast<double>(hit.distance[lane]);
-      const double room = std::max(distance - overestimate, 0.0) + allowance;
-      if (reach > room) fraction = std::min(fraction, room / reach);
+      const double safe = std::max(distance - overestimate, 0.0);
+      const double room =
+          distance < known ? safe + allowance : std::min(safe + allowance, std::max(safe, known));
+      if (fraction * farthest <= room) continue;
+      const double reach = travel + turn * shell_T.positions[hit.first + lane].norm();
+      if (fraction * reach > room) fraction = room / reach;
     }
+    return margin();
   }
 };
 
 template <class Taker>
 void walk_into(ShellWalk walk, Taker& taker) noexcept {
   walk.taker = &taker;
-  walk.found = [](void* to, const PatchHit& hit) noexcept { static_cast<Taker*>(to)->take(hit); };
+  walk.found = [](void* to, const PatchHit& hit) noexcept { return static_cast<Taker*>(to)->take(hit); };
   walk_shell(walk);
 }
 
@@ -99,8 +137,10 @@ ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell_T,
       field_(std::move(field_W)),
       tree_(build_sphere_tree(*shell_)),
       view_(view_of(*field_)),
-      rounding_(rounding_of(*shell_, *field_)),
-      overestimate_(overestimate_of(*field_) + rounding_) {
+      rounding_(rounding_over(2 * tree_.patch_radius + field_->voxel_m() + field_->band_m())),
+      rounding_far_(rounding_over(field_->grid_box().sizes().maxCoeff() + 2 * shell_->max_radius_m)),
+      overestimate_(overestimate_of(*field_) + rounding_far_),
+      brick_slack_(slack_of_bricks(*field_, 2 * rounding_far_)) {
   simd_target();  // the first call finds out what the processor has
 }
 
@@ -113,31 +153,33 @@ ShellWalk ContactQuery::walk_at(const Pose& X_WT, double margin) const noexcept 
   const Vec3 shift = (X_WT.p - field_->data().origin) * cells_per_m;
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = 0; column < 3; ++column)
-      walk.turn[static_cast<std::size_t>(3 * row + column)] = static_cast<float>(turn(row, column));
-    walk.shift[static_cast<std::size_t>(row)] = static_cast<float>(shift[row]);
+      walk.turn[static_cast<std::size_t>(3 * row + column)] = turn(row, column);
+    walk.shift[static_cast<std::size_t>(row)] = shift[row];
   }
   walk.margin = static_cast<float>(margin);
   // At the node's centre the field may say too much, at the point too little.
-  walk.slack = static_cast<float>(overestimate_ + field_->error_bound_m() + rounding_);
+  walk.slack = static_cast<float>(overestimate_ + field_->error_bound_m() + rounding_far_);
+  walk.brick_slack = brick_slack_.data();
+  walk.brick_edge = static_cast<float>(kBrickCells * field_->voxel_m());
   return walk;
 }
 
 ContactQuery::Outcome ContactQuery::run(const Pose& X_WT, ContactSet& set, double margin) noexcept {
   set.clear();
   X_WT_ = X_WT;
-  Collector collector{*shell_, *field_, X_WT.q.toRotationMatrix(), X_WT.p, set, margin};
-  ShellWalk walk = walk_at(X_WT, margin + rounding_);
+  Collector collector{*shell_, *field_, X_WT.q.toRotationMatrix(), X_WT.p, set, static_cast<float>(margin)};
+  ShellWalk walk = walk_at(X_WT, margin);
   walk.normals = true;
   walk_into(walk, collector);
   return {set.complete(), collector.in_band};
 }
 
-double ContactQuery::safe_fraction(double travel, double turn, double allowance) const noexcept {
+double ContactQuery::safe_fraction(double travel, double turn, double allowance,
+                                   double known) const noexcept {
   const double farthest = travel + turn * shell_->max_radius_m;
-  if (farthest <= allowance) return 1.0;
-  Advance advance{*shell_, travel, turn, allowance, overestimate_};
-  // Points beyond are farther than any of them travels.
-  walk_into(walk_at(X_WT_, farthest - allowance + overestimate_), advance);
+  if (farthest <= std::min(allowance, known)) return 1.0;
+  Advance advance{*shell_, travel, turn, allowance, known, overestimate_, farthest};
+  walk_into(walk_at(X_WT_, static_cast<double>(advance.margin())), advance);
   return advance.fraction;
 }
 

@@ -4,7 +4,9 @@
 // voxel sampling", SIGGRAPH 1999; distance fields in place of voxels, and a hierarchy over the points: J.
 // Barbic, D. L. James, IEEE Trans. Haptics 1(1), 2008.
 
+#include <limits>
 #include <memory>
+#include <vector>
 
 #include "haptics/contact/contact_set.h"
 #include "haptics/contact/shell_walk.h"
@@ -25,18 +27,20 @@ public:
   };
   // Fills the set for the tool at X_WT, in the order of the shell: every point whose distance is below
   // `margin`. Past the field's band distances are lower bounds, and of the points that only their bound
-  // brings below a margin wider than the band, some are missing. Where neighbours are taken together, which
-  // of them is deepest is decided in single precision: rounding() off at most.
+  // brings below a margin wider than the band, some are missing. Depths in band are rounding() off at most,
+  // nanometres.
   Outcome run(const Pose& X_WT, ContactSet& set, double margin = 0) noexcept;
 
   // The largest fraction, 0 to 1, of a motion over which no shell point can enter the scene by more than
   // `allowance` m beyond where it was at the last run(). The field's values are 1-Lipschitz up to its error
   // bound, so a point that travels less than its distance stays out (conservative advancement: Mirtich 1996).
-  // The travel of a point is bounded by |v| t + |w| t |p_T|.
-  double safe_fraction(double travel, double turn, double allowance) const noexcept;
+  // The travel of a point is bounded by |v| t + |w| t |p_T|. Points whose distance is `known` m or more may
+  // not enter at all.
+  double safe_fraction(double travel, double turn, double allowance,
+                       double known = std::numeric_limits<double>::infinity()) const noexcept;
 
-  double rounding() const { return rounding_; }  // m
-  std::size_t bytes() const { return tree_.bytes(); }
+  double rounding() const { return rounding_; }  // m, of depths by single precision
+  std::size_t bytes() const { return tree_.bytes() + brick_slack_.size() * sizeof(float); }
 
 private:
   ShellWalk walk_at(const Pose& X_WT, double margin) const noexcept;
@@ -46,8 +50,10 @@ private:
   SphereTree tree_;
   FieldView view_;
   double rounding_ = 0;
+  double rounding_far_ = 0;  // m, of what the field says outside the stored bricks, and of nodes
   double overestimate_ = 0;  // m, most by which a distance exceeds the exact one
-  Pose X_WT_;                // at the last run
+  std::vector<float> brick_slack_;
+  Pose X_WT_;  // at the last run
 };
 
 }  // namespace fulcrum

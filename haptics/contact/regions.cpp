@@ -5,7 +5,6 @@
 namespace fulcrum {
 namespace {
 
-constexpr std::uint16_t kUnlabelled = 0xffff;
 constexpr double kNothing = 1e-9;  // N, so that points which touch without force have a centre too
 
 bool alike(const Contact& a, const Contact& b, double radius) {
@@ -18,23 +17,29 @@ bool alike(const Contact& a, const Contact& b, double radius) {
 // Flood fill in the order of the contacts: the same labels for the same contacts, always. Regions past the
 // capacity join the last one.
 std::size_t RegionTracker::cluster(std::span<const Contact> contacts) noexcept {
-  std::array<std::uint16_t, kMaxContacts> open{};
-  std::size_t labels = 0;
-  std::fill_n(label_.begin(), contacts.size(), kUnlabelled);
-  for (std::size_t seed = 0; seed < contacts.size(); ++seed) {
-    if (label_[seed] != kUnlabelled) continue;
+  std::array<std::uint16_t, kMaxContacts> open{}, left{};
+  std::size_t labels = 0, left_count = contacts.size();
+  for (std::size_t i = 0; i < left_count; ++i) left[i] = static_cast<std::uint16_t>(i);
+  while (left_count > 0) {
     const auto label = static_cast<std::uint16_t>(std::min(labels, kMaxRegions - 1));
     labels = std::min(labels + 1, kMaxRegions);
     std::size_t waiting = 0;
-    open[waiting++] = static_cast<std::uint16_t>(seed);
-    label_[seed] = label;
+    open[waiting++] = left[0];
+    label_[left[0]] = label;
+    std::copy(left.begin() + 1, left.begin() + static_cast<std::ptrdiff_t>(left_count), left.begin());
+    --left_count;
     while (waiting > 0) {
-      const std::uint16_t at = open[--waiting];
-      for (std::size_t i = 0; i < contacts.size(); ++i) {
-        if (label_[i] != kUnlabelled || !alike(contacts[at], contacts[i], radius_)) continue;
-        label_[i] = label;
-        open[waiting++] = static_cast<std::uint16_t>(i);
+      const Contact& at = contacts[open[--waiting]];
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < left_count; ++i) {
+        if (alike(at, contacts[left[i]], radius_)) {
+          label_[left[i]] = label;
+          open[waiting++] = left[i];
+        } else {
+          left[kept++] = left[i];
+        }
       }
+      left_count = kept;
     }
   }
   return labels;

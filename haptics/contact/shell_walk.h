@@ -2,12 +2,12 @@
 // A pointshell's sphere hierarchy against a distance field, by SIMD: the walk behind ContactQuery.
 //
 // A node is left out when the field at its centre says that no point of it can come within the margin: the
-// distance is 1-Lipschitz, and `slack` covers what the stored field errs by. Patches of 16 points that remain
-// are looked up whole.
+// distance is 1-Lipschitz, and `slack` covers what the stored field errs by: a node no larger than a brick
+// needs the slack of its brick alone. Patches of 16 points that remain are looked up whole.
 //
 // The target (SSE2 to AVX-512) is chosen while running. Every target gives the same bits: single precision
-// throughout, products and sums rounded one by one in the order written, square root and division as IEEE 754
-// has them.
+// (double for the middles of patches), products and sums rounded one by one in the order written, square root
+// and division as IEEE 754 has them.
 
 #include <array>
 #include <cstdint>
@@ -29,12 +29,15 @@ struct alignas(64) PatchHit {
 struct ShellWalk {
   const SphereTree* tree;
   FieldView field;
-  std::array<float, 9> turn;   // (3 x 3) row by row: cells per metre in T
-  std::array<float, 3> shift;  // (3) cells
-  float margin;                // m
-  float slack;                 // m
+  std::array<double, 9> turn;   // (3 x 3) row by row: cells per metre in T
+  std::array<double, 3> shift;  // (3) cells
+  float margin;                 // m
+  float slack;                  // m
+  const float* brick_slack;     // (bricks) m, for nodes whose radius is brick_edge at most
+  float brick_edge;             // m
   bool normals;
-  void (*found)(void* taker, const PatchHit& hit) noexcept;  // in the order of the shell
+  // Called in the order of the shell. Answers with the margin for what follows, at most the present one.
+  float (*found)(void* taker, const PatchHit& hit) noexcept;
   void* taker;
 };
 

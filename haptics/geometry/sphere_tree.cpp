@@ -68,12 +68,23 @@ SphereTree build_sphere_tree(const Pointshell& shell_T) {
   SphereTree tree;
   const std::span<const Vec3> points = shell_T.positions;
   tree.patches.resize((points.size() + kBlock - 1) / kBlock);
-  for (std::size_t i = 0; i < tree.patches.size() * kBlock; ++i) {
-    SphereTree::Points& patch = tree.patches[i / kBlock];
-    const bool real = i < points.size();
-    patch.x[i % kBlock] = real ? static_cast<float>(points[i].x()) : kNothing;
-    patch.y[i % kBlock] = real ? static_cast<float>(points[i].y()) : kNothing;
-    patch.z[i % kBlock] = real ? static_cast<float>(points[i].z()) : kNothing;
+  for (std::size_t first = 0; first < points.size(); first += kBlock) {
+    const auto run = points.subspan(first, std::min(kBlock, points.size() - first));
+    SphereTree::Points& patch = tree.patches[first / kBlock];
+    patch.x.fill(kNothing);
+    patch.y.fill(kNothing);
+    patch.z.fill(kNothing);
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : run) box.extend(p);
+    const Eigen::Vector3f middle = box.center().cast<float>();
+    tree.middles.push_back({middle.x(), middle.y(), middle.z()});
+    for (std::size_t lane = 0; lane < run.size(); ++lane) {
+      const Vec3 offset = run[lane] - middle.cast<double>();
+      patch.x[lane] = static_cast<float>(offset.x());
+      patch.y[lane] = static_cast<float>(offset.y());
+      patch.z[lane] = static_cast<float>(offset.z());
+      tree.patch_radius = std::max(tree.patch_radius, offset.norm());
+    }
   }
   std::size_t blocks = tree.patches.size();
   for (std::size_t run = kBlock; blocks > 1; run *= kBlock) {
@@ -84,7 +95,7 @@ SphereTree build_sphere_tree(const Pointshell& shell_T) {
 }
 
 std::size_t SphereTree::bytes() const {
-  std::size_t sum = patches.size() * sizeof(Points);
+  std::size_t sum = patches.size() * sizeof(Points) + middles.size() * sizeof middles[0];
   for (const std::vector<Spheres>& level : levels) sum += level.size() * sizeof(Spheres);
   return sum;
 }

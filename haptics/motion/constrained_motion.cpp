@@ -45,10 +45,7 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
     const double reach = travel + turn * tool_radius_;
     settled = reach < kSettled;
     if (settled) break;
-    double fraction = query_.safe_fraction(travel, turn, allowance_);
-    // Points that are no rows must not come in at all: they are reach_ away at least, or as free as they are.
-    if (reach > reach_)
-      fraction = std::min(fraction, std::max(reach_ / reach, query_.safe_fraction(travel, turn, 0.0)));
+    const double fraction = query_.safe_fraction(travel, turn, allowance_, reach_);  // nearer points are rows
     limited = fraction < 1.0;
     if (!tool_.move(step * fraction)) {
       faults |= kNotFinite;
@@ -78,9 +75,20 @@ Vec6 ConstrainedMotion::solve(const Pose& X_WG) noexcept {
     rows_[i].a << contacts[i].nhat_W, Vec3(contacts[i].p_W - tool_.state().X_WT.p).cross(contacts[i].nhat_W);
     rows_[i].b = contacts[i].depth;
   }
-  return qp_
-      .solve(tool_.to_goal(X_WG), {rows_.data(), contacts.size()}, {multipliers_.data(), contacts.size()})
-      .x;
+  // The points that pushed last are the best guess at those that will.
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    while (next < pushing_count_ && pushing_[next].point < contacts[i].point) ++next;
+    const bool pushed = next < pushing_count_ && pushing_[next].point == contacts[i].point;
+    multipliers_[i] = pushed ? pushing_[next].multiplier : 0.0;
+  }
+  const Vec6 step =
+      qp_.solve(tool_.to_goal(X_WG), {rows_.data(), contacts.size()}, {multipliers_.data(), contacts.size()})
+          .x;
+  pushing_count_ = 0;
+  for (std::size_t i = 0; i < contacts.size() && pushing_count_ < pushing_.size(); ++i)
+    if (multipliers_[i] > 0) pushing_[pushing_count_++] = {contacts[i].point, multipliers_[i]};
+  return step;
 }
 
 // The tool has no mass: what the coupling and the weight leave over, the scene gives. The rows' forces tell

@@ -46,6 +46,12 @@ private:
   ContactSet contacts_;  // nearer than reach_ to the scene, at the tool's pose
   std::array<QpRow, kMaxContacts> rows_;
   std::array<double, kMaxContacts> multipliers_{};  // N
+  struct Pushing {
+    std::uint32_t point = 0;  // of the shell
+    double multiplier = 0;    // N
+  };
+  std::array<Pushing, 8> pushing_{};  // at the last solution, in the order of the shell
+  std::size_t pushing_count_ = 0;
   std::array<Contact, kMaxContacts> touching_;
   std::array<Vec3, kMaxContacts> forces_;  // (touching x 3) N
   std::size_t touching_count_ = 0;

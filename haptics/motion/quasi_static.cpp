@@ -4,8 +4,18 @@
 
 namespace fulcrum {
 
+namespace {
+
+// What the coupling's damper has to brake where the tool has no mass: the handle, as the scene feels it.
+RigidBody handle_in_scene(const DeviceDesc& device, const MappingDesc& mapping) {
+  return {device.handle_mass / (mapping.position_scale * mapping.force_scale),
+          Mat3::Identity() * (device.handle_inertia / mapping.force_scale)};
+}
+
+}  // namespace
+
 QuasiStaticTool::QuasiStaticTool(const SceneDesc& desc)
-    : coupling_(desc.coupling, RigidBody(desc.tool.mass, desc.tool.inertia_T)),
+    : coupling_(desc.coupling, handle_in_scene(desc.device, desc.mapping)),
       velocity_(desc.velocity, desc.tick_s),
       weight_(tool_weight(desc.tool)),
       // F_s (1 - exp(-k sag / F_s)) = weight

@@ -1,6 +1,6 @@
 #pragma once
 // What the two motions of a tool without mass share: the hand's goal as a small motion, the weight as an
-// offset of the goal, and the tool's velocity as an estimate.
+// offset of the goal, the tool's velocity as an estimate, and a coupling that damps the handle's own mass.
 
 #include "haptics/estimate/velocity.h"
 #include "haptics/math/rotation.h"

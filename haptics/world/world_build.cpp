@@ -6,6 +6,7 @@
 
 #include "haptics/contact/shell_walk.h"
 #include "haptics/math/number_text.h"
+#include "haptics/world/coupling_gains.h"
 #include "haptics/world/world.h"
 
 namespace fulcrum {
@@ -16,6 +17,14 @@ constexpr double kCouplingShare = 0.25;
 
 // Of the coupling's largest force: what the weight may take of it where the tool has no inertia.
 constexpr double kLargestSag = 0.9;
+
+// Of the stiffness that the device renders.
+std::string let_go_text(const SceneDesc& desc) {
+  const double limit = coupling_limits(desc).stiffness;
+  if (!std::isfinite(limit)) return "";
+  return " and, let go, holds up to " +
+         number_text(limit * desc.mapping.position_scale * desc.mapping.force_scale);
+}
 
 Error refuse_gain(const char* key, double given, const char* unit, double largest, double tick_s) {
   return {std::string(key) + " is " + number_text(given) + " " + unit + ", and with this tool a tick of " +
@@ -56,7 +65,7 @@ Result<World> World::build(SceneDesc desc) {
     return Error{
         "The coupling's max_force and max_torque must be positive and its damping_ratio from 0 to 1."};
   const double rate_squared = 1.0 / (desc.tick_s * desc.tick_s);
-  const bool any_gain = desc.integrator == Integrator::implicit_euler;
+  const bool any_gain = desc.integrator == Integrator::implicit_euler || massless(desc.contact.response);
   const double largest_k = kCouplingShare * tool.mass * rate_squared;
   if (!positive(desc.coupling.stiffness) || (!any_gain && desc.coupling.stiffness > largest_k))
     return refuse_gain("coupling.stiffness", desc.coupling.stiffness, "N/m", largest_k, desc.tick_s);
@@ -97,7 +106,7 @@ std::vector<BuiltPart> World::parts() const {
        number_text(desc_.coupling.stiffness) + " N/m, " + number_text(desc_.coupling.angular_stiffness) +
            " N m/rad; the device renders " +
            number_text(desc_.coupling.stiffness * desc_.mapping.position_scale * desc_.mapping.force_scale) +
-           " N/m",
+           " N/m" + let_go_text(desc_),
        sizeof(VirtualCoupling)},
       {"estimator",
        std::string("velocity by ") + estimators[static_cast<int>(desc_.velocity.kind)] + ", delay " +

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/analysis/linear_loop.h"
 #include "engine/analysis/passivity.h"
 #include "engine/analysis/simulated_wall.h"
+#include "haptics/device/linear_loop.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -85,6 +85,18 @@ TEST(SimulatedBorder, IsTheExactOneOfALinearDevice) {
       EXPECT_NEAR(simulated_stiffness_limit(loop, B, kStart), exact, 0.05 * exact) << delay << " " << B;
     }
     EXPECT_EQ(simulated_stiffness_limit(loop, 1.1 * most, kStart), 0) << delay;
+  }
+}
+
+TEST(SimulatedBorder, WithALowPassIsTheExactOneToo) {
+  for (double keep : {0.5, 0.686, 0.9}) {
+    WallLoop loop = reference();
+    loop.keep = keep;
+    for (double B : {1.0, 0.5 * exact_damping_limit(loop)}) {
+      const double exact = exact_stiffness_limit(loop, B);
+      EXPECT_NEAR(simulated_stiffness_limit(loop, B, kStart), exact, 0.05 * exact) << keep << " " << B;
+    }
+    EXPECT_LT(exact_stiffness_limit(loop, 10), exact_stiffness_limit(reference(), 10)) << "late damping";
   }
 }
 

@@ -90,12 +90,13 @@ TEST(Schema, SaysTypesUnitsRangesAndDefaults) {
   const Json schema = Json::parse(scenario_schema());
   EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
   EXPECT_EQ(schema["additionalProperties"], false);
-  const Json stiffness = schema["properties"]["coupling"]["properties"]["stiffness"];
+  const Json stiffness = schema["properties"]["contact"]["properties"]["stiffness"];
   EXPECT_EQ(stiffness["type"], "number");
   EXPECT_EQ(stiffness["exclusiveMinimum"], 0);
-  EXPECT_EQ(stiffness["maximum"], 1e5);
-  EXPECT_EQ(stiffness["default"], CouplingDesc{}.stiffness);
-  EXPECT_EQ(stiffness["description"], "N/m; of the spring between hand and tool");
+  EXPECT_EQ(stiffness["maximum"], 1e7);
+  EXPECT_EQ(stiffness["default"], ContactDesc{}.stiffness);
+  EXPECT_EQ(stiffness["description"], "N/m; of each contact region");
+  EXPECT_FALSE(schema["properties"]["coupling"]["properties"]["stiffness"].contains("default"));
   const Json& required = schema["required"];
   EXPECT_NE(std::find(required.begin(), required.end(), "time_limit"), required.end());
   EXPECT_EQ(std::find(required.begin(), required.end(), "seed"), required.end());

@@ -79,6 +79,33 @@ TEST(ElasticQp, RandomRowsGiveTheMinimum) {
   }
 }
 
+// Good, bad and impossible guesses alike; a good one needs no iteration.
+TEST(ElasticQp, AGuessChangesNothingButTheWay) {
+  std::mt19937_64 random(13);
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  ElasticQp qp(metric(), kSlack);
+  int cold = 0;
+  for (int problem = 0; problem < 300; ++problem) {
+    std::vector<QpRow> rows;
+    for (int i = 0; i < 1 + problem % 100; ++i)
+      rows.push_back(row(vector().normalized(), 0.1 * vector(), -std::abs(1e-3 * normal(random))));
+    Vec6 goal;
+    goal << 0.01 * vector(), 0.1 * vector();
+    std::vector<double> forces(rows.size());
+    const ElasticQp::Solution without = qp.solve(goal, rows, forces);
+    cold += without.iterations;
+    const ElasticQp::Solution again = qp.solve(goal, rows, forces);
+    EXPECT_EQ(again.iterations, 0) << problem;
+    EXPECT_LT((again.x - without.x).norm(), 1e-10);
+    for (double& force : forces) force = normal(random);
+    const ElasticQp::Solution misled = qp.solve(goal, rows, forces);
+    EXPECT_TRUE(misled.exact);
+    EXPECT_LT((misled.x - without.x).norm(), 1e-9) << problem;
+  }
+  EXPECT_GT(cold, 1000);
+}
+
 // A hundred times the same wall, give or take rounding, and all others besides.
 TEST(ElasticQp, RedundantRowsChangeNothing) {
   const QpRow floor = row({0, 1, 0}, Vec3(0.01, 0, 0.02), -1e-3);

@@ -65,9 +65,11 @@ ShellWalk walk_of(const SphereTree& tree, const DistanceField& field, std::mt199
   ShellWalk walk{};
   walk.tree = &tree;
   walk.field = view_of(field);
-  for (int i = 0; i < 9; ++i) walk.turn[static_cast<std::size_t>(i)] = static_cast<float>(turn(i / 3, i % 3));
-  for (int i = 0; i < 3; ++i) walk.shift[static_cast<std::size_t>(i)] = static_cast<float>(shift[i]);
+  for (int i = 0; i < 9; ++i) walk.turn[static_cast<std::size_t>(i)] = turn(i / 3, i % 3);
+  for (int i = 0; i < 3; ++i) walk.shift[static_cast<std::size_t>(i)] = shift[i];
   walk.slack = static_cast<float>(3 * field.error_bound_m());
+  walk.brick_slack = field.data().centre_m.data();  // never taken: no node is small enough
+  walk.brick_edge = 0;
   walk.normals = true;
   return walk;
 }
@@ -78,7 +80,9 @@ std::vector<test::Looked> walked(ShellWalk walk) {
     std::vector<test::Looked> points;
     std::uint32_t next = 0;
     bool in_order = true;
+    float margin = 0;
   } found;
+  found.margin = walk.margin;
   found.points.resize(walk.tree->patches.size() * kBlock);
   walk.taker = &found;
   walk.found = [](void* to, const PatchHit& hit) noexcept {
@@ -93,6 +97,7 @@ std::vector<test::Looked> walked(ShellWalk walk) {
       point.guessed = (hit.guessed >> lane & 1u) != 0;
       if (!point.guessed) point.n = {hit.nx[lane], hit.ny[lane], hit.nz[lane]};
     }
+    return into.margin;
   };
   walk_shell(walk);
   EXPECT_TRUE(found.in_order);
@@ -101,9 +106,9 @@ std::vector<test::Looked> walked(ShellWalk walk) {
 
 std::vector<test::Looked> expected(const ShellWalk& walk) {
   std::vector<test::Looked> points;
-  for (const SphereTree::Points& patch : walk.tree->patches) {
+  for (std::size_t patch = 0; patch < walk.tree->patches.size(); ++patch) {
     for (std::size_t lane = 0; lane < kBlock; ++lane) {
-      const test::Looked point = test::look_up(walk, patch.x[lane], patch.y[lane], patch.z[lane]);
+      const test::Looked point = test::look_up(walk, patch, lane);
       points.push_back(point.touching ? point : test::Looked{});
     }
   }
@@ -161,13 +166,10 @@ TEST_F(Targets, AreSafeWithWhatIsNotANumber) {
       ShellWalk walk = walk_of(tree, field, random);
       walk.margin = 0.02f;
       spheres.x[0] = spheres.x[1] = spheres.x[2] = 0.0f;
-      if (pose % 4 == 1) walk.shift[1] = odd[static_cast<std::size_t>(pose) / 4];
-      if (pose % 4 == 2) walk.turn[4] = odd[static_cast<std::size_t>(pose) / 4];
+      if (pose % 4 == 1) walk.shift[1] = static_cast<double>(odd[static_cast<std::size_t>(pose) / 4]);
+      if (pose % 4 == 2) walk.turn[4] = static_cast<double>(odd[static_cast<std::size_t>(pose) / 4]);
       for (std::size_t i = 0; i < tree.patches.size() * kBlock; ++i) {
-        const SphereTree::Points& patch = tree.patches[i / kBlock];
-        const test::Looked point =
-            test::look_up(walk, patch.x[i % kBlock], patch.y[i % kBlock], patch.z[i % kBlock]);
-        ASSERT_FALSE(std::isnan(point.distance));
+        ASSERT_FALSE(std::isnan(test::look_up(walk, i / kBlock, i % kBlock).distance));
       }
       if (pose % 4 == 0 || pose % 4 == 3) {
         ASSERT_TRUE(walked(walk) == expected(walk)) << hwy::TargetName(target) << ", pose " << pose;

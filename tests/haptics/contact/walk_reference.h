@@ -46,12 +46,21 @@ inline float stored_value(const FieldView& field, std::size_t index) {
              : static_cast<const float*>(field.values)[index];
 }
 
-inline Looked look_up(const ShellWalk& walk, float x, float y, float z) {
+inline Looked look_up(const ShellWalk& walk, std::size_t patch, std::size_t lane) {
   const FieldView& field = walk.field;
-  std::array<float, 3> q{}, t{};
+  const SphereTree::Points& points = walk.tree->patches[patch];
+  const std::array<float, 3>& middle = walk.tree->middles[patch];
+  std::array<std::int32_t, 3> from{};
+  std::array<float, 3> local{}, q{}, t{};
   bool in_grid = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    q[i] = walk.turn[3 * i] * x + walk.turn[3 * i + 1] * y + walk.turn[3 * i + 2] * z + walk.shift[i];
+    const double a = walk.turn[3 * i], b = walk.turn[3 * i + 1], c = walk.turn[3 * i + 2];
+    const double place = a * static_cast<double>(middle[0]) + b * static_cast<double>(middle[1]) +
+                         c * static_cast<double>(middle[2]) + walk.shift[i];
+    if (std::abs(place) < 1e6) from[i] = static_cast<std::int32_t>(std::floor(place));
+    local[i] = static_cast<float>(a) * points.x[lane] + static_cast<float>(b) * points.y[lane] +
+               static_cast<float>(c) * points.z[lane] + static_cast<float>(place - from[i]);
+    q[i] = local[i] + static_cast<float>(from[i]);
     in_grid = in_grid && q[i] >= 0.0f && q[i] <= field.cells[i];
   }
   Looked result;
@@ -64,10 +73,11 @@ inline Looked look_up(const ShellWalk& walk, float x, float y, float z) {
   std::array<std::int32_t, 3> brick{}, within{};
   std::array<float, 3> from_middle{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::int32_t cell = std::min(static_cast<std::int32_t>(q[i]), field.bricks[i] * kBrickCells - 1);
+    const std::int32_t cell = std::clamp(static_cast<std::int32_t>(std::floor(local[i])) + from[i], 0,
+                                         field.bricks[i] * kBrickCells - 1);
     brick[i] = cell / kBrickCells;
     within[i] = cell % kBrickCells;
-    t[i] = q[i] - static_cast<float>(cell);
+    t[i] = local[i] - static_cast<float>(cell - from[i]);
     from_middle[i] = q[i] - static_cast<float>(brick[i] * kBrickCells + kBrickCells / 2);
   }
   const auto index =

@@ -3,6 +3,8 @@
 // judged in one way: nothing diverges; either the loop comes to rest, or safety bounds it and a fault says
 // so.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -80,6 +82,37 @@ inline Verdict run_closed_loop(SceneDesc scene, HandTask task, double seconds,
   verdict.late_force = (most_F - least_F).norm();
   return verdict;
 }
+
+// What holds however a scene answers to touch.
+class EveryResponse : public testing::TestWithParam<ContactResponse> {
+public:
+  static std::string name(const testing::TestParamInfo<ContactResponse>& info) {
+    switch (info.param) {
+      case ContactResponse::penalty:
+        return "Penalty";
+      case ContactResponse::voxel:
+        return "Voxel";
+      case ContactResponse::quasi_static:
+        return "Static";
+      case ContactResponse::constraint:
+        return "Constraint";
+    }
+    return "Unnamed";
+  }
+
+protected:
+  static SceneDesc answering(SceneDesc scene) {
+    scene.contact.response = GetParam();
+    return scene;
+  }
+};
+// All but the classic method: its depths come by the voxel, so it never quite rests.
+class EveryResponseThatRests : public EveryResponse {};
+inline const auto kResponsesThatRest =
+    testing::Values(ContactResponse::penalty, ContactResponse::quasi_static, ContactResponse::constraint);
+inline const auto kEveryResponse =
+    testing::Values(ContactResponse::penalty, ContactResponse::voxel, ContactResponse::quasi_static,
+                    ContactResponse::constraint);
 
 // The floor scene, pressed 5 mm deep by the hand.
 inline SceneDesc pressing_scene() {

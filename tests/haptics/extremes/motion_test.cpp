@@ -10,9 +10,12 @@
 namespace fulcrum::test {
 namespace {
 
-TEST(Extremes, TenMetresASecondStopAtTheFloor) {
+INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponse, kEveryResponse, EveryResponse::name);
+INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponseThatRests, kResponsesThatRest, EveryResponse::name);
+
+TEST_P(EveryResponseThatRests, TenMetresASecondStopAtTheFloor) {
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::implicit_euler}) {
-    SceneDesc scene = floor_scene(three_feet(), 1);
+    SceneDesc scene = answering(floor_scene(three_feet(), 1));
     scene.integrator = integrator;
     scene.coupling.max_force = 1e4;  // or the hand would only drag the tool after it
     World world = expect(World::build(scene));
@@ -32,12 +35,14 @@ TEST(Extremes, TenMetresASecondStopAtTheFloor) {
     EXPECT_GT(fastest, 9) << "it flies";
     EXPECT_LT(deepest, 2e-3);
     EXPECT_GT(result.record.X_WT.p.y(), 0.008) << "it stands on the floor";
-    EXPECT_TRUE(faults & kMotionLimited);
+    if (!massless(GetParam())) {  // without mass a tick's rounds go to the floor and stop there by themselves
+      EXPECT_TRUE(faults & kMotionLimited);
+    }
     EXPECT_FALSE(faults & kStoppingFaults);
   }
 }
 
-TEST(Extremes, SamplesThatComeTwiceLateOrNotAtAllComeToRest) {
+TEST_P(EveryResponseThatRests, SamplesThatComeTwiceLateOrNotAtAllComeToRest) {
   const auto seldom = [](int tick, int every) { return tick % every == 0; };
   const Mischief mischiefs[] = {// A sample that comes again: the bus gave nothing new in this tick.
                                 [last = DeviceSample{}, &seldom](SimulatedDevice& device, int tick) mutable {
@@ -60,17 +65,17 @@ TEST(Extremes, SamplesThatComeTwiceLateOrNotAtAllComeToRest) {
                                   return device.read();
                                 }};
   for (const Mischief& mischief : mischiefs) {
-    const Verdict verdict = run_closed_loop(pressing_scene(), pressing_hand(), 4, mischief);
+    const Verdict verdict = run_closed_loop(answering(pressing_scene()), pressing_hand(), 4, mischief);
     EXPECT_TRUE(verdict.at_rest()) << verdict.late_tool << " m, " << verdict.late_force << " N";
     EXPECT_FALSE(verdict.faults & kStoppingFaults);
     EXPECT_LT(verdict.depth_max, 2e-3);
   }
 }
 
-TEST(Extremes, AStallOf60msInContactIsHarmless) {
+TEST_P(EveryResponseThatRests, AStallOf60msInContactIsHarmless) {
   double furthest = 0, speed = 0;
-  const Verdict verdict =
-      run_closed_loop(pressing_scene(), pressing_hand(), 4, [&](SimulatedDevice& device, int tick) {
+  const Verdict verdict = run_closed_loop(
+      answering(pressing_scene()), pressing_hand(), 4, [&](SimulatedDevice& device, int tick) {
         if (tick == 2500) {
           const double y = device.X_DH().p.y();
           for (int i = 0; i < 60; ++i) {
@@ -87,10 +92,10 @@ TEST(Extremes, AStallOf60msInContactIsHarmless) {
   EXPECT_FALSE(verdict.faults & kStoppingFaults);
 }
 
-TEST(Extremes, HalfATurnAtOnceWindsUpAndComesBack) {
+TEST_P(EveryResponse, HalfATurnAtOnceWindsUpAndComesBack) {
   for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, -2, 3)}) {
     for (const double angle : {std::numbers::pi, std::nextafter(std::numbers::pi, 4.0), 3.1}) {
-      SceneDesc scene = floor_scene(three_feet(), 0.05);
+      SceneDesc scene = answering(floor_scene(three_feet(), 0.05));
       World world = expect(World::build(scene));
       hold(world, {Quat::Identity(), Vec3(0, 0.05, 0)}, 600);
       const Pose turned{quaternion_exp(Vec3(axis.normalized() * angle)), Vec3(0, 0.05, 0)};
@@ -102,14 +107,16 @@ TEST(Extremes, HalfATurnAtOnceWindsUpAndComesBack) {
         torque = std::max(torque, result.record.coupling_F_T_W.torque.norm());
       }
       EXPECT_LE(torque, scene.coupling.max_torque * (1 + 1e-12));
-      EXPECT_GT(torque, 0.5 * scene.coupling.max_torque) << "at half a turn the spring is wound up";
+      if (!massless(GetParam())) {  // without mass nothing holds the tool back
+        EXPECT_GT(torque, 0.5 * scene.coupling.max_torque) << "at half a turn the spring is wound up";
+      }
       EXPECT_LT(rotation_vector(result.record.X_WT.q * turned.q.conjugate()).norm(), 1e-3);
     }
   }
 }
 
-TEST(Extremes, NoTorqueIsExactlyNone) {
-  SceneDesc scene = floor_scene({Vec3(0, -0.01, 0)}, 0.05);
+TEST_P(EveryResponse, NoTorqueIsExactlyNone) {
+  SceneDesc scene = answering(floor_scene({Vec3(0, -0.01, 0)}, 0.05));
   World world = expect(World::build(scene));
   const StepResult free = hold(world, {Quat::Identity(), Vec3(0, 0.05, 0)}, 100);
   EXPECT_EQ(free.record.coupling_F_T_W.torque.norm(), 0);
@@ -121,7 +128,7 @@ TEST(Extremes, NoTorqueIsExactlyNone) {
   }
 }
 
-TEST(Extremes, NumbersAtTheEndsOfTheirRangeAreUsedOrStopTheForce) {
+TEST_P(EveryResponse, NumbersAtTheEndsOfTheirRangeAreUsedOrStopTheForce) {
   using Limits = std::numeric_limits<double>;
   const Pose good{Quat::Identity(), Vec3(0, 0.03, 0)};
   struct Case {
@@ -133,7 +140,7 @@ TEST(Extremes, NumbersAtTheEndsOfTheirRangeAreUsedOrStopTheForce) {
         Case{-Limits::infinity(), true}, Case{Limits::denorm_min(), false},
         Case{-Limits::denorm_min(), false}, Case{Limits::min() / 2, false}, Case{Limits::epsilon(), false}}) {
     for (int place = 0; place < 7; ++place) {
-      World world = expect(World::build(floor_scene(three_feet(), 0.03)));
+      World world = expect(World::build(answering(floor_scene(three_feet(), 0.03))));
       hold(world, good, 600);
       DeviceSample sample = at(good);
       if (place < 3)
@@ -153,9 +160,9 @@ TEST(Extremes, NumbersAtTheEndsOfTheirRangeAreUsedOrStopTheForce) {
 }
 
 // Finite, but the place of no handle: its square overflows, or its energy drowns what the ledger has booked.
-TEST(Extremes, APoseFarBeyondAnyWorkspaceStopsTheForce) {
+TEST_P(EveryResponse, APoseFarBeyondAnyWorkspaceStopsTheForce) {
   for (const double value : {1.1e3, 1e10, 1e100, 1e155, 1e300, -1e300}) {
-    SceneDesc scene = floor_scene(three_feet(), 0.03);
+    SceneDesc scene = answering(floor_scene(three_feet(), 0.03));
     World world = expect(World::build(scene));
     const Pose good{Quat::Identity(), Vec3(0, 0.03, 0)};
     hold(world, good, 600);
@@ -172,8 +179,8 @@ TEST(Extremes, APoseFarBeyondAnyWorkspaceStopsTheForce) {
 }
 
 // A hundred metres off is far, and a place: limited, and forgotten when the handle is back.
-TEST(Extremes, AJumpAcrossTheRoomIsLimited) {
-  SceneDesc scene = floor_scene(three_feet(), 0.03);
+TEST_P(EveryResponse, AJumpAcrossTheRoomIsLimited) {
+  SceneDesc scene = answering(floor_scene(three_feet(), 0.03));
   World world = expect(World::build(scene));
   const Pose good{Quat::Identity(), Vec3(0, 0.03, 0)};
   hold(world, good, 600);

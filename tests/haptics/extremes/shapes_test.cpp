@@ -10,8 +10,11 @@
 namespace fulcrum::test {
 namespace {
 
+INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponse, kEveryResponse, EveryResponse::name);
+INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponseThatRests, kResponsesThatRest, EveryResponse::name);
+
 // A tool of 20 mm between two plates, 1 um of play: it touches one or the other, never both, and rests.
-TEST(Extremes, AGapOfAMicrometreComesToRest) {
+TEST_P(EveryResponseThatRests, AGapOfAMicrometreComesToRest) {
   const double gap = 1e-6;
   const TriangleMesh plates[] = {box_mesh({-0.05, -0.03, -0.05}, {0.05, -0.01, 0.05}),
                                  box_mesh({-0.05, 0.01 + gap, -0.05}, {0.05, 0.03, 0.05})};
@@ -20,7 +23,7 @@ TEST(Extremes, AGapOfAMicrometreComesToRest) {
     for (const Vec3& foot : three_feet()) points.emplace_back(foot.x(), y, foot.z());
   }
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::implicit_euler}) {
-    SceneDesc scene = floor_scene(points, gap / 2);
+    SceneDesc scene = answering(floor_scene(points, gap / 2));
     scene.scene_field = field_of(joined(plates));
     scene.integrator = integrator;
     for (const double push : {0.0, -3e-3, 3e-3}) {
@@ -43,19 +46,20 @@ TEST(Extremes, AShellWithoutNormalsIsRefused) {
 }
 
 // In the middle of a plate both faces are as near: the field's slope there is none.
-TEST(Extremes, WhereTheFieldHasNoSlopeAPushIsStillOneWay) {
+TEST_P(EveryResponse, WhereTheFieldHasNoSlopeAPushIsStillOneWay) {
   const auto plate = field_of(box_mesh({-0.05, -0.004, -0.05}, {0.05, 0.004, 0.05}), 1e-3, 6e-3);
   for (const double x : {0.0, 1e-4, 0.01}) {
     const FieldSample sample = plate->sample(Vec3(x, 0, 0));
     EXPECT_NEAR(sample.gradient.norm(), 1, 1e-9) << x;
   }
-  SceneDesc scene = floor_scene({Vec3::Zero()}, 0);
+  SceneDesc scene = answering(floor_scene({Vec3::Zero()}, 0));
   scene.scene_field = plate;
   World world = expect(World::build(scene));
   for (int i = 0; i < 2000; ++i) {
     const StepResult result = step(world, at({Quat::Identity(), Vec3::Zero()}), {});
     ASSERT_TRUE(result.record.X_WT.is_finite() && result.command.F_H_D.is_finite());
-    ASSERT_LE(result.record.V_WT.v.norm(), 1);
+    // Without mass the tool is out at once, by as much as a tick's rounds may move it.
+    ASSERT_LE(result.record.V_WT.v.norm(), massless(GetParam()) ? 2 : 1);
   }
 }
 
@@ -75,7 +79,7 @@ TEST(Extremes, AnOpenSheetIsRefused) {
 }
 
 // A needle of 1.27 mm by 100 mm, in fine voxels as the scene and in any as the tool.
-TEST(Extremes, ANeedleIsFeltFromEitherSide) {
+TEST_P(EveryResponseThatRests, ANeedleIsFeltFromEitherSide) {
   const TriangleMesh needle = box_mesh({-0.05, -0.000635, -0.000635}, {0.05, 0.000635, 0.000635});
   const Solid solid = expect(build_solid(needle));
   const Result<DistanceField> coarse = bake_field(solid, {.voxel_m = 1e-3, .band_m = 3e-3, .threads = 1});
@@ -83,7 +87,7 @@ TEST(Extremes, ANeedleIsFeltFromEitherSide) {
   EXPECT_NE(coarse.error().sentence.find("1.27 mm thick"), std::string::npos) << coarse.error().sentence;
 
   // As the scene: a handle that is driven across at 1 m/s does not pass.
-  SceneDesc scene = floor_scene({Vec3::Zero()}, 0.01);
+  SceneDesc scene = answering(floor_scene({Vec3::Zero()}, 0.01));
   scene.scene_field = std::make_shared<DistanceField>(
       expect(bake_field(solid, {.voxel_m = 0.4e-3, .band_m = 3e-3, .threads = 1})));
   World world = expect(World::build(scene));
@@ -97,7 +101,7 @@ TEST(Extremes, ANeedleIsFeltFromEitherSide) {
   EXPECT_GT(result.record.X_WT.p.y(), 0) << "on the side from which it came";
 
   // As the tool: it stands on the floor.
-  SceneDesc held = floor_scene({Vec3::Zero()}, 0.004);
+  SceneDesc held = answering(floor_scene({Vec3::Zero()}, 0.004));
   held.integrator = Integrator::implicit_euler;
   held.tool.mass = 1e-3;
   held.tool.inertia_T = Vec3(3e-10, 8e-7, 8e-7).asDiagonal();

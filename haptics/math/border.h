@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace fulcrum::analysis {
+namespace fulcrum {
 
 // Halves the ratio between a value at which `holds` and one at which not, until they differ by `precision` of
 // their size.
@@ -39,4 +39,4 @@ double border_below(double start, double least, double precision, const Holds& h
   return 0;
 }
 
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum

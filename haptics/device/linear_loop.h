@@ -1,13 +1,13 @@
 #pragma once
 // The wall loop without friction and encoder counts, solved exactly.
 //
-// Zero-order hold of the mass and damper, x and v a tick on; x_before for the backward difference; each
+// Zero-order hold of the mass and damper, x and v a tick on; x_before and u_before for the velocity; each
 // whole tick of delay one force that waits. K. J. Astrom, B. Wittenmark, "Computer-Controlled Systems",
 // Prentice Hall 1997, chapter 3.
 
-#include "engine/analysis/wall_loop.h"
+#include "haptics/device/wall_loop.h"
 
-namespace fulcrum::analysis {
+namespace fulcrum {
 
 // 1/s, of the swing that grows most or decays least, ln |z| / T over the loop's eigenvalues z; below 0 the
 // loop is stable.
@@ -19,4 +19,4 @@ double exact_stiffness_limit(const WallLoop& loop, double B);
 // N s/m, the wall's damping above which no stiffness is stable.
 double exact_damping_limit(const WallLoop& loop);
 
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum

@@ -1,9 +1,11 @@
 #pragma once
 // One axis of a device against a virtual wall on both sides: what stability is asked of.
-//     m x'' = F - b x' - f_c sgn(x'),    F = -K x - B (x - x_before) / T,    computed each tick, then held
-// The law is this simulator's coupling against a still tool, with the velocity estimator `difference`.
+//     m x'' = F - b x' - f_c sgn(x'),    F = -K x - B u,    computed each tick, then held
+//     u = keep u_before + (1 - keep) (x - x_before) / T
+// The law is this simulator's coupling against a still tool, with the velocity estimator `difference` (keep =
+// 0) or `low_pass`.
 
-namespace fulcrum::analysis {
+namespace fulcrum {
 
 struct DeviceAxis {
   double mass = 0.1;        // kg
@@ -19,6 +21,7 @@ struct WallLoop {
   DeviceAxis axis;
   double tick_s = 1e-3;
   int delay_ticks = 0;  // whole ticks from the sample to the motors, 0 to 8
+  double keep = 0;      // of the velocity estimator's low-pass, 0 to 1
 };
 
 struct Wall {
@@ -26,4 +29,4 @@ struct Wall {
   double B = 0;  // N s/m
 };
 
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum

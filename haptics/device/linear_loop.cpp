@@ -1,12 +1,12 @@
-#include "engine/analysis/linear_loop.h"
+#include "haptics/device/linear_loop.h"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "engine/analysis/border.h"
+#include "haptics/math/border.h"
 
-namespace fulcrum::analysis {
+namespace fulcrum {
 namespace {
 
 constexpr double kSoftest = 1e-3;    // N/m, where the search begins
@@ -31,25 +31,29 @@ Held hold(const DeviceAxis& axis, double T) {
 double exact_growth(const WallLoop& loop, const Wall& wall) {
   const double T = loop.tick_s;
   const Held held = hold(loop.axis, T);
-  const Eigen::Index delay = loop.delay_ticks, size = 3 + delay;
-  const double on_x = -wall.K - wall.B / T, on_before = wall.B / T;
-  // State: x, v, x_before, then the forces that wait, the next to act first.
+  constexpr Eigen::Index kOwn = 4;
+  const Eigen::Index delay = loop.delay_ticks, size = kOwn + delay;
+  // State: x, v, x_before, u_before, then the forces that wait, the next to act first.
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
   A(0, 0) = 1;
   A(0, 1) = held.x_v;
   A(1, 1) = held.v_v;
   A(2, 0) = 1;
+  Eigen::RowVectorXd velocity = Eigen::RowVectorXd::Zero(size);
+  velocity[0] = (1 - loop.keep) / T;
+  velocity[2] = -velocity[0];
+  velocity[3] = loop.keep;
+  A.row(3) = velocity;
+  Eigen::RowVectorXd force = -wall.B * velocity;
+  force[0] -= wall.K;
   if (delay == 0) {
-    A(0, 0) += held.x_F * on_x;
-    A(0, 2) += held.x_F * on_before;
-    A(1, 0) += held.v_F * on_x;
-    A(1, 2) += held.v_F * on_before;
+    A.row(0) += held.x_F * force;
+    A.row(1) += held.v_F * force;
   } else {
-    A(0, 3) = held.x_F;
-    A(1, 3) = held.v_F;
-    for (Eigen::Index i = 3; i + 1 < size; ++i) A(i, i + 1) = 1;
-    A(size - 1, 0) = on_x;
-    A(size - 1, 2) = on_before;
+    A(0, kOwn) = held.x_F;
+    A(1, kOwn) = held.v_F;
+    for (Eigen::Index i = kOwn; i + 1 < size; ++i) A(i, i + 1) = 1;
+    A.row(size - 1) = force;
   }
   const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A, false);
   return std::log(eigen.eigenvalues().cwiseAbs().maxCoeff()) / T;
@@ -63,4 +67,4 @@ double exact_damping_limit(const WallLoop& loop) {
   return border_above(kSoftest, kPrecision, [&](double B) { return exact_growth(loop, {kSoftest, B}) < 0; });
 }
 
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum

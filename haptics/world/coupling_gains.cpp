@@ -1,0 +1,113 @@
+#include "haptics/world/coupling_gains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "haptics/device/linear_loop.h"
+#include "haptics/math/border.h"
+#include "haptics/math/number_text.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSoftest = 1e-6;    // N/m or N m/rad
+constexpr double kStiffest = 1e9;    // likewise; where the search ends
+constexpr double kPrecision = 1e-4;  // of a limit
+constexpr double kMargin = 0.5;      // of a limit: a factor of two is left to what the model leaves out
+constexpr double kSaturation = 0.9;  // of the device's largest force
+
+// One way in which the handle moves: along an axis or about one.
+struct Way {
+  DeviceAxis axis;   // in D
+  double stiffness;  // what the device renders of 1 of the coupling's
+  double inertia;    // kg or kg m^2, which the coupling damps
+};
+
+Way along(const SceneDesc& desc) {
+  const double scale = desc.mapping.position_scale * desc.mapping.force_scale;
+  const DeviceDesc& device = desc.device;
+  return {{device.handle_mass, device.damping, device.friction, device.encoder_step},
+          scale,
+          massless(desc.contact.response) ? device.handle_mass / scale : desc.tool.mass};
+}
+
+Way about(const SceneDesc& desc) {
+  const double scale = desc.mapping.force_scale;
+  const DeviceDesc& device = desc.device;
+  return {{device.handle_inertia, device.angular_damping, device.angular_friction, device.encoder_step_rad},
+          scale,
+          massless(desc.contact.response) ? device.handle_inertia / scale : desc.tool.inertia_T.trace() / 3};
+}
+
+// The low-pass that is as late as the estimator.
+double keep_of(const SceneDesc& desc) {
+  const double late = VelocityEstimator(desc.velocity, desc.tick_s).delay() / desc.tick_s - 0.5;
+  return late / (1 + late);
+}
+
+double limit_of(const Way& way, const SceneDesc& desc) {
+  const WallLoop loop{.axis = way.axis, .tick_s = desc.tick_s, .keep = keep_of(desc)};
+  const auto holds = [&](double k) {
+    const double B = 2 * desc.coupling.damping_ratio * std::sqrt(k * way.inertia);
+    return k < kStiffest && exact_growth(loop, {way.stiffness * k, way.stiffness * B}) < 0;
+  };
+  return border_above(kSoftest, kPrecision, holds);
+}
+
+// N/m or N m/rad of the coupling. `otherwise`: where nothing limits it.
+double suited(const Way& way, double limit, double otherwise) {
+  double k = limit < kInfinity ? kMargin * limit : otherwise;
+  if (limit < kInfinity && way.axis.friction > 0 && way.axis.encoder_step > 0)
+    k = std::min(k, 2 * way.axis.friction / way.axis.encoder_step / way.stiffness);
+  return k;
+}
+
+std::string sentence(const char* key, double given, const char* unit, double limit) {
+  return std::string(key) + " is " + number_text(given) + " " + unit +
+         ", and the device, let go, holds at most " + number_text(limit) +
+         ": it may buzz in a light hand. Lower it or the device's scales, or name a "
+         "velocity_estimator that is less late.";
+}
+
+}  // namespace
+
+StiffnessLimits coupling_limits(const SceneDesc& desc) {
+  return {desc.device.renders_force ? limit_of(along(desc), desc) : kInfinity,
+          desc.device.renders_torque ? limit_of(about(desc), desc) : kInfinity};
+}
+
+CouplingDesc suit_coupling(const CouplingGains& given, const SceneDesc& desc) {
+  SceneDesc with = desc;
+  with.coupling.damping_ratio = given.damping_ratio;
+  const StiffnessLimits limits = coupling_limits(with);
+  const DeviceDesc& device = desc.device;
+  const double force_scale = desc.mapping.force_scale;
+
+  CouplingDesc coupling;
+  coupling.damping_ratio = given.damping_ratio;
+  coupling.stiffness =
+      given.stiffness.value_or(suited(along(desc), limits.stiffness, CouplingDesc{}.stiffness));
+  const double radius_squared = desc.tool.inertia_T.trace() / 3 / desc.tool.mass;  // of gyration
+  coupling.angular_stiffness = given.angular_stiffness.value_or(std::min(
+      coupling.stiffness * radius_squared, suited(about(desc), limits.angular_stiffness, kInfinity)));
+  coupling.max_force = given.max_force.value_or(
+      device.renders_force ? kSaturation * device.max_force / force_scale : CouplingDesc{}.max_force);
+  coupling.max_torque =
+      given.max_torque.value_or(device.renders_torque ? kSaturation * device.max_torque / force_scale
+                                                      : coupling.max_force * std::sqrt(radius_squared));
+  return coupling;
+}
+
+std::optional<std::string> beyond_limits(const SceneDesc& desc) {
+  const StiffnessLimits limits = coupling_limits(desc);
+  if (desc.coupling.stiffness > limits.stiffness)
+    return sentence("coupling.stiffness", desc.coupling.stiffness, "N/m", limits.stiffness);
+  if (desc.coupling.angular_stiffness > limits.angular_stiffness)
+    return sentence("coupling.angular_stiffness", desc.coupling.angular_stiffness, "N m/rad",
+                    limits.angular_stiffness);
+  return std::nullopt;
+}
+
+}  // namespace fulcrum

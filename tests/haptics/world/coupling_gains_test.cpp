@@ -1,0 +1,143 @@
+#include "haptics/world/coupling_gains.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "haptics/device/simulated_device.h"
+#include "tests/haptics/scenes.h"
+
+namespace fulcrum::test {
+namespace {
+
+SceneDesc hanging_scene() {
+  SceneDesc scene = floor_scene({Vec3(0, -0.01, 0)}, 0.1);
+  scene.integrator = Integrator::implicit_euler;
+  scene.velocity.kind = VelocityEstimatorKind::low_pass;
+  return scene;
+}
+
+// How far a pushed handle, in no hand, swings about a tool that does not move: in its last tenth of a second
+// and in its second. The push is small enough for passivity control to have nothing to take back.
+struct Swings {
+  double early, late;  // m, from least to largest
+};
+Swings swing(SceneDesc scene, double push) {
+  scene.device.handle_weight = 0;
+  SimulatedDeviceDesc desc;
+  desc.device = scene.device;
+  desc.tick_s = scene.tick_s;
+  const Pose X_DH = scene.mapping.handle_in_device(scene.tool.X_WT_start);
+  SimulatedDevice device(desc, X_DH);
+  World world = expect(World::build(scene));
+  hold(world, X_DH, static_cast<int>(0.6 / scene.tick_s));  // past the ramp
+  device.push({push, 0, 0});
+  const int ticks = static_cast<int>(1 / scene.tick_s);
+  std::array<double, 2> least{1, 1}, most{-1, -1};
+  for (int i = 0; i < ticks; ++i) {
+    const StepResult result = step(world, device.read(), {});
+    device.write(result.command);
+    const double x = device.X_DH().p.x();
+    const int tenth = 10 * i / ticks;
+    if (tenth != 1 && tenth != 9) continue;
+    const std::size_t which = tenth == 1 ? 0 : 1;
+    least[which] = std::min(least[which], x);
+    most[which] = std::max(most[which], x);
+  }
+  return {most[0] - least[0], most[1] - least[1]};
+}
+
+// A device without friction and counts on a tool too heavy to move is the linear loop.
+SceneDesc linear_scene(VelocityEstimatorKind kind) {
+  SceneDesc scene = hanging_scene();
+  scene.velocity.kind = kind;
+  scene.device.friction = scene.device.angular_friction = 0;
+  scene.device.encoder_step = 1e-12;
+  scene.device.max_force = 1e3;
+  scene.coupling.max_force = 1e3;
+  scene.tool.mass = 1e4;
+  scene.tool.inertia_T = Mat3::Identity() * 10;
+  scene.coupling.damping_ratio = 2e-3;
+  return scene;
+}
+
+TEST(CouplingLimits, AreWhereALetGoHandleBeginsToSwing) {
+  for (const VelocityEstimatorKind kind :
+       {VelocityEstimatorKind::difference, VelocityEstimatorKind::low_pass}) {
+    for (const double scale : {1.0, 2.5}) {
+      SceneDesc scene = linear_scene(kind);
+      scene.mapping.position_scale = scale;
+      const double limit = coupling_limits(scene).stiffness;
+      for (const double part : {0.95, 1.05}) {
+        scene.coupling.stiffness = part * limit;
+        const Swings swings = swing(scene, 1e-5);
+        if (part < 1) {
+          EXPECT_LT(swings.late, 0.8 * swings.early) << limit;
+        } else {
+          EXPECT_GT(swings.late, 1.2 * swings.early) << limit;
+        }
+      }
+    }
+  }
+}
+
+TEST(CouplingLimits, FollowScalesTickAndMotors) {
+  SceneDesc scene = hanging_scene();
+  const StiffnessLimits plain = coupling_limits(scene);
+  EXPECT_GT(plain.stiffness, 800);
+  EXPECT_EQ(plain.angular_stiffness, std::numeric_limits<double>::infinity()) << "it renders no torque";
+  scene.mapping.force_scale = 4;
+  EXPECT_LT(coupling_limits(scene).stiffness, plain.stiffness);
+  scene = hanging_scene();
+  scene.tick_s = 5e-3;
+  EXPECT_LT(coupling_limits(scene).stiffness, plain.stiffness);
+  scene = hanging_scene();
+  scene.velocity.cutoff_Hz = 10;
+  EXPECT_LT(coupling_limits(scene).stiffness, plain.stiffness);
+  scene = hanging_scene();
+  scene.device.renders_force = false;
+  EXPECT_EQ(coupling_limits(scene).stiffness, std::numeric_limits<double>::infinity());
+}
+
+TEST(CouplingGains, SuitTheDeviceWhereNothingIsGiven) {
+  for (const bool renders_torque : {false, true}) {
+    for (const double tick_s : {5e-4, 1e-3, 5e-3}) {
+      SceneDesc scene = hanging_scene();
+      scene.tick_s = tick_s;
+      scene.device.renders_torque = renders_torque;
+      scene.device.max_torque = renders_torque ? 0.2 : 0;
+      scene.coupling = suit_coupling({}, scene);
+      EXPECT_FALSE(beyond_limits(scene)) << *beyond_limits(scene);
+      EXPECT_GT(scene.coupling.stiffness, 50) << tick_s;
+      EXPECT_LE(scene.coupling.max_force, scene.device.max_force);
+      EXPECT_GT(scene.coupling.angular_stiffness, 0);
+      EXPECT_GT(scene.coupling.max_torque, 0);
+      EXPECT_TRUE(World::build(scene)) << tick_s;
+      EXPECT_LT(swing(scene, 0.05).late, 3 * scene.device.encoder_step) << tick_s;
+    }
+  }
+}
+
+TEST(CouplingGains, WhatIsGivenStays) {
+  const CouplingDesc coupling = suit_coupling(
+      {.stiffness = 123, .angular_stiffness = 0.4, .damping_ratio = 0.7, .max_force = 2, .max_torque = 0.03},
+      hanging_scene());
+  EXPECT_EQ(coupling.stiffness, 123);
+  EXPECT_EQ(coupling.angular_stiffness, 0.4);
+  EXPECT_EQ(coupling.damping_ratio, 0.7);
+  EXPECT_EQ(coupling.max_force, 2);
+  EXPECT_EQ(coupling.max_torque, 0.03);
+}
+
+TEST(CouplingGains, BeyondTheLimitASentenceSaysSo) {
+  SceneDesc scene = hanging_scene();
+  EXPECT_FALSE(beyond_limits(scene));
+  scene.coupling.stiffness = 1.5 * coupling_limits(scene).stiffness;
+  const auto sentence = beyond_limits(scene);
+  ASSERT_TRUE(sentence);
+  EXPECT_NE(sentence->find("coupling.stiffness is "), std::string::npos) << *sentence;
+  EXPECT_NE(sentence->find("holds at most"), std::string::npos) << *sentence;
+}
+
+}  // namespace
+}  // namespace fulcrum::test
