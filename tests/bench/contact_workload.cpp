@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -14,26 +13,11 @@
 namespace fulcrum::bench {
 namespace {
 
-// Every triangle cut into four at the middles of its edges.
-TriangleMesh subdivided(const TriangleMesh& mesh) {
-  TriangleMesh fine;
-  fine.vertices = mesh.vertices;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [found, is_new] =
-        middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(fine.vertices.size()));
-    if (is_new) fine.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
-    return found->second;
-  };
-  for (const Triangle& t : mesh.triangles) {
-    const std::uint32_t ab = middle(t[0], t[1]), bc = middle(t[1], t[2]), ca = middle(t[2], t[0]);
-    fine.triangles.insert(fine.triangles.end(),
-                          {{t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}, {ab, bc, ca}});
-  }
-  return fine;
-}
+constexpr double kAdvance = 2e-3;  // m, of a tool on its way to touch
+constexpr int kHalvings = 9;       // of that
+constexpr double kCoarse = 4e-6;   // m
 
-Solid solid_of(const content::Model& model, std::size_t least_triangles) {
+TriangleMesh mesh_of(const content::Model& model) {
   TriangleMesh mesh;
   for (const content::Part& part : model.parts) {
     const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -41,7 +25,10 @@ Solid solid_of(const content::Model& model, std::size_t least_triangles) {
     for (const content::Triangle& t : part.solid.triangles)
       mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
   }
-  while (mesh.triangles.size() < least_triangles) mesh = subdivided(mesh);
+  return mesh;
+}
+
+Solid solid_of(const TriangleMesh& mesh) {
   Result<Solid> solid = build_solid(mesh);
   if (!solid) throw std::runtime_error(solid.error().sentence);
   return std::move(*solid);
@@ -49,18 +36,20 @@ Solid solid_of(const content::Model& model, std::size_t least_triangles) {
 
 }  // namespace
 
-Solid spanner() {
-  return solid_of(content::make_spanner(), 20000);
+Workload make_workload() {
+  std::vector<SweptPipe> pipes = plant_pipes();
+  Solid scene = solid_of(mesh_of(pipes));
+  Solid tool = solid_of(mesh_of(content::make_spanner()));
+  DeepestPoint truth(tool.mesh, pipes);
+  return {std::move(pipes), std::move(scene), std::move(tool), std::move(truth)};
 }
 
-Solid piping() {
-  return solid_of(content::make_piping(), 100000);
+Solid one_pipe(const Workload& workload) {
+  return solid_of(mesh_of(std::vector<SweptPipe>{workload.pipes.front()}));
 }
 
-Solid one_pipe() {
-  content::Model model = content::make_piping();
-  std::erase_if(model.parts, [](const content::Part& part) { return part.name != "pipe/01"; });
-  return solid_of(model, 1);
+Solid whole_plant() {
+  return solid_of(mesh_of(content::make_piping()));
 }
 
 // Area-weighted random points on the triangles, in the order and with the areas of a baked shell.
@@ -90,30 +79,27 @@ Pointshell shell_of(const Solid& tool, std::size_t n) {
   return std::move(*shell);
 }
 
-std::vector<Pose> touching_poses(const DistanceField& field, const Pointshell& shell, std::size_t n,
-                                 unsigned seed) {
+std::vector<Pose> touching_poses(const Workload& workload, std::size_t n, unsigned seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  const auto depth_at = [&](const Pose& X_WT) {
-    double deepest = -1;
-    for (const Vec3& p : shell.positions) deepest = std::max(deepest, -field.distance(X_WT * p));
-    return deepest;
+  const auto deeper = [&](double depth, const Pose& X_WT) {
+    return workload.truth.deeper_than(depth, X_WT, kCoarse);
   };
   const auto direction = [&] {
     return Vec3(Vec3(normal(random), normal(random), normal(random)).normalized());
   };
   // Along `way` until it touches, then halving; false if it does not within `reach`.
   const auto advance = [&](Pose& X_WT, const Vec3& way, double reach) {
-    const auto deep = [&](double by) { return depth_at({X_WT.q, X_WT.p + by * way}) >= kPenetration; };
+    const auto deep = [&](double by) { return deeper(kPenetration, {X_WT.q, X_WT.p + by * way}); };
     double out = 0, in = 0;
-    if (depth_at(X_WT) > 0) return false;
+    if (deeper(0, X_WT)) return false;
     while (in < reach && !deep(in)) {
       out = in;
-      in += 2e-3;
+      in += kAdvance;
     }
     if (in >= reach) return false;
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < kHalvings; ++i) {
       const double middle = 0.5 * (out + in);
       (deep(middle) ? in : out) = middle;
     }
@@ -123,7 +109,7 @@ std::vector<Pose> touching_poses(const DistanceField& field, const Pointshell& s
   constexpr std::size_t kSlide = 100;
   constexpr double kStep = 0.5e-3, kTurn = 0.5 * std::numbers::pi / 180, kBack = 3e-3;
   std::vector<Pose> poses;
-  const Box3& box = field.bounds();
+  const Box3 box = workload.scene.bounds();
   while (poses.size() < n) {
     Pose X_WT{Quat(normal(random), normal(random), normal(random), normal(random)).normalized(),
               Vec3::Zero()};
