@@ -76,8 +76,8 @@ Meeting meeting(const Corners3& a, const Corners3& b, double depth) {
   const std::array<double, 2> in_a = span_on(line, a[0], a, above_b), in_b = span_on(line, a[0], b, above_a);
   const double shared = std::min(in_a[1], in_b[1]) - std::max(in_a[0], in_b[0]);
   if (shared < -depth) return Meeting::apart;
-  return shared > depth && on_both_sides(above_a) && on_both_sides(above_b) ? Meeting::crossing
-                                                                            : Meeting::touching;
+  if (shared <= depth) return Meeting::touching;
+  return on_both_sides(above_a) && on_both_sides(above_b) ? Meeting::crossing : Meeting::abutting;
 }
 
 bool overlap(const Corners3& a, const Corners3& b, double depth) {

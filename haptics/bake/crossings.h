@@ -14,9 +14,9 @@ Corners3 corners_of(const TriangleMesh& mesh, std::uint32_t triangle);
 
 enum class Meeting : unsigned char {
   apart,
-  touching,  // within `depth` of each other, in each other's planes or not
-  crossing,  // both have corners more than `depth` off the other's plane on either side, and along the line
-             // where the planes meet they share more than `depth`: a shared corner or edge is no crossing
+  touching,  // within `depth` of each other in a point, or in an area of one plane
+  abutting,  // along a line longer than `depth`, where one of them ends
+  crossing,  // likewise, and both reach more than `depth` beyond it on either side
 };
 
 // T. Moller, "A fast triangle-triangle intersection test" (Journal of Graphics Tools 2(2), 1997).

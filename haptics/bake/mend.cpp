@@ -111,7 +111,9 @@ private:
       turned += patch.turned;
     }
     if (turned > 0)
-      tell(count(turned, "triangle was", "triangles were") + " wound against the rest and have been turned.");
+      tell(count(turned, "triangle was wound against the rest and has",
+                 "triangles were wound against the rest and have") +
+           " been turned.");
     return std::nullopt;
   }
 

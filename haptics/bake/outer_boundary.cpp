@@ -99,8 +99,8 @@ public:
 private:
   double nothing() const { return kNothing * diagonal_; }
 
-  // The planes of those that cross it; of those that lie in its own plane, their edges. `over`: of the latter
-  // those that come first, and stand for it where they cover it.
+  // The planes of those that cross it or end on it; of those that lie in its own plane, their edges. `over`:
+  // of the latter those that come first, and stand for it where they cover it.
   std::vector<Cut> cuts_of(std::uint32_t triangle, const Corners3& corners,
                            std::vector<Corners3>& over) const {
     std::vector<std::uint32_t> near;
@@ -112,7 +112,7 @@ private:
       if (other == triangle) continue;
       const Corners3 there = corners_of(solid_.mesh, other);
       const Vec3 n = (there[1] - there[0]).cross(there[2] - there[0]).stableNormalized();
-      if (meeting(corners, there, nothing()) == Meeting::crossing) {
+      if (meeting(corners, there, nothing()) >= Meeting::abutting) {
         cuts.push_back({n, n.dot(there[0]), box_of(there, nothing())});
       } else if (overlap(corners, there, nothing())) {
         if (other < triangle) over.push_back(there);

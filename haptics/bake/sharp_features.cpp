@@ -1,6 +1,7 @@
 #include "haptics/bake/sharp_features.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <OpenMesh/Core/System/omstream.hh>
 #include <algorithm>
 #include <cmath>
 
@@ -19,12 +20,13 @@ Vec3 unit(const Vec3& v) {
 class SharpEdges {
 public:
   SharpEdges(const Solid& solid, double angle) : positions_(solid.mesh.vertices), angle_(angle) {
+    // Faces that make the mesh non-manifold are left out: where a surface that crossed itself was cut.
+    omerr().disable();
     for (std::size_t i = 0; i < positions_.size(); ++i) mesh_.add_vertex();
     for (const Triangle& corner : solid.mesh.triangles) {
       const auto vertex = [&corner](std::size_t i) {
         return OpenMesh::VertexHandle(static_cast<int>(corner[i]));
       };
-      if (!fits(vertex(0), vertex(1)) || !fits(vertex(1), vertex(2)) || !fits(vertex(2), vertex(0))) continue;
       if (!mesh_.add_face(vertex(0), vertex(1), vertex(2)).is_valid()) continue;
       const Vec3& a = positions_[corner[0]];
       normals_.push_back((positions_[corner[1]] - a).cross(positions_[corner[2]] - a).stableNormalized());
@@ -57,13 +59,6 @@ public:
 private:
   using Halfedge = OpenMesh::SmartHalfedgeHandle;
   using Vertex = OpenMesh::SmartVertexHandle;
-
-  // Whether a face from one vertex to the next leaves the mesh manifold: where a surface that crosses itself
-  // was cut, it would not be.
-  bool fits(OpenMesh::VertexHandle from, OpenMesh::VertexHandle to) const {
-    const OpenMesh::HalfedgeHandle edge = mesh_.find_halfedge(from, to);
-    return mesh_.is_boundary(from) && (!edge.is_valid() || mesh_.is_boundary(edge));
-  }
 
   static std::size_t index(const OpenMesh::EdgeHandle& edge) { return static_cast<std::size_t>(edge.idx()); }
   Vec3 position(const Vertex& vertex) const { return positions_[static_cast<std::size_t>(vertex.idx())]; }
