@@ -11,8 +11,9 @@
 namespace fulcrum {
 
 struct FieldDesc {
-  std::optional<double> voxel_m;  // cell edge; without it chosen, see resolution.h
-  std::optional<double> band_m;   // how far the field is stored in full; at least, and without it, two voxels
+  std::optional<double> voxel_m = std::nullopt;  // cell edge; without it chosen, see resolution.h
+  // How far from the surface the field is stored in full; at least, and without it, two voxels.
+  std::optional<double> band_m = std::nullopt;
   FieldFormat format = FieldFormat::int16;
   unsigned threads = 0;  // 0: as many as the machine has. The result is the same, bit for bit, for any number
   double error_m = 5e-5;  // wanted of contacts on 95 % of the surface, where no voxel is given

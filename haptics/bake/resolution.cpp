@@ -91,52 +91,82 @@ double contact_error(const Solid& solid, const TriangleDistance& exact, double v
   return measured.back().error;
 }
 
-Result<Resolution> choose_resolution(const Solid& solid, const TriangleDistance& exact,
-                                     const ThinSpot& thinnest, const FieldDesc& desc) {
-  if (std::optional<Error> error = check_desc(desc)) return *error;
-  const double thin = thinnest.thickness_m / kVoxelsPerWall;
-  Resolution result;
-  const auto measure = [&] {
-    result.contact_error_m = contact_error(solid, exact, result.voxel_m, desc.threads);
-  };
-  if (desc.voxel_m) {
-    result.voxel_m = *desc.voxel_m;
-    if (kRoom * result.voxel_m > thin) {
-      return Error{"A wall near " + spell(thinnest.place) + " is " + spell_mm(thinnest.thickness_m) +
-                   " thick, and needs three voxels across: use a voxel of " + spell_mm(rounded_down(thin)) +
-                   " or less instead of " + spell_mm(result.voxel_m) + ", or make the wall thicker."};
-    }
-    measure();
-  } else {
+namespace {
+
+// The coarsest voxel with which all that is asked holds, or the finest that memory allows.
+class Choice {
+public:
+  Choice(const Solid& solid, const TriangleDistance& exact, const ThinSpot& thinnest, const FieldDesc& desc)
+      : solid_(solid), exact_(exact), thinnest_(thinnest), desc_(desc) {
     const double bytes_per_value = desc.format == FieldFormat::int16 ? 2.0 : 4.0;
-    const double affordable = std::sqrt(bytes_per_value * kValuesPerFace * surface_area(solid) / kMostChosen);
-    if (affordable > thin) {
-      return Error{"A wall near " + spell(thinnest.place) + " is " + spell_mm(thinnest.thickness_m) +
+    affordable_ = std::sqrt(bytes_per_value * kValuesPerFace * surface_area(solid) / kMostChosen);
+  }
+
+  Result<Resolution> make() {
+    const double thin = thinnest_.thickness_m / kVoxelsPerWall;
+    if (affordable_ > thin) {
+      return Error{"A wall near " + spell(thinnest_.place) + " is " + spell_mm(thinnest_.thickness_m) +
                    " thick, and three voxels across it would make a field of about " +
-                   spell(kMostChosen * 1e-9 * affordable * affordable / (thin * thin)) +
+                   spell(kMostChosen * 1e-9 * std::pow(affordable_ / thin, 2.0)) +
                    " GB: make the wall thicker, divide the scene, or give a voxel of " +
                    spell_mm(rounded_down(thin)) + " or less yourself."};
     }
-    const auto limit = [&result](double voxel, VoxelReason reason) {
-      if (result.voxel_m > 0.0 && voxel >= result.voxel_m) return;
-      result.voxel_m = voxel;
-      result.reason = reason;
-    };
-    limit(kVoxelsPerError * desc.error_m, VoxelReason::error);
-    limit(thin, VoxelReason::thinnest_wall);
-    if (desc.band_m) limit(0.5 * *desc.band_m, VoxelReason::band);
-    result.voxel_m = rounded_down(result.voxel_m);
-    for (measure(); result.contact_error_m > desc.error_m && result.reason != VoxelReason::memory;
-         measure()) {
-      const double shrink = 0.97 * std::sqrt(desc.error_m / result.contact_error_m);
-      limit(rounded_down(std::max(0.5, shrink) * result.voxel_m), VoxelReason::error);
-      if (result.voxel_m < affordable) {
-        result.voxel_m = affordable;
-        result.reason = VoxelReason::memory;
-      }
+    if (desc_.band_m && 0.5 * *desc_.band_m < affordable_) {
+      return Error{"A band of " + spell_mm(*desc_.band_m) +
+                   " needs a voxel of half of it, and that would make too large a field: give a band of " +
+                   spell_mm(2.1 * affordable_) + " or more."};
     }
+    limit(kVoxelsPerError * desc_.error_m, VoxelReason::error);
+    limit(thin, VoxelReason::thinnest_wall);
+    if (desc_.band_m) limit(0.5 * *desc_.band_m, VoxelReason::band);
+    for (measure(); result_.contact_error_m > desc_.error_m && result_.voxel_m > affordable_; measure()) {
+      const double shrink = 0.97 * std::sqrt(desc_.error_m / result_.contact_error_m);
+      limit(std::max(0.5, shrink) * result_.voxel_m, VoxelReason::error);
+    }
+    if (result_.voxel_m < affordable_) {
+      result_.voxel_m = rounded_down(affordable_);
+      result_.reason = VoxelReason::memory;
+      measure();
+    }
+    return result_;
   }
-  result.band_m = desc.band_m.value_or(2.0 * result.voxel_m);
+
+private:
+  void limit(double voxel, VoxelReason reason) {
+    if (result_.voxel_m > 0.0 && voxel >= result_.voxel_m) return;
+    result_.voxel_m = rounded_down(voxel);
+    result_.reason = reason;
+  }
+  void measure() { result_.contact_error_m = contact_error(solid_, exact_, result_.voxel_m, desc_.threads); }
+
+  const Solid& solid_;
+  const TriangleDistance& exact_;
+  const ThinSpot& thinnest_;
+  const FieldDesc& desc_;
+  double affordable_ = 0.0;  // m, the voxel that fills the memory
+  Resolution result_;
+};
+
+}  // namespace
+
+Result<Resolution> choose_resolution(const Solid& solid, const TriangleDistance& exact,
+                                     const ThinSpot& thinnest, const FieldDesc& desc) {
+  if (std::optional<Error> error = check_desc(desc)) return *error;
+  Result<Resolution> result = Resolution{};
+  if (!desc.voxel_m) {
+    result = Choice(solid, exact, thinnest, desc).make();
+    if (!result) return result;
+  } else {
+    const double thin = thinnest.thickness_m / kVoxelsPerWall;
+    if (kRoom * *desc.voxel_m > thin) {
+      return Error{"A wall near " + spell(thinnest.place) + " is " + spell_mm(thinnest.thickness_m) +
+                   " thick, and needs three voxels across: use a voxel of " + spell_mm(rounded_down(thin)) +
+                   " or less instead of " + spell_mm(*desc.voxel_m) + ", or make the wall thicker."};
+    }
+    result->voxel_m = *desc.voxel_m;
+    result->contact_error_m = contact_error(solid, exact, *desc.voxel_m, desc.threads);
+  }
+  result->band_m = desc.band_m.value_or(2.0 * result->voxel_m);
   return result;
 }
 
