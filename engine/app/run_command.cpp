@@ -168,6 +168,7 @@ int run_command(const RunOptions& given) {
   }
   const std::optional<Prepared> prepared = prepare(options.scenario, options.overrides);
   if (!prepared) return kError;
+  for (const std::string& note : prepared->haptic.mended) complain(note);
   catch_interrupts();
   return options.headless ? run_headless(*prepared, options) : run_in_window(*prepared, options);
 }

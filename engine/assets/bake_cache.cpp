@@ -114,8 +114,9 @@ BakeCache::BakeCache(fs::path folder) : folder_(std::move(folder)) {}
 Result<Baked<DistanceField>> BakeCache::field(const Solid& solid, const FieldDesc& desc,
                                               const Progress& progress) const {
   Sha256 hasher = hash_of(solid, "field");
-  hash_value(hasher, desc.voxel_m);
-  hash_value(hasher, desc.band_m);
+  for (const double length :
+       {desc.voxel_m.value_or(0.0), desc.band_m.value_or(0.0), desc.voxel_m ? 0.0 : desc.error_m})
+    hash_value(hasher, length);
   hash_value(hasher, desc.format);
   return load_or_bake<DistanceField>(folder_, hasher.finish_hex() + ".field", field_from_bytes,
                                      [&] { return bake_field(solid, desc, progress); });

@@ -57,8 +57,10 @@ std::vector<std::byte> to_bytes(const DistanceField& field) {
   const FieldData& data = field.data();
   ByteWriter out;
   for (const Vec3& v : {data.origin, data.surface_box.min(), data.surface_box.max()}) out.value(xyz(v));
-  for (const double x : {data.voxel_m, data.band_m, data.error_bound_m, data.thinnest_feature_m})
+  for (const double x :
+       {data.voxel_m, data.band_m, data.error_bound_m, data.thinnest_feature_m, data.contact_error_m})
     out.value(x);
+  out.value(data.voxel_reason);
   out.value(data.bricks);
   out.vector(data.brick_slot);
   out.vector(data.centre_m);
@@ -76,8 +78,10 @@ std::optional<DistanceField> field_from_bytes(std::span<const std::byte> bytes) 
   data.origin = vec3(in.value<Xyz>());
   const Vec3 low = vec3(in.value<Xyz>()), high = vec3(in.value<Xyz>());
   data.surface_box = Box3(low, high);
-  for (double* x : {&data.voxel_m, &data.band_m, &data.error_bound_m, &data.thinnest_feature_m})
+  for (double* x :
+       {&data.voxel_m, &data.band_m, &data.error_bound_m, &data.thinnest_feature_m, &data.contact_error_m})
     *x = in.value<double>();
+  data.voxel_reason = in.value<VoxelReason>();
   data.bricks = in.value<std::array<std::int32_t, 3>>();
   data.brick_slot = in.vector<std::int32_t>();
   data.centre_m = in.vector<float>();

@@ -12,7 +12,7 @@
 
 namespace fulcrum {
 
-inline constexpr std::string_view kBakeFormat = "fulcrum bake 2";
+inline constexpr std::string_view kBakeFormat = "fulcrum bake 3";
 
 std::vector<std::byte> to_bytes(const DistanceField& field);
 std::vector<std::byte> to_bytes(const Pointshell& shell);

@@ -24,6 +24,7 @@ Result<Solid> scene_solid(const Scenario& scenario, const LoadedModels& models) 
   }
   auto solid = build_solid(all);
   if (!solid) return Error{names + ": the models that are touched: " + solid.error().sentence};
+  for (std::string& note : solid->notes) note = "the models that are touched: " + note;
   return solid;
 }
 
@@ -79,6 +80,8 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   auto solid = scene_solid(scenario, models);
   if (!solid) return solid.error();
   result.scene_W = std::move(*solid);
+  result.mended = models.mended;
+  result.mended.insert(result.mended.end(), result.scene_W.notes.begin(), result.scene_W.notes.end());
 
   const Pose X_MT{Quat::Identity(), models.p_MT};
   SceneDesc& scene = result.scene;

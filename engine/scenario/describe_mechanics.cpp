@@ -95,14 +95,23 @@ void describe_tool(KeyVisitor& visitor, ToolEntry& tool) {
   visitor.boolean({"weight", "", "gravity acts on the tool, and the hand feels it"}, tool.weight);
 }
 
+void describe_resolution(KeyVisitor& visitor, FieldDesc& field) {
+  visitor.number(
+      {"error", "m", "wanted of contacts on 95 % of the surface; chooses the voxel where none is given"},
+      field.error_m, above_to(0, 1));
+  visitor.optional_number({"voxel", "m", "edge of a cell; at least three across the thinnest wall"},
+                          field.voxel_m, above_to(0, 1));
+  visitor.optional_number(
+      {"band", "m", "how far from the surface the field is stored in full; without it two voxels"},
+      field.band_m, above_to(0, 10));
+  visitor.rule("band", !field.voxel_m || !field.band_m || *field.band_m >= 2 * *field.voxel_m,
+               "must be at least two voxels");
+}
+
 void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping({"field", "", "the distance field that the scene's models are baked to"},
                   [&](KeyVisitor& inner) {
-                    inner.number({"voxel", "m", "edge of a cell"}, scenario.field.voxel_m, above_to(0, 1));
-                    inner.number({"band", "m", "how far from the surface the field is stored in full"},
-                                 scenario.field.band_m, above_to(0, 10));
-                    inner.rule("band", scenario.field.band_m >= 2 * scenario.field.voxel_m,
-                               "must be at least two voxels");
+                    describe_resolution(inner, scenario.field);
                     inner.choice_of({"format", "", "how its values are stored; int16 takes half the memory"},
                                     scenario.field.format, kFieldFormats);
                   });

@@ -9,27 +9,6 @@
 namespace fulcrum {
 namespace {
 
-struct HalfEdge {
-  std::uint32_t low, high;  // vertices, low < high
-  std::uint32_t place;      // 3 t + e
-  bool forward;             // runs from low to high
-};
-
-std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh) {
-  std::vector<HalfEdge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::uint32_t e = 0; e < 3; ++e) {
-      const std::uint32_t from = mesh.triangles[t][e], to = mesh.triangles[t][(e + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), 3 * t + e, from < to});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& l, const HalfEdge& r) {
-    return std::tie(l.low, l.high, l.place) < std::tie(r.low, r.high, r.place);
-  });
-  return edges;
-}
-
 // The angle of each half-edge's triangle about the edge, counter-clockwise seen from its high end.
 std::vector<double> angles_about(const TriangleMesh& mesh, std::span<const HalfEdge> fan) {
   const Vec3 origin = mesh.vertices[fan.front().low];
@@ -66,7 +45,7 @@ void pair_fan(const TriangleMesh& mesh, std::span<const HalfEdge> fan, std::vect
     return std::tie(l.angle, l.forward, l.backward) < std::tie(r.angle, r.forward, r.backward);
   });
   for (const Wedge& wedge : wedges) {
-    if (across[wedge.forward] != EdgePairing::kNone || across[wedge.backward] != EdgePairing::kNone) continue;
+    if (across[wedge.forward] != kNoIndex || across[wedge.backward] != kNoIndex) continue;
     across[wedge.forward] = wedge.backward;
     across[wedge.backward] = wedge.forward;
   }
@@ -74,32 +53,14 @@ void pair_fan(const TriangleMesh& mesh, std::span<const HalfEdge> fan, std::vect
 
 }  // namespace
 
-EdgePairing pair_edges(const TriangleMesh& welded) {
-  const std::vector<HalfEdge> edges = sorted_half_edges(welded);
-  EdgePairing result;
-  result.across.assign(edges.size(), EdgePairing::kNone);
-  const auto note = [&](EdgePairing::Fault& fault, const HalfEdge& edge) {
-    if (fault.edges++ > 0) return;
-    fault.from = welded.vertices[edge.low];
-    fault.to = welded.vertices[edge.high];
-  };
-
-  for (auto begin = edges.begin(); begin != edges.end();) {
-    const auto end = std::find_if(
-        begin, edges.end(), [&](const HalfEdge& e) { return e.low != begin->low || e.high != begin->high; });
-    const std::span<const HalfEdge> fan(begin, end);
+std::vector<std::uint32_t> pair_edges(const TriangleMesh& welded, const EdgeFans& fans) {
+  std::vector<std::uint32_t> across(fans.half_edges(), kNoIndex);
+  fans.for_each([&](std::span<const HalfEdge> fan) {
     const auto forward = static_cast<std::size_t>(
         std::count_if(fan.begin(), fan.end(), [](const HalfEdge& edge) { return edge.forward; }));
-    if (fan.size() == 1) {
-      note(result.open, fan.front());
-    } else if (2 * forward == fan.size()) {
-      pair_fan(welded, fan, result.across);
-    } else {
-      note(fan.size() == 2 ? result.twisted : result.tangled, fan.front());
-    }
-    begin = end;
-  }
-  return result;
+    if (2 * forward == fan.size()) pair_fan(welded, fan, across);
+  });
+  return across;
 }
 
 }  // namespace fulcrum

@@ -8,6 +8,7 @@
 
 #include "haptics/bake/brick_bake.h"
 #include "haptics/bake/parallel.h"
+#include "haptics/bake/resolution.h"
 #include "haptics/bake/sentence.h"
 #include "haptics/bake/triangle_distance.h"
 #include "haptics/bake/union_distance.h"
@@ -16,8 +17,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLargestField = 2e9;     // bytes
-constexpr double kThinnestVoxels = 1.99;  // two, and room for the rounding of a wall of exactly two
+constexpr double kLargestField = 2e9;  // bytes
 constexpr int kBlockBricks = 4;  // bricks along a block's edge; a block shares its list of near components
 constexpr double kClassifyShare = 0.1;  // of the whole work, for the progress
 
@@ -25,40 +25,19 @@ double brick_radius(double voxel_m) {
   return std::numbers::sqrt3 / 2.0 * kBrickCells * voxel_m;
 }
 
-std::optional<Error> check_desc(const FieldDesc& desc) {
-  if (!(desc.voxel_m > 0.0) || !std::isfinite(desc.voxel_m)) {
-    return Error{"A distance field's voxel must be a positive length, not " + spell(desc.voxel_m) +
-                 " m: 0.001 suits hand tools."};
-  }
-  if (!(desc.band_m >= 2.0 * desc.voxel_m) || !std::isfinite(desc.band_m)) {
-    return Error{"A distance field's band must be at least two voxels (" + spell_mm(2.0 * desc.voxel_m) +
-                 "), not " + spell_mm(desc.band_m) + ": two voxels serve most tools."};
-  }
-  return std::nullopt;
-}
-
-std::optional<Error> check_walls(const ThinSpot& spot, double voxel_m) {
-  if (spot.thickness_m >= kThinnestVoxels * voxel_m) return std::nullopt;
-  return Error{"A wall near " + spell(spot.place) + " is " + spell_mm(spot.thickness_m) +
-               " thick, and a voxel of " + spell_mm(voxel_m) + " cannot show it: use a voxel of " +
-               spell_mm(spot.thickness_m / 3.0) + " or less, or make the wall thicker."};
-}
-
 // Bricks over the solid's bounds, grown by the band.
-std::optional<Error> lay_grid(const FieldDesc& desc, FieldData& field) {
-  const double brick_m = kBrickCells * desc.voxel_m;
-  const double margin = desc.band_m + desc.voxel_m;
+std::optional<Error> lay_grid(FieldData& field) {
+  const double brick_m = kBrickCells * field.voxel_m;
+  const double margin = field.band_m + field.voxel_m;
   const Vec3 size = field.surface_box.sizes() + Vec3::Constant(2.0 * margin);
   const Vec3 bricks = (size / brick_m).array().ceil();
   constexpr double kBytesPerBrick = sizeof(std::int32_t) + sizeof(float);
   if (bricks.prod() * kBytesPerBrick > kLargestField) {
     const double scale = std::cbrt(bricks.prod() * kBytesPerBrick / kLargestField);
-    return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels over " +
+    return Error{"A distance field of " + spell_mm(field.voxel_m) + " voxels over " +
                  spell_mm(size.maxCoeff()) + " would have too many bricks to index: use a voxel of " +
-                 spell_mm(1.05 * scale * desc.voxel_m) + " or more, or remove far-away parts."};
+                 spell_mm(1.05 * scale * field.voxel_m) + " or more, or remove far-away parts."};
   }
-  field.voxel_m = desc.voxel_m;
-  field.band_m = desc.band_m;
   field.origin = field.surface_box.center() - 0.5 * brick_m * bricks;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     field.bricks[axis] = static_cast<std::int32_t>(bricks[static_cast<Eigen::Index>(axis)]);
@@ -209,15 +188,18 @@ private:
 }  // namespace
 
 Result<DistanceField> bake_field(const Solid& solid, const FieldDesc& desc, const Progress& progress) {
-  if (std::optional<Error> error = check_desc(desc)) return *error;
-  FieldData field;
-  field.surface_box = solid.bounds();
-  if (std::optional<Error> error = lay_grid(desc, field)) return *error;
-
   const TriangleDistance exact(solid);
   const ThinSpot thinnest = thinnest_wall(solid, exact, desc.threads);
-  if (std::optional<Error> error = check_walls(thinnest, desc.voxel_m)) return *error;
+  const Result<Resolution> resolution = choose_resolution(solid, exact, thinnest, desc);
+  if (!resolution) return resolution.error();
+  FieldData field;
+  field.surface_box = solid.bounds();
+  field.voxel_m = resolution->voxel_m;
+  field.band_m = resolution->band_m;
+  field.voxel_reason = resolution->reason;
+  field.contact_error_m = resolution->contact_error_m;
   field.thinnest_feature_m = thinnest.thickness_m;
+  if (std::optional<Error> error = lay_grid(field)) return *error;
 
   const auto report = [&progress](double from, double to) {
     return [&progress, from, to](double fraction) {
@@ -229,10 +211,10 @@ Result<DistanceField> bake_field(const Solid& solid, const FieldDesc& desc, cons
   const double bytes = static_cast<double>(baker.in_band()) * kBrickValues *
                        (desc.format == FieldFormat::int16 ? sizeof(std::int16_t) : sizeof(float));
   if (bytes > kLargestField) {
-    return Error{"A distance field of " + spell_mm(desc.voxel_m) + " voxels would need " +
+    return Error{"A distance field of " + spell_mm(field.voxel_m) + " voxels would need " +
                  spell(bytes * 1e-9) + " GB: use a voxel of " +
-                 spell_mm(1.05 * desc.voxel_m * std::sqrt(bytes / kLargestField)) +
-                 " or more, or a narrower band than " + spell_mm(desc.band_m) + "."};
+                 spell_mm(1.05 * field.voxel_m * std::sqrt(bytes / kLargestField)) +
+                 " or more, or a narrower band than " + spell_mm(field.band_m) + "."};
   }
   baker.fill(report(kClassifyShare, 1.0));
   if (desc.format == FieldFormat::int16) quantise(field);

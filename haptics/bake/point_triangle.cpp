@@ -1,5 +1,7 @@
 #include "haptics/bake/point_triangle.h"
 
+#include <algorithm>
+
 namespace fulcrum {
 namespace {
 
@@ -35,6 +37,12 @@ TrianglePoint closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, c
   }
   const double scale = 1.0 / (va + vb + vc);
   return at(p, a + ab * (vb * scale) + ac * (vc * scale), TriangleFeature::face);
+}
+
+bool is_sliver(const Vec3& a, const Vec3& b, const Vec3& c) {
+  constexpr double kThin = 1e-6;  // height over length
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return (b - a).cross(c - a).norm() < kThin * longest;
 }
 
 }  // namespace fulcrum

@@ -17,4 +17,7 @@ struct TrianglePoint {
 // Edge e runs from corner e to corner e+1.
 TrianglePoint closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
+// So thin (a millionth of its length) that its plane and its normal are rounding.
+bool is_sliver(const Vec3& a, const Vec3& b, const Vec3& c);
+
 }  // namespace fulcrum

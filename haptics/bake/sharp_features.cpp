@@ -1,6 +1,7 @@
 #include "haptics/bake/sharp_features.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <OpenMesh/Core/System/omstream.hh>
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +20,8 @@ Vec3 unit(const Vec3& v) {
 class SharpEdges {
 public:
   SharpEdges(const Solid& solid, double angle) : positions_(solid.mesh.vertices), angle_(angle) {
+    // Faces that make the mesh non-manifold are left out: where a surface that crossed itself was cut.
+    omerr().disable();
     for (std::size_t i = 0; i < positions_.size(); ++i) mesh_.add_vertex();
     for (const Triangle& corner : solid.mesh.triangles) {
       const auto vertex = [&corner](std::size_t i) {

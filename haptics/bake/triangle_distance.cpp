@@ -24,7 +24,8 @@ TriangleDistance::TriangleDistance(const Solid& solid)
       triangles_(solid.mesh.triangles),
       neighbours_(solid.neighbours),
       face_normals_(solid.mesh.triangles.size()),
-      vertex_normals_(solid.mesh.vertices.size(), Vec3::Zero()) {
+      vertex_normals_(solid.mesh.vertices.size(), Vec3::Zero()),
+      trust_(solid.mesh.triangles.size(), Trust::always) {
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const Triangle& corner = triangles_[t];
     const auto at = [&](std::size_t i) { return solid.mesh.vertices[corner[i % 3]]; };
@@ -38,6 +39,18 @@ TriangleDistance::TriangleDistance(const Solid& solid)
   std::vector<Containment::Candidate> all;
   for (const SolidComponent& component : solid.components) {
     all.push_back({static_cast<std::uint32_t>(all.size()), component.first_triangle});
+    if (component.shell.triangles.empty()) {
+      windings_.emplace_back();
+      continue;
+    }
+    windings_.emplace_back(component.shell);
+    for (std::uint32_t t = component.first_triangle; t < component.first_triangle + component.triangle_count;
+         ++t) {
+      const Triangle& corner = triangles_[t];
+      const bool thin = is_sliver(solid.mesh.vertices[corner[0]], solid.mesh.vertices[corner[1]],
+                                  solid.mesh.vertices[corner[2]]);
+      trust_[t] = thin ? Trust::never : Trust::face;
+    }
   }
   containment_.emplace(solid.bounds(), all,
                        [this](std::uint32_t component, const Vec3& p, std::uint32_t& hint) {
@@ -53,7 +66,9 @@ Vec3 TriangleDistance::pseudonormal(std::uint32_t triangle, TriangleFeature feat
     case TriangleFeature::edge1:
     case TriangleFeature::edge2: {
       const auto edge = static_cast<std::size_t>(feature) - static_cast<std::size_t>(TriangleFeature::edge0);
-      return unit_or_zero(face_normals_[triangle] + face_normals_[neighbours_[triangle][edge]]);
+      const std::uint32_t there = neighbours_[triangle][edge];
+      if (there == Solid::kNoNeighbour) return face_normals_[triangle];
+      return unit_or_zero(face_normals_[triangle] + face_normals_[there]);
     }
     case TriangleFeature::corner0:
     case TriangleFeature::corner1:
@@ -66,7 +81,14 @@ Vec3 TriangleDistance::pseudonormal(std::uint32_t triangle, TriangleFeature feat
   return Vec3::Zero();
 }
 
-bool TriangleDistance::is_inside(const Vec3& p, const TriangleTree::Nearest& nearest) const {
+bool TriangleDistance::has_normal(const TriangleTree::Nearest& nearest) const {
+  const Trust trust = trust_[nearest.triangle];
+  return trust == Trust::always || (trust == Trust::face && nearest.feature == TriangleFeature::face);
+}
+
+bool TriangleDistance::is_inside(std::uint32_t component, const Vec3& p,
+                                 const TriangleTree::Nearest& nearest) const {
+  if (!has_normal(nearest)) return windings_[component]->around(p) > 0;
   return (p - nearest.point).dot(pseudonormal(nearest.triangle, nearest.feature)) < 0.0;
 }
 
@@ -75,7 +97,7 @@ double TriangleDistance::component_distance(std::uint32_t component, const Vec3&
   const TriangleTree::Nearest nearest = tree_.nearest(tree_.of_component(component), p, kEverything, hint);
   if (nearest.triangle == TriangleTree::kNone) return kEverything;  // p is not a number
   hint = nearest.triangle;
-  return is_inside(p, nearest) ? -std::sqrt(nearest.squared) : std::sqrt(nearest.squared);
+  return is_inside(component, p, nearest) ? -std::sqrt(nearest.squared) : std::sqrt(nearest.squared);
 }
 
 // Components that may hold p are asked in full. Of all others p is outside, and the closest triangle of all
@@ -86,10 +108,12 @@ ClosestPoint TriangleDistance::closest_below(const Vec3& p, double limit) const 
   TriangleTree::Nearest nearest;
   const auto take = [&](double distance) {
     best = {distance, nearest.point, pseudonormal(nearest.triangle, nearest.feature), nearest.triangle};
+    if (distance != 0.0 && !has_normal(nearest)) best.normal = (p - nearest.point) / distance;
   };
   for (const auto& [component, hint] : containment_->candidates(p)) {
     nearest = tree_.nearest(tree_.of_component(component), p, kEverything, hint);
-    const double distance = is_inside(p, nearest) ? -std::sqrt(nearest.squared) : std::sqrt(nearest.squared);
+    const double distance =
+        is_inside(component, p, nearest) ? -std::sqrt(nearest.squared) : std::sqrt(nearest.squared);
     if (distance < best.distance) take(distance);
   }
   if (best.distance > 0.0) {

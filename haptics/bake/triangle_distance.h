@@ -3,9 +3,10 @@
 // by.
 //
 // Sign: the angle-weighted pseudonormal of the closest feature, per component; J. A. Baerentzen and H.
-// Aanaes, "Signed distance computation using the angle weighted pseudonormal" (IEEE TVCG 11(3), 2005). Union:
-// the minimum over the components. Outside that is the distance to the union. Inside it is minus the depth in
-// the component in which the point lies deepest: at most the depth in the union, never more.
+// Aanaes, "Signed distance computation using the angle weighted pseudonormal" (IEEE TVCG 11(3), 2005); of a
+// component with a shell, the winding number, unless the closest point lies in a triangle. Union: the minimum
+// over the components. Outside that is the distance to the union. Inside it is minus the depth in the
+// component in which the point lies deepest: at most the depth in the union, never more.
 
 #include <cstdint>
 #include <optional>
@@ -14,13 +15,14 @@
 #include "haptics/bake/containment.h"
 #include "haptics/bake/solid.h"
 #include "haptics/bake/triangle_tree.h"
+#include "haptics/bake/winding.h"
 
 namespace fulcrum {
 
 struct ClosestPoint {
   double distance = 0.0;        // m, signed
   Vec3 point = Vec3::Zero();    // (3) m, on the surface
-  Vec3 normal = Vec3::UnitY();  // (3) unit, outward pseudonormal there
+  Vec3 normal = Vec3::UnitY();  // (3) unit, outward there: the pseudonormal, or the way out to p
   std::uint32_t triangle = 0;   // into Solid::mesh.triangles
 };
 
@@ -51,16 +53,22 @@ public:
   std::optional<Crossing> first_crossing_of(std::uint32_t component, const Vec3& p0, const Vec3& p1) const;
 
 private:
-  bool is_inside(const Vec3& p, const TriangleTree::Nearest& nearest) const;
+  enum class Trust : unsigned char { always, face, never };  // face: not in those of its edges and corners
+
+  bool is_inside(std::uint32_t component, const Vec3& p, const TriangleTree::Nearest& nearest) const;
+  // Whether the closest feature's normal tells inside from outside there.
+  bool has_normal(const TriangleTree::Nearest& nearest) const;
   Vec3 pseudonormal(std::uint32_t triangle, TriangleFeature feature) const;
   ClosestPoint closest_below(const Vec3& p, double limit) const;
   std::optional<Crossing> crossing(TriangleTree::Root root, const Vec3& p0, const Vec3& p1) const;
 
   TriangleTree tree_;
-  std::vector<Triangle> triangles_;   // (m x 3)
-  std::vector<Triangle> neighbours_;  // (m x 3) across edge e
-  std::vector<Vec3> face_normals_;    // (m x 3) unit; zero for a triangle without area
-  std::vector<Vec3> vertex_normals_;  // (n x 3) unit, angle-weighted
+  std::vector<Triangle> triangles_;               // (m x 3)
+  std::vector<Triangle> neighbours_;              // (m x 3) across edge e
+  std::vector<Vec3> face_normals_;                // (m x 3) unit; zero for a triangle without area
+  std::vector<Vec3> vertex_normals_;              // (n x 3) unit, angle-weighted
+  std::vector<Trust> trust_;                      // (m) in the triangle's normals
+  std::vector<std::optional<Winding>> windings_;  // (components) of those with a shell
   std::optional<Containment> containment_;
 };
 

@@ -8,7 +8,6 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kSliver = 1e-6;           // height over length
 constexpr float kRounding = 1.0f + 4e-6f;  // of squared bounds; that of coordinates is in the slack
 
 struct Waiting {
@@ -96,9 +95,7 @@ TriangleTree::Root TriangleTree::make_leaf(std::span<const Item> items, const So
     corners_[kLeafTriangles * index + i] = {v[0], v[1], v[2], items[i].reference};
 
     const Vec3 cross = (v[1] - v[0]).cross(v[2] - v[0]);
-    const double longest =
-        std::max({(v[1] - v[0]).squaredNorm(), (v[2] - v[1]).squaredNorm(), (v[0] - v[2]).squaredNorm()});
-    const bool sliver = cross.norm() < kSliver * longest;  // its plane is rounding: bounds of zero
+    const bool sliver = is_sliver(v[0], v[1], v[2]);  // its plane is rounding: bounds of zero
     const Vec3 n = sliver ? Vec3(Vec3::Zero()) : Vec3(cross.normalized());
     for (std::size_t f = 0; f < 4; ++f) {
       const Vec3 edge = f == 0 ? n : (v[f % 3] - v[f - 1]).normalized().cross(n);

@@ -44,6 +44,8 @@ public:
   }
   // The first triangle that the segment meets; of several at one place, the one with the lowest index.
   std::optional<Hit> first_hit(Root root, const Vec3& p0, const Vec3& p1) const;
+  // Appends every triangle whose leaf's box meets `box`, and maybe a few more.
+  void near_box(Root root, const Box3& box, std::vector<std::uint32_t>& found) const;
 
 private:
   static constexpr Root kLeafBit = 0x80000000u;  // of a reference: a leaf, 3 bits of count, 28 bits of place

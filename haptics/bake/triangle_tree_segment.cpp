@@ -1,8 +1,8 @@
-// Segment against triangle. The edge tests use triple products about the segment's start: for two triangles
-// that share an edge they are each other's exact negation, so that no segment passes between them (the idea
-// of S. Woop, C. Benthin, I. Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013, without its
-// shear). Around a vertex rounding could still turn every triangle of the fan away; so each reaches beyond
-// its edges by that rounding.
+// Segments and boxes against triangles. The edge tests use triple products about the segment's start: for two
+// triangles that share an edge they are each other's exact negation, so that no segment passes between them
+// (the idea of S. Woop, C. Benthin, I. Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013, without
+// its shear). Around a vertex rounding could still turn every triangle of the fan away; so each reaches
+// beyond its edges by that rounding.
 
 #include <algorithm>
 #include <array>
@@ -83,6 +83,30 @@ std::optional<TriangleTree::Hit> TriangleTree::first_hit(Root root, const Vec3& 
     }
   }
   return first;
+}
+
+void TriangleTree::near_box(Root root, const Box3& box, std::vector<std::uint32_t>& found) const {
+  const Eigen::Vector3f low = (box.min() - centre_).cast<float>(), high = (box.max() - centre_).cast<float>();
+  std::array<Root, kStack> stack;
+  stack[0] = root;
+  std::size_t top = 1;
+  while (top > 0) {
+    const Root next = stack[--top];
+    if (is_leaf(next)) {
+      const std::uint32_t begin = kLeafTriangles * leaf_index(next);
+      for (std::uint32_t i = begin; i < begin + leaf_count(next); ++i) found.push_back(corners_[i].triangle);
+      continue;
+    }
+    const Node& node = nodes_[next];
+    Eigen::Array<bool, 4, 1> meets = Eigen::Array<bool, 4, 1>::Constant(true);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      meets = meets && node.low[axis] <= high[a] && node.high[axis] >= low[a];
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (meets[static_cast<Eigen::Index>(i)] && node.child[i] != kNone) stack[top++] = node.child[i];
+    }
+  }
 }
 
 }  // namespace fulcrum

@@ -48,6 +48,15 @@ enum class FieldFormat {
   float32,  // as they are
 };
 
+// What decided the voxel.
+enum class VoxelReason : unsigned char {
+  given,
+  error,          // the coarsest that keeps the wanted contact error
+  thinnest_wall,  // a third of it
+  band,           // half of the given one
+  memory,         // the finest that fits; the wanted contact error is not kept
+};
+
 // The stored numbers. Bricks run x fastest, then y, then z; so do the values inside a brick.
 struct FieldData {
   Vec3 origin = Vec3::Zero();            // (3) m, the lowest corner of brick (0,0,0)
@@ -65,6 +74,8 @@ struct FieldData {
   Box3 surface_box;                 // m, bounds of the solid
   double error_bound_m = 0.0;       // largest of slot_error_m
   double thinnest_feature_m = 0.0;  // thinnest wall met at bake
+  double contact_error_m = 0.0;     // what 95 % of the surface keeps
+  VoxelReason voxel_reason = VoxelReason::given;
 };
 
 // Stores float values as int16, and adds half a quantum to the errors.
@@ -88,6 +99,8 @@ public:
   double quantum_m() const { return data_.format == FieldFormat::int16 ? data_.quantum_m : 0.0; }
   double error_bound_m() const { return data_.error_bound_m; }
   double thinnest_feature_m() const { return data_.thinnest_feature_m; }
+  double contact_error_m() const { return data_.contact_error_m; }
+  VoxelReason voxel_reason() const { return data_.voxel_reason; }
   const Box3& bounds() const { return data_.surface_box; }  // m, of the solid
   const Box3& grid_box() const { return grid_box_; }        // m, of the grid: bounds and the band around it
   std::size_t bytes() const;                                // of the stored arrays

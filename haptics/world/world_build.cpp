@@ -36,6 +36,22 @@ bool positive(double value) {
   return std::isfinite(value) && value > 0;
 }
 
+std::string reason_of(VoxelReason reason) {
+  switch (reason) {
+    case VoxelReason::given:
+      return "as given";
+    case VoxelReason::error:
+      return "for the wanted error";
+    case VoxelReason::thinnest_wall:
+      return "for three across the thinnest wall";
+    case VoxelReason::band:
+      return "for two in the given band";
+    case VoxelReason::memory:
+      return "for want of memory, coarser than the wanted error asks";
+  }
+  return "";
+}
+
 }  // namespace
 
 Result<World> World::build(SceneDesc desc) {
@@ -100,9 +116,10 @@ std::vector<BuiltPart> World::parts() const {
            (field.format() == FieldFormat::int16 ? "int16 of " + number_text(field.quantum_m() * 1e6) + " um"
                                                  : std::string("float32")) +
            " in sparse bricks, " + number_text(static_cast<double>(field.bytes()) * 1e-6) + " MB, voxel " +
-           number_text(field.voxel_m() * 1e3) + " mm, error at most " +
-           number_text(field.error_bound_m() * 1e3) + " mm, thinnest wall " +
-           number_text(field.thinnest_feature_m() * 1e3) + " mm",
+           number_text(field.voxel_m() * 1e3) + " mm " + reason_of(field.voxel_reason()) +
+           ", error of contacts at most " + number_text(field.contact_error_m() * 1e3) +
+           " mm on 95 % of the surface and " + number_text(field.error_bound_m() * 1e3) +
+           " mm anywhere, thinnest wall " + number_text(field.thinnest_feature_m() * 1e3) + " mm",
        field.bytes()},
       {"pointshell",
        std::to_string(shell.size()) + " points, no surface farther than " +

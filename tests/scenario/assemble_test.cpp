@@ -11,8 +11,9 @@
 namespace fulcrum::scenario::test {
 namespace {
 
-// A box from `low` to `high` as a .glb with one part, "box", of one material, "steel".
-std::string box_glb(const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
+// A box from `low` to `high` as a .glb with one part, "box", of one material, "steel". Faulty: one triangle
+// is wound the wrong way.
+std::string box_glb(const Eigen::Vector3f& low, const Eigen::Vector3f& high, bool faulty = false) {
   std::string binary;
   const auto put = [&binary](const void* data, std::size_t size) {
     binary.append(static_cast<const char*>(data), size);
@@ -20,8 +21,9 @@ std::string box_glb(const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
   for (int corner = 0; corner < 8; ++corner) {
     for (int axis = 0; axis < 3; ++axis) put(corner >> axis & 1 ? &high[axis] : &low[axis], 4);
   }
-  const std::uint16_t indices[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
-                                     2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
+  std::uint16_t indices[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
+                               2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
+  if (faulty) std::swap(indices[0], indices[1]);
   put(indices, sizeof indices);
   const auto vector = [](const Eigen::Vector3f& v) {
     return "[" + std::to_string(v.x()) + "," + std::to_string(v.y()) + "," + std::to_string(v.z()) + "]";
@@ -142,6 +144,23 @@ TEST_F(Assemble, TellsAboutTheBakes) {
   ASSERT_TRUE(second) << second.error().sentence;
   EXPECT_NE(second->notes[1].find("from the cache"), std::string::npos) << second->notes[1];
   EXPECT_NE(second->notes[2].find("from the cache"), std::string::npos) << second->notes[2];
+}
+
+TEST_F(Assemble, TellsWhatWasMended) {
+  folder_.write("scenarios/peg/block.glb", box_glb({-0.1F, -0.02F, -0.1F}, {0.1F, 0.0F, 0.1F}, true));
+  folder_.write("scenarios/peg/peg.glb", box_glb({-0.005F, 0.0F, -0.005F}, {0.005F, 0.04F, 0.005F}, true));
+  const Scenario scenario = read(kCoarse);
+  const auto models = load_models(scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  const auto haptic = assemble_haptic(scenario, *models, cache_);
+  ASSERT_TRUE(haptic) << haptic.error().sentence;
+  ASSERT_EQ(haptic->mended.size(), 2u);
+  EXPECT_TRUE(
+      haptic->mended[0].ends_with("model 'peg': 1 triangle was wound against the rest and has been turned."))
+      << haptic->mended[0];
+  EXPECT_EQ(haptic->mended[1],
+            "the models that are touched: 1 triangle was wound against the rest and has been turned.");
+  EXPECT_NEAR(haptic->scene.scene_field->distance(Vec3(0, -0.005, 0)), -0.005, 1e-4);
 }
 
 TEST_F(Assemble, DrawsTheToolAboutItsCentreOfMass) {

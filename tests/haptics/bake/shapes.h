@@ -74,6 +74,37 @@ inline TriangleMesh sphere(const Vec3& centre, double radius, std::uint32_t n) {
   return mesh;
 }
 
+// A box whose faces are n x n squares of two triangles each.
+inline TriangleMesh grid_box(const Vec3& low, const Vec3& high, std::uint32_t n) {
+  TriangleMesh mesh;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    for (const bool upper : {false, true}) {
+      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      const Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
+      for (std::uint32_t i = 0; i <= n; ++i) {
+        for (std::uint32_t j = 0; j <= n; ++j) {
+          Vec3 p;
+          p[axis] = upper ? high[axis] : low[axis];
+          p[u] = low[u] + (high[u] - low[u]) * i / n;
+          p[v] = low[v] + (high[v] - low[v]) * j / n;
+          mesh.vertices.push_back(p);
+        }
+      }
+      for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = 0; j < n; ++j) {
+          const std::uint32_t a = first + i * (n + 1) + j, b = a + n + 1;
+          if (upper) {
+            mesh.triangles.insert(mesh.triangles.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
+          } else {
+            mesh.triangles.insert(mesh.triangles.end(), {{a, b + 1, b}, {a, a + 1, b + 1}});
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
 inline TriangleMesh rotated(TriangleMesh mesh, const Quat& q) {
   for (Vec3& p : mesh.vertices) p = q * p;
   return mesh;

@@ -1,0 +1,214 @@
+#include "haptics/bake/mend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "haptics/bake/holes.h"
+#include "haptics/bake/outlook.h"
+#include "haptics/bake/patches.h"
+#include "haptics/bake/sentence.h"
+#include "haptics/bake/superfluous.h"
+#include "haptics/bake/weld.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double kCrack = 1e-5;       // of the soup's diagonal: what is nearer was meant to meet
+constexpr double kWidestHole = 0.25;  // of the body's diagonal
+constexpr double kSheet = 0.5;        // a side that sees this share of what the other sees is not inside
+constexpr double kScrap = 0.01;       // of the soup's area: a smaller sheet is left out, a larger one refused
+constexpr std::size_t kTold = 5;      // holes and sheets each; the others together
+
+Box3 bounds_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  Box3 box;
+  for (const std::uint32_t t : triangles) {
+    for (const std::uint32_t v : mesh.triangles[t]) box.extend(mesh.vertices[v]);
+  }
+  return box;
+}
+
+double area_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  double area = 0.0;
+  for (const std::uint32_t t : triangles) {
+    const Triangle& corner = mesh.triangles[t];
+    const Vec3& a = mesh.vertices[corner[0]];
+    area += 0.5 * (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a).norm();
+  }
+  return area;
+}
+
+void remove(TriangleMesh& mesh, const std::vector<bool>& gone) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!gone[t]) mesh.triangles[kept++] = mesh.triangles[t];
+  }
+  mesh.triangles.resize(kept);
+}
+
+class Mending {
+public:
+  explicit Mending(TriangleMesh mesh) { result_.mesh = std::move(mesh); }
+
+  Result<Mended> run() {
+    close();
+    drop_repeated();
+    if (std::optional<Error> error = orient()) return *error;
+    if (std::optional<Error> error = drop_sheets()) return *error;
+    if (std::optional<Error> error = fill()) return *error;
+    return std::move(result_);
+  }
+
+private:
+  TriangleMesh& mesh() { return result_.mesh; }
+  void tell(std::string sentence) { result_.notes.push_back(std::move(sentence)); }
+
+  void close() {
+    Box3 box;
+    for (const Triangle& corner : mesh().triangles) {
+      for (const std::uint32_t v : corner) box.extend(mesh().vertices[v]);
+    }
+    const double width = kCrack * box.diagonal().norm();
+    if (const std::size_t moved = close_cracks(mesh(), width); moved > 0)
+      tell("Cracks narrower than " + spell_mm(width) +
+           " have been closed: " + count(moved, "vertex", "vertices") + " moved.");
+  }
+
+  // Same corners, whichever way round: which way is right is found out later.
+  void drop_repeated() {
+    std::set<Triangle> known;
+    std::vector<bool> gone(mesh().triangles.size());
+    for (std::size_t t = 0; t < gone.size(); ++t) {
+      Triangle corner = mesh().triangles[t];
+      std::sort(corner.begin(), corner.end());
+      gone[t] = !known.insert(corner).second;
+    }
+    const std::size_t before = gone.size();
+    remove(mesh(), gone);
+    if (before > mesh().triangles.size())
+      tell(count(before - mesh().triangles.size(), "triangle repeats another and is",
+                 "triangles repeat others and are") +
+           " left out.");
+  }
+
+  // An open patch faces the side that sees more, if it was wound both ways or others meet it; else it is
+  // taken at its word: a cavity with a hole in it must not become a body.
+  std::optional<Error> orient() {
+    auto patches = cut_into_patches(mesh());
+    if (!patches) return patches.error();
+    patches_ = std::move(*patches);
+    outlooks_ = look_around(mesh(), patches_);
+    std::size_t turned = 0;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      Patch& patch = patches_[i];
+      if (outlooks_[i].back > outlooks_[i].front && (patch.turned > 0 || patch.joined)) {
+        for (const std::uint32_t t : patch.triangles) turn(mesh().triangles[t]);
+        std::swap(outlooks_[i].front, outlooks_[i].back);
+        patch.turned = patch.triangles.size() - patch.turned;
+      }
+      turned += patch.turned;
+    }
+    if (turned > 0)
+      tell(count(turned, "triangle was wound against the rest and has",
+                 "triangles were wound against the rest and have") +
+           " been turned.");
+    return std::nullopt;
+  }
+
+  std::optional<Error> drop_sheets() {
+    double whole = 0.0;
+    for (const Patch& patch : patches_) whole += area_of(mesh(), patch.triangles);
+    std::vector<bool> gone(mesh().triangles.size());
+    std::size_t told = 0;
+    const auto leave_out = [&](const Patch& patch, const std::string& why) {
+      for (const std::uint32_t t : patch.triangles) gone[t] = true;
+      if (told++ >= kTold) return;
+      const Box3 box = bounds_of(mesh(), patch.triangles);
+      tell("A sheet of " + count(patch.triangles.size(), "triangle", "triangles") + " around " +
+           spell(box.center()) + ", " + spell_mm(box.diagonal().norm()) + " across, " + why +
+           " and is left out; if it is to be touched, give it thickness.");
+    };
+    const std::vector<bool> superfluous = superfluous_patches(mesh(), patches_, outlooks_);
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      const Patch& patch = patches_[i];
+      const auto [front, back] = outlooks_[i];
+      if (superfluous[i]) {
+        leave_out(patch, front + back > 0.0 ? "stands on a surface without bounding anything"
+                                            : "lies inside a body");
+      } else if (patch.open && std::min(front, back) >= kSheet * std::max(front, back)) {
+        const Box3 box = bounds_of(mesh(), patch.triangles);
+        if (area_of(mesh(), patch.triangles) > kScrap * whole) {
+          return Error{"A sheet of " + count(patch.triangles.size(), "triangle", "triangles") + " around " +
+                       spell(box.center()) + ", " + spell_mm(box.diagonal().norm()) +
+                       " across, bounds nothing: give it thickness, or remove it."};
+        }
+        leave_out(patch, "bounds nothing");
+      }
+    }
+    remove(mesh(), gone);
+    if (told > kTold) tell(count(told - kTold, "more sheet is", "more sheets are") + " left out.");
+    return std::nullopt;
+  }
+
+  std::optional<Error> fill() {
+    std::vector<HoleFill> fills = fill_holes(mesh());
+    std::stable_sort(fills.begin(), fills.end(),
+                     [](const HoleFill& l, const HoleFill& r) { return l.width_m > r.width_m; });
+    const std::vector<double> diagonal = body_diagonals();
+    std::size_t told = 0, others = 0;
+    for (const HoleFill& fill : fills) {
+      const double widest = kWidestHole * diagonal[fill.rim.front()];
+      if (fill.width_m > widest) {
+        return Error{"A hole about " + spell_mm(fill.width_m) + " wide around " + spell(fill.place) +
+                     " is more than can be filled by guess (" + spell_mm(widest) +
+                     " here): close it where the model was made, or give the surface thickness."};
+      }
+      mesh().triangles.insert(mesh().triangles.end(), fill.triangles.begin(), fill.triangles.end());
+      if (fill.width_m <= kCrack * diagonal[fill.rim.front()]) continue;
+      if (told++ < kTold) {
+        tell("A hole about " + spell_mm(fill.width_m) + " wide around " + spell(fill.place) +
+             " has been filled: inside is a guess within " + spell_mm(reach_of(fill)) + " of it.");
+      } else {
+        ++others;
+      }
+    }
+    if (others > 0) tell(count(others, "narrower hole has", "narrower holes have") + " been filled as well.");
+    return std::nullopt;
+  }
+
+  // From a hole's middle to the farthest point of its rim.
+  double reach_of(const HoleFill& fill) {
+    double reach = 0.0;
+    for (const std::uint32_t v : fill.rim) reach = std::max(reach, (mesh().vertices[v] - fill.place).norm());
+    return reach;
+  }
+
+  // (vertices) of the body a vertex belongs to.
+  std::vector<double> body_diagonals() {
+    Sets sets(mesh().vertices.size());
+    for (const Triangle& corner : mesh().triangles) {
+      sets.join(corner[0], corner[1]);
+      sets.join(corner[0], corner[2]);
+    }
+    std::vector<Box3> boxes(mesh().vertices.size());
+    for (std::uint32_t v = 0; v < boxes.size(); ++v) boxes[sets.find(v)].extend(mesh().vertices[v]);
+    std::vector<double> diagonals;
+    for (std::uint32_t v = 0; v < boxes.size(); ++v)
+      diagonals.push_back(boxes[sets.find(v)].diagonal().norm());
+    return diagonals;
+  }
+
+  Mended result_;
+  std::vector<Patch> patches_;
+  std::vector<Outlook> outlooks_;  // (patches)
+};
+
+}  // namespace
+
+Result<Mended> mend(TriangleMesh welded) {
+  return Mending(std::move(welded)).run();
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,24 @@
+#pragma once
+// From a soup with faults to one that is closed: what a modelling program exports becomes what can be baked,
+// and whatever had to be guessed is told.
+
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/triangle_mesh.h"
+#include "haptics/math/result.h"
+
+namespace fulcrum {
+
+struct Mended {
+  TriangleMesh mesh;               // as many triangles run along every edge as against it
+  std::vector<std::string> notes;  // sentences, with places
+};
+
+// In this order: cracks at open edges are closed, triangles that repeat others are left out, the winding is
+// made to agree, walls and sheets that part nothing from nothing are left out, holes are filled.
+// Refused, with a place and a remedy: a surface with one side, a sheet that bounds nothing, a hole wider than
+// a quarter of its body's diagonal.
+Result<Mended> mend(TriangleMesh welded);
+
+}  // namespace fulcrum
