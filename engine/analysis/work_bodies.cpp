@@ -43,9 +43,9 @@ std::vector<Vec3> fibonacci_sphere(int count) {
   return directions;
 }
 
-std::shared_ptr<const Pointshell> shell_touching(std::span<const Vec3> touching, double inside) {
-  std::vector<Vec3> points(touching.begin(), touching.end()), normals;
-  for (const Vec3& p : touching) normals.push_back(p.normalized());
+std::shared_ptr<const Pointshell> shell_touching(std::span<const Vec3> touching,
+                                                 std::span<const Vec3> outward, double inside) {
+  std::vector<Vec3> points(touching.begin(), touching.end()), normals(outward.begin(), outward.end());
   for (const Vec3& u : fibonacci_sphere(kShellPoints - static_cast<int>(touching.size()))) {
     points.push_back(inside * u);
     normals.push_back(u);

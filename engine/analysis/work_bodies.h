@@ -29,7 +29,8 @@ std::vector<Vec3> fibonacci_sphere(int count);
 // The points that are to touch, and enough others on a sphere of `inside` m, which never do, to make the
 // shell one of kShellPoints: a query costs what it costs a tool of that many.
 inline constexpr int kShellPoints = 4096;
-std::shared_ptr<const Pointshell> shell_touching(std::span<const Vec3> points, double inside);
+std::shared_ptr<const Pointshell> shell_touching(std::span<const Vec3> points, std::span<const Vec3> normals,
+                                                 double inside);
 
 // A ball's whole surface, `spacing` m from point to point.
 std::shared_ptr<const Pointshell> ball_shell(double radius, double spacing);

@@ -118,7 +118,7 @@ WorkStudy study_tube(bool quick) {
       {}};
   const double R = 10e-3, r = 9e-3, e = 1.3e-3;
   const TriangleMesh tube = tube_mesh(R, 13e-3, 30e-3, quick ? 256 : 1024);
-  const auto shell = shell_touching(std::array{Vec3(r, 0, 0)}, 0.75 * r);
+  const auto shell = shell_touching(std::array{Vec3(r, 0, 0)}, std::array{Vec3(1, 0, 0)}, 0.75 * r);
   std::vector<Pose> poses;
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> along(-5e-3, 5e-3);

@@ -47,9 +47,10 @@ WorkStudy one_clearance(double clearance_mm, const std::vector<std::shared_ptr<c
   const double D = kHole, d = D - 1e-3 * clearance_mm, L = kLength, k = 20000;
   PressTask task;
   task.fields = holes;
+  const Vec3 right(1, 0, 0), left(-1, 0, 0);  // the sides' own, which the classic method goes by
   task.shell = shell_touching(std::array{Vec3(d / 2, 0, L / 2), Vec3(-d / 2, 0, L / 2),
                                          Vec3(d / 2, 0, -L / 2), Vec3(-d / 2, 0, -L / 2)},
-                              0.3 * d);
+                              std::array{right, left, right, left}, 0.3 * d);
   task.stiffness = k;
   task.coupling = straight_springs();
   task.arm = 0.5 * L;

@@ -51,7 +51,7 @@ WorkStudy study_press_tube(bool quick) {
   PressTask task;
   task.fields = fields_of(tube_mesh(R, 13e-3, 20e-3, quick ? 256 : 1024),
                           quick ? voxels(quick) : std::vector{1.0, 0.5, 0.25, 0.125});
-  task.shell = shell_touching(std::array{Vec3(r, 0, 0)}, 0.75 * r);
+  task.shell = shell_touching(std::array{Vec3(r, 0, 0)}, std::array{Vec3(1, 0, 0)}, 0.75 * r);
   task.coupling = straight_springs();
   task.arm = r;
   const double k_c = task.coupling.stiffness, k = task.stiffness;
@@ -87,9 +87,8 @@ WorkStudy study_press_groove(bool quick) {
   const Pose X = askew();
   PressTask task;
   task.fields = fields_of(moved(joined(slabs), X), voxels(quick));
-  task.shell = shell_touching(
-      std::array{Vec3(r * std::cos(a), -r * std::sin(a), 0), Vec3(-r * std::cos(a), -r * std::sin(a), 0)},
-      0.5 * r);
+  const std::array sides{Vec3(std::cos(a), -std::sin(a), 0), Vec3(-std::cos(a), -std::sin(a), 0)};
+  task.shell = shell_touching(std::array{Vec3(r * sides[0]), Vec3(r * sides[1])}, sides, 0.5 * r);
   task.stiffness = k;
   task.coupling = straight_springs();
   task.arm = r;
@@ -124,8 +123,9 @@ WorkStudy study_press_table(bool quick) {
   const Pose X = askew();
   PressTask task;
   task.fields = fields_of(moved(box_mesh({-0.035, -0.01, -0.035}, {0.035, 0, 0.035}), X), voxels(quick));
-  task.shell =
-      shell_touching(std::array{Vec3(a, -b, a), Vec3(a, -b, -a), Vec3(-a, -b, a), Vec3(-a, -b, -a)}, 0.5 * b);
+  const Vec3 down(0, -1, 0);
+  task.shell = shell_touching(std::array{Vec3(a, -b, a), Vec3(a, -b, -a), Vec3(-a, -b, a), Vec3(-a, -b, -a)},
+                              std::array{down, down, down, down}, 0.5 * b);
   task.stiffness = k;
   task.coupling = straight_springs();
   task.arm = a;

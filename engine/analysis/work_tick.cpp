@@ -38,7 +38,8 @@ SceneDesc scene(const Method& method, const std::shared_ptr<const DistanceField>
   desc.tool.inertia_T = Mat3::Identity() * 5.3e-5;
   desc.tool.weight = false;
   desc.tool.X_WT_start.p.y() = kRadius;
-  desc.tool_shell = shell_touching(std::array{Vec3(0, -kRadius, 0)}, 0.75 * kRadius);
+  desc.tool_shell =
+      shell_touching(std::array{Vec3(0, -kRadius, 0)}, std::array{Vec3(0, -1, 0)}, 0.75 * kRadius);
   desc.scene_field = floor;
   desc.velocity.kind = VelocityEstimatorKind::difference;
   desc.coupling.stiffness = 1000;

@@ -72,7 +72,7 @@ TEST(WorkPrecision, PressesAreFeltTruerThanByClassicVoxels) {
 TEST(WorkPrecision, PegsJamWhereTheyShould) {
   const std::vector<WorkStudy> studies = study_pegs(true);
   ASSERT_EQ(studies.size(), 3u);
-  for (const WorkStudy& study : studies) expect_truer_than_voxels(study, 20);
+  for (const WorkStudy& study : studies) expect_truer_than_voxels(study, 2);
 }
 
 // A rod across a tube, in place of the shipped scene: what refines towards itself.
