@@ -65,6 +65,7 @@ Plot cost_plot(const WorkStudy& study) {
   Series front;
   front.name = "Pareto front";
   front.line = Line::dashed;
+  front.marker = Marker::cross;  // a front of one setting has no line
   front.hue = report::kInk;
   front.strong = true;
   std::vector<report::Point> all;
@@ -184,7 +185,7 @@ report::Page work_page(const std::vector<WorkStudy>& studies) {
     page.heading("Truth: " + study.truth);
     page.paragraph(study.text);
     page.plot(cost_plot(study),
-              "Lower and further left is better. The dashed line joins the settings that no other "
+              "Lower and further left is better. Crosses mark the settings that no other "
               "beats in both.");
     page.plot(plot_of(study, "Error over the setting", {study.parameter, "", Scale::logarithmic, {}, {}},
                       [](const WorkPoint& point) { return point.value; }),
