@@ -61,4 +61,29 @@ TriangleMesh tube_mesh(double inner, double outer, double length, int sides) {
   return mesh;
 }
 
+TriangleMesh box_mesh(const Vec3& low, const Vec3& high) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.vertices.emplace_back(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(),
+                               i & 4 ? high.z() : low.z());
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+TriangleMesh moved(TriangleMesh mesh, const Pose& X) {
+  for (Vec3& p : mesh.vertices) p = X.q * p + X.p;
+  return mesh;
+}
+
+TriangleMesh joined(std::span<const TriangleMesh> meshes) {
+  TriangleMesh all;
+  for (const TriangleMesh& mesh : meshes) {
+    const auto base = static_cast<std::uint32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const Triangle& t : mesh.triangles) all.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  }
+  return all;
+}
+
 }  // namespace fulcrum::analysis

@@ -1,15 +1,15 @@
 // Field, contact and sampling, against bodies whose distance is known.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "engine/analysis/best_time.h"
 #include "engine/analysis/shapes.h"
+#include "engine/analysis/work_bodies.h"
 #include "engine/analysis/workprecision.h"
-#include "haptics/bake/field_bake.h"
-#include "haptics/bake/solid.h"
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/voxel_query.h"
@@ -19,31 +19,6 @@ namespace fulcrum::analysis {
 namespace {
 
 constexpr double kStiffness = 2000;  // N/m
-
-// The bodies are ours and sound: a refusal is a mistake in this file.
-std::shared_ptr<const DistanceField> field_of(const TriangleMesh& mesh, double voxel) {
-  const Result<Solid> solid = build_solid(mesh);
-  FieldDesc desc;
-  desc.voxel_m = voxel;
-  desc.band_m = std::max(3 * voxel, 2.5e-3);
-  return std::make_shared<DistanceField>(std::move(*bake_field(*solid, desc)));
-}
-
-Vec3 direction(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  return Vec3(normal(random), normal(random), normal(random)).normalized();
-}
-
-// Directions spread evenly over the sphere: the same every time, as many as wanted.
-std::vector<Vec3> fibonacci_sphere(int count) {
-  std::vector<Vec3> directions;
-  for (int i = 0; i < count; ++i) {
-    const double y = 1 - (2.0 * i + 1) / count, r = std::sqrt(1 - y * y);
-    const double angle = 2 * std::numbers::pi * std::numbers::phi * i;
-    directions.emplace_back(r * std::cos(angle), y, r * std::sin(angle));
-  }
-  return directions;
-}
 
 // What both ways of finding contacts are asked: the force at a pose, and its cost.
 struct Asked {
@@ -84,6 +59,7 @@ void compare(WorkStudy& study, const std::vector<double>& values, const Truth& a
     classic.push_back({"classic voxels", value, voxel.rms, voxel.cpu_us});
   }
   study.points.insert(study.points.end(), classic.begin(), classic.end());
+  study.baseline = "classic voxels";
   measure_orders(study);
 }
 
@@ -93,30 +69,38 @@ WorkStudy study_field(bool quick) {
   WorkStudy study{
       "ball",
       "The distance to a ball of 20 mm, sampled on a grid and looked up between its points, within 1 mm of "
-      "the surface. Theory gives h²/(4R) for the largest error and order 2. The work is a thousand "
-      "look-ups.",
+      "the surface, stored as 16-bit or 32-bit numbers. Theory gives h²/(4R) for the largest error and order "
+      "2; 16-bit numbers add half a quantum, which shrinks with the voxel. The work is a thousand look-ups.",
       "voxel (mm)",
       "m",
-      {{"distance field", 2}},
+      {{"float32", 2}, {"int16", 2}},
       {}};
   const double R = 0.02;
   const TriangleMesh ball = ball_mesh(R, quick ? 32 : 128);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> off(-1e-3, 1e-3);
   std::vector<std::pair<Vec3, double>> places;
-  for (int i = 0; i < (quick ? 20'000 : 200'000); ++i) {
+  for (int i = 0; i < (quick ? 20'000 : 100'000); ++i) {
     const double distance = off(random);
-    places.emplace_back((R + distance) * direction(random), distance);
+    places.emplace_back((R + distance) * random_direction(random), distance);
   }
-  for (const double voxel : quick ? std::vector{4e-3, 2e-3} : std::vector{4e-3, 2e-3, 1e-3, 0.5e-3}) {
-    const auto field = field_of(ball, voxel);
-    double worst = 0;
-    const double us = best_us([&] {
-      for (const auto& [p, truth] : places) worst = std::max(worst, std::abs(field->distance(p) - truth));
-    });
-    study.points.push_back(
-        {"distance field", 1e3 * voxel, worst, 1e3 * us / static_cast<double>(places.size())});
+  std::vector<WorkPoint> rounded;
+  for (const double voxel_mm : quick ? std::vector{4.0, 2.0} : std::vector{4.0, 2.0, 1.0, 0.5}) {
+    const auto float32 = field_of(ball, 1e-3 * voxel_mm, FieldFormat::float32);
+    FieldData data = float32->data();
+    quantise(data);
+    const DistanceField int16(std::move(data));
+    const auto point = [&](const char* name, const DistanceField& field) {
+      double worst = 0;
+      const double us = best_us([&] {
+        for (const auto& [p, truth] : places) worst = std::max(worst, std::abs(field.distance(p) - truth));
+      });
+      return WorkPoint{name, voxel_mm, worst, 1e3 * us / static_cast<double>(places.size())};
+    };
+    study.points.push_back(point("float32", *float32));
+    rounded.push_back(point("int16", int16));
   }
+  study.points.insert(study.points.end(), rounded.begin(), rounded.end());
   measure_orders(study);
   return study;
 }
@@ -134,20 +118,14 @@ WorkStudy study_tube(bool quick) {
       {}};
   const double R = 10e-3, r = 9e-3, e = 1.3e-3;
   const TriangleMesh tube = tube_mesh(R, 13e-3, 30e-3, quick ? 256 : 1024);
-  std::vector<Vec3> points{Vec3(r, 0, 0)}, normals{Vec3::UnitX()};
-  for (const Vec3& u : fibonacci_sphere(4095)) {
-    points.push_back(0.75 * r * u);
-    normals.push_back(u);
-  }
-  const auto shell = std::make_shared<Pointshell>(
-      std::move(*pointshell_from_points(points, normals, std::vector<double>(points.size(), 1e-6), 0)));
+  const auto shell = shell_touching(std::array{Vec3(r, 0, 0)}, std::array{Vec3(1, 0, 0)}, 0.75 * r);
   std::vector<Pose> poses;
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> along(-5e-3, 5e-3);
   for (int i = 0; i < (quick ? 40 : 200); ++i) {
-    const double angle = 2 * std::numbers::pi * std::numbers::phi * i;
-    poses.push_back({quaternion_exp(Vec3(0, 0, std::remainder(angle, 2 * std::numbers::pi))),
-                     Vec3(e * std::cos(angle), e * std::sin(angle), along(random))});
+    const double angle = golden_angle(i);
+    poses.push_back(
+        {quaternion_exp(Vec3(0, 0, angle)), Vec3(e * std::cos(angle), e * std::sin(angle), along(random))});
   }
   compare(study, quick ? std::vector{1.0, 0.5} : std::vector{1.0, 0.5, 0.25, 0.125}, [&](double voxel_mm) {
     const auto field = field_of(tube, 1e-3 * voxel_mm);
@@ -172,30 +150,17 @@ WorkStudy study_sampling(bool quick) {
       {},
       {}};
   const double r = 10e-3, h = 0.5e-3;
-  const double size = 0.03;
-  TriangleMesh slab;
-  for (int i = 0; i < 8; ++i)
-    slab.vertices.emplace_back(i & 1 ? size : -size, i & 2 ? 0 : -8e-3, i & 4 ? size : -size);
-  slab.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  const auto field = field_of(slab, 0.5e-3);
+  const auto field = field_of(box_mesh({-0.03, -8e-3, -0.03}, {0.03, 0, 0.03}), 0.5e-3);
   std::mt19937_64 random(3);
   std::vector<Pose> poses;
   std::uniform_real_distribution<double> turn(0, std::numbers::pi);
   std::uniform_real_distribution<double> aside(-5e-3, 5e-3);
   for (int i = 0; i < (quick ? 40 : 200); ++i)
     poses.push_back(
-        {quaternion_exp(turn(random) * direction(random)), Vec3(aside(random), r - h, aside(random))});
+        {quaternion_exp(turn(random) * random_direction(random)), Vec3(aside(random), r - h, aside(random))});
   compare(study, quick ? std::vector{1.0, 0.5} : std::vector{2.0, 1.0, 0.5, 0.25, 0.125},
           [&](double spacing_mm) {
-            const double spacing = 1e-3 * spacing_mm;
-            const double area = 4 * std::numbers::pi * r * r;
-            const std::vector<Vec3> u =
-                fibonacci_sphere(static_cast<int>(std::lround(area / (spacing * spacing))));
-            std::vector<Vec3> points;
-            for (const Vec3& each : u) points.push_back(r * each);
-            const auto shell = std::make_shared<Pointshell>(std::move(*pointshell_from_points(
-                points, u, std::vector<double>(u.size(), area / static_cast<double>(u.size())), spacing)));
+            const auto shell = ball_shell(r, 1e-3 * spacing_mm);
             ContactQuery query(shell, field);
             VoxelQuery voxels(shell, field);
             const double truth = 2.0 / 3 * kStiffness * h;

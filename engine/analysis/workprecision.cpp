@@ -13,20 +13,30 @@ void measure_orders(WorkStudy& study) {
   }
 }
 
-std::vector<WorkStudy> study_work_precision(const StudyProgress& progress) {
+std::vector<WorkStudy> study_work_precision(const std::optional<PipingParts>& piping,
+                                            const StudyProgress& progress) {
   struct Part {
     const char* what;
-    WorkStudy (*study)(bool quick);
+    std::function<std::vector<WorkStudy>()> studies;
   };
-  constexpr Part parts[] = {{"A ball's field", study_field},
-                            {"A ball in a tube", study_tube},
-                            {"A ball on a plane", study_sampling},
-                            {"An oscillator", study_oscillator},
-                            {"A top", study_tumbling}};
+  const auto one = [](WorkStudy (*study)(bool quick)) {
+    return [study] { return std::vector{study(false)}; };
+  };
+  std::vector<Part> parts{{"A ball's field", one(study_field)},
+                          {"A ball in a tube", one(study_tube)},
+                          {"A ball on a plane", one(study_sampling)},
+                          {"A ball pressed into a tube", one(study_press_tube)},
+                          {"A ball pressed into a groove", one(study_press_groove)},
+                          {"A loaded table", one(study_press_table)},
+                          {"Pegs in a hole", [] { return study_pegs(false); }}};
+  if (piping) parts.push_back({"The spanner at its nut", [&] { return study_piping(*piping, false); }});
+  parts.push_back({"Ticks", one(study_tick)});
+  parts.push_back({"An oscillator", one(study_oscillator)});
+  parts.push_back({"A top", one(study_tumbling)});
   std::vector<WorkStudy> studies;
-  for (const Part& part : parts) {
-    progress(part.what, static_cast<double>(studies.size()) / std::size(parts));
-    studies.push_back(part.study(false));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    progress(parts[i].what, static_cast<double>(i) / static_cast<double>(parts.size()));
+    for (WorkStudy& study : parts[i].studies()) studies.push_back(std::move(study));
   }
   return studies;
 }

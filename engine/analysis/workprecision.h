@@ -2,9 +2,13 @@
 // What each choice of an author costs and how far from a known truth it leaves the answer.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "haptics/geometry/triangle_mesh.h"
+#include "haptics/math/pose.h"
 
 namespace fulcrum::analysis {
 
@@ -24,17 +28,32 @@ struct WorkStudy {
   std::string error_unit;
   std::vector<std::pair<std::string, double>> expected_order;  // by method
   std::vector<WorkPoint> points;                               // method by method, coarse to fine
+  std::string baseline = {};  // the method that the others are measured against; empty: none
 };
 
 // From 0 to 1, with what is being done.
 using StudyProgress = std::function<void(std::string_view what, double fraction)>;
 
-std::vector<WorkStudy> study_work_precision(const StudyProgress& progress);
+// The shipped scene, where there is one: what is touched, what touches it, and about where they meet.
+struct PipingParts {
+  TriangleMesh scene_W, tool_T;
+  Pose X_WT;
+  Vec3 p_TC = Vec3::Zero();  // (3) m, the part of the tool that touches
+};
+
+std::vector<WorkStudy> study_work_precision(const std::optional<PipingParts>& piping,
+                                            const StudyProgress& progress);
 
 // Each on its own; `quick`: coarser settings and fewer repeats, for tests.
 WorkStudy study_field(bool quick);
 WorkStudy study_tube(bool quick);
 WorkStudy study_sampling(bool quick);
+WorkStudy study_press_tube(bool quick);
+WorkStudy study_press_groove(bool quick);
+WorkStudy study_press_table(bool quick);
+std::vector<WorkStudy> study_pegs(bool quick);                               // a study for each clearance
+std::vector<WorkStudy> study_piping(const PipingParts& piping, bool quick);  // none: they do not meet
+WorkStudy study_tick(bool quick);
 WorkStudy study_oscillator(bool quick);
 WorkStudy study_tumbling(bool quick);
 

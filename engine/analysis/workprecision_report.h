@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,8 +18,14 @@ report::Page work_page(const std::vector<WorkStudy>& studies);
 // A line a study and method: its finest setting.
 report::Table work_table(const std::vector<WorkStudy>& studies);
 
-// The classic voxels' error over the field's at the cost of the field's setting, the smallest over all of
-// them; the classic method's own cost is interpolated between its settings. 0: they share no range of cost.
-double advantage(const WorkStudy& study);
+// How many times smaller the error of `method` is than that of the study's baseline: for each setting of the
+// baseline, against the best that the method does for that cost or less; the smallest over all of them. 0:
+// nothing of the method is as cheap.
+double advantage(const WorkStudy& study, const std::string& method);
+
+// The methods of each study with a baseline, and whether they keep kGoal.
+inline constexpr double kGoal = 20;
+report::Table advantage_table(const std::vector<WorkStudy>& studies);
+std::string goal_sentence(const std::vector<WorkStudy>& studies);
 
 }  // namespace fulcrum::analysis

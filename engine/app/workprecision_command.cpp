@@ -6,6 +6,9 @@
 #include "engine/app/exit_code.h"
 #include "engine/app/report_output.h"
 #include "engine/app/terminal.h"
+#include "engine/scenario/assemble.h"
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
 
 namespace fulcrum::app {
 namespace {
@@ -26,15 +29,40 @@ nlohmann::ordered_json to_json(const std::vector<analysis::WorkStudy>& studies) 
   return all;
 }
 
+// Where the expert's way ends in the shipped scene. Without its models, which a build may leave out, that
+// study is left out, too.
+std::optional<analysis::PipingParts> piping_parts() {
+  const Result<std::filesystem::path> file = scenario::find_scenario("piping");
+  if (!file) return std::nullopt;
+  const scenario::Checked<scenario::Scenario> piping = scenario::load_scenario(*file);
+  if (!piping) return std::nullopt;
+  const Result<scenario::LoadedModels> models = scenario::load_models(*piping);
+  if (!models) return std::nullopt;
+  analysis::PipingParts parts;
+  for (std::size_t i = 0; i < piping->models.size(); ++i) {
+    if (piping->models[i].role == scenario::ModelRole::scene)
+      parts.scene_W = to_triangle_mesh(models->models[i]);
+  }
+  parts.tool_T = models->tool_T.mesh;
+  for (const scenario::HandEntry& hand : piping->hands) {
+    if (hand.name == "expert" && !hand.waypoints.empty())
+      parts.X_WT = hand.waypoints.back().X_WT * Pose{Quat::Identity(), models->p_MT};
+  }
+  parts.p_TC = piping->tool.touch_point - models->p_MT;
+  return parts;
+}
+
 }  // namespace
 
 int workprecision_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::kWorkCsvName, analysis::kWorkPageName};
   const std::optional<std::filesystem::path> folder = report_folder("workprecision", options, files);
   if (!folder) return kError;
+  const std::optional<analysis::PipingParts> piping = piping_parts();
+  if (!piping) complain("the scenario 'piping' cannot be read, so its studies are left out.");
   ProgressBar bar;
   const std::vector<analysis::WorkStudy> studies = analysis::study_work_precision(
-      [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
+      piping, [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
   bar.clear();
   if (!write_report(*folder, {{analysis::kWorkCsvName, analysis::work_csv(studies).text()},
                               {analysis::kWorkPageName, analysis::work_page(studies).html()}}))
@@ -46,6 +74,9 @@ int workprecision_command(const RunOptions& options) {
     return kCompleted;
   }
   print_table(analysis::work_table(studies));
+  std::printf("\n");
+  print_table(analysis::advantage_table(studies));
+  std::printf("%s\n", analysis::goal_sentence(studies).c_str());
   std::printf("Plots and every setting lie in %s\n", bold(folder->string()).c_str());
   return kCompleted;
 }

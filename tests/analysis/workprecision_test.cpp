@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/analysis/shapes.h"
 #include "engine/analysis/workprecision_report.h"
 
 namespace fulcrum::analysis {
@@ -24,7 +25,8 @@ TEST_P(Orders, AreWithinATenthOfTheory) {
   EXPECT_GE(checked, static_cast<int>(study.expected_order.size()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Orders, testing::Values(study_field, study_oscillator, study_tumbling));
+INSTANTIATE_TEST_SUITE_P(Each, Orders,
+                         testing::Values(study_field, study_tick, study_oscillator, study_tumbling));
 
 // At the same voxel, where both look up the same points: what that costs is for the report, no test.
 TEST(WorkPrecision, TheFieldBeatsTheClassicMethodTwentyfold) {
@@ -46,14 +48,65 @@ TEST(WorkPrecision, SamplingIsNotFelt) {
   }
 }
 
+// At the same voxel; what that costs is for the report, no test.
+void expect_truer_than_voxels(const WorkStudy& study, double times) {
+  int compared = 0;
+  for (const WorkPoint& ours : study.points) {
+    for (const WorkPoint& classic : study.points) {
+      if (ours.method == "voxel" || classic.method != "voxel" || ours.value != classic.value) continue;
+      EXPECT_GT(classic.error, times * ours.error)
+          << study.truth << ", " << ours.method << " at " << ours.value;
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 6) << study.truth;
+}
+
+TEST(WorkPrecision, PressesAreFeltTruerThanByClassicVoxels) {
+  expect_truer_than_voxels(study_press_groove(true), 20);
+  expect_truer_than_voxels(study_press_table(true), 20);
+  // The classic method takes its normals from the ball, where they are exact.
+  expect_truer_than_voxels(study_press_tube(true), 5);
+}
+
+TEST(WorkPrecision, PegsJamWhereTheyShould) {
+  const std::vector<WorkStudy> studies = study_pegs(true);
+  ASSERT_EQ(studies.size(), 3u);
+  for (const WorkStudy& study : studies) expect_truer_than_voxels(study, 2);
+}
+
+// A rod across a tube, in place of the shipped scene: what refines towards itself.
+TEST(WorkPrecision, PipingComesNearerToItsFinest) {
+  PipingParts parts;
+  parts.scene_W = tube_mesh(8e-3, 12e-3, 40e-3, 64);
+  parts.tool_T = box_mesh({-4e-3, -4e-3, -10e-3}, {4e-3, 4e-3, 10e-3});
+  parts.X_WT.p.x() = 3e-3;
+  const std::vector<WorkStudy> studies = study_piping(parts, true);
+  ASSERT_EQ(studies.size(), 2u);
+  for (const WorkStudy& study : studies) {
+    ASSERT_EQ(study.points.size(), 4u);
+    EXPECT_LT(study.points[1].error, study.points[0].error) << study.truth;
+    EXPECT_GT(study.points[0].error, 0) << study.truth;
+    EXPECT_LT(study.points[1].error, study.points[3].error) << study.truth << ", against classic voxels";
+  }
+}
+
 TEST(WorkPrecision, AdvantageComparesAtTheSameCost) {
   WorkStudy study;
-  study.points = {{"distance field", 1, 0.01, 10, 0},
-                  {"distance field", 2, 0.001, 30, 0},
-                  {"classic voxels", 1, 0.5, 5, 0},
-                  {"classic voxels", 2, 0.3, 20, 0},
-                  {"classic voxels", 3, 0.2, 40, 0}};
-  EXPECT_DOUBLE_EQ(advantage(study), 50);  // .5 / .01 at 10 us; .3 / .001 at 30 us
+  study.truth = "tube";
+  study.baseline = "voxel";
+  study.points = {{"penalty", 1, 0.01, 10, 0},  {"penalty", 2, 0.001, 30, 0}, {"static", 1, 0.01, 50, 0},
+                  {"voxel", 1, 0.5, 5, 0},      {"voxel", 2, 0.3, 20, 0},     {"voxel", 3, 0.15, 40, 0},
+                  {"constraint", 1, 0.01, 1, 0}};
+  EXPECT_DOUBLE_EQ(advantage(study, "penalty"), 30);     // .3 / .01 at 20 us; .15 / .001 at 40 us
+  EXPECT_DOUBLE_EQ(advantage(study, "constraint"), 15);  // .15 / .01
+  EXPECT_EQ(advantage(study, "static"), 0);              // dearer than the dearest
+  const report::Table table = advantage_table({study});
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(table.rows[0].back(), "met");
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"tube", "static", "voxel", "dearer", "missed"}));
+  EXPECT_EQ(table.rows[2].back(), "missed");
+  EXPECT_NE(goal_sentence({study}).find("met by 1 of 3"), std::string::npos);
 }
 
 TEST(WorkPrecision, CsvHasTheColumnsThatScriptsRelyOn) {
