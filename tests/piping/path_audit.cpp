@@ -35,28 +35,27 @@ void PathAudit::check(std::size_t i, const Vec3& p_W) {
   const ClosestPoint now = exact_.closest(p_W);
   const bool inside = now.distance < 0;
   const auto first = exact_.first_crossing(point.p_W, p_W);
+  // Nowhere on the way here was it deeper: a distance changes no faster than the way.
+  const double on_the_way = (p_W - point.p_W).norm() - now.distance;
+  point.deepest = std::max(point.inside ? point.deepest : 0.0, on_the_way);
   if (first) ++crossings_;
-  if (!point.inside && first) {
-    point.entry_normal = normal_of(first->triangle);
-    point.entry = point.p_W;
-  }
+  if (!point.inside && first) point.entry_normal = normal_of(first->triangle);
   if (!inside && (point.inside || first)) {
     const auto last = exact_.first_crossing(p_W, point.p_W);
     leave(i, p_W, last ? normal_of(last->triangle) : now.normal);
   } else if (inside && !point.inside && !first) {
     point.entry_normal = now.normal;  // it started inside
-    point.entry = p_W;
   }
   point.inside = inside;
-  point.room = std::abs(now.distance);
+  point.room = std::max(now.distance, 0.0);  // inside, every tick's depth counts
   deepest_ = std::max(deepest_, -now.distance);
 }
 
 void PathAudit::leave(std::size_t i, const Vec3& p_W, const Vec3& exit_normal) {
   if (points_[i].entry_normal.dot(exit_normal) > 0) return;
-  // Round an edge of a bolt or a flange a point may leave by the next face, a hair from where it came in. The
-  // thinnest wall is 2 mm: what came out nearer to where it went in than half of that did not go through one.
-  if ((p_W - points_[i].entry).norm() < 1e-3) return;
+  // Round an edge of a bolt or a flange a point may leave by the next face. The thinnest wall is 2 mm: what
+  // was never 1 mm deep has not been in the middle of one.
+  if (points_[i].deepest < 1e-3) return;
   ++passages_;
   if (!first_passage_.empty()) return;
   std::ostringstream text;

@@ -31,7 +31,7 @@ private:
     double room = 0;  // m, it can travel so far before it can meet a triangle
     bool inside = false;
     Vec3 entry_normal = Vec3::UnitY();
-    Vec3 entry = Vec3::Zero();
+    double deepest = 0;  // m, a bound of its depth since it went in
   };
   void check(std::size_t i, const Vec3& p_W);
   void leave(std::size_t i, const Vec3& p_W, const Vec3& exit_normal);
