@@ -108,7 +108,7 @@ std::vector<WorkStudy> study_piping(const PipingParts& piping, bool quick) {
       "The ring spanner at its nut behind the pipes, moved and turned at random, 100 times, to where it is "
       "0.1 to 0.6 mm inside nut, bolts or flange: edges, corners, several contacts at once. "
       "Nothing gives the force in "
-      "closed form, so the scene is its own truth: a field of 0.3 mm as 32-bit numbers, under "
+      "closed form, so the scene is its own truth: a field of 0.25 mm as 32-bit numbers, under "
       "the same points, 1 mm apart. What lies about the nut is baked, not the pipes. Edges round off by a "
       "part of a "
       "voxel, so order 1 is what theory promises." +
@@ -133,7 +133,7 @@ std::vector<WorkStudy> study_piping(const PipingParts& piping, bool quick) {
   const auto shell = shell_of(tool, 1e-3);
   const TriangleMesh parts = near_parts(scene, piping.X_WT * piping.p_TC);
   if (parts.triangles.empty()) return {};
-  const auto exact = field_of(parts, quick ? 0.5e-3 : 0.3e-3, FieldFormat::float32);
+  const auto exact = field_of(parts, quick ? 0.5e-3 : 0.25e-3, FieldFormat::float32);
   const std::vector<Pose> poses = touching_poses(ContactQuery(shell, exact), piping.X_WT, quick ? 20 : 100);
   if (poses.empty()) return {};
 
@@ -150,7 +150,7 @@ std::vector<WorkStudy> study_piping(const PipingParts& piping, bool quick) {
     study.points.insert(study.points.end(), classic.begin(), classic.end());
     measure_orders(study);
   };
-  compare(fields, quick ? std::vector{2.0, 1.0} : std::vector{1.0, 0.7, 0.5},
+  compare(fields, quick ? std::vector{1.3, 0.9} : std::vector{0.66, 0.5, 0.4},
           feel(ContactQuery(shell, exact), poses),
           [&](double voxel) { return std::pair(shell, field_of(parts, voxel)); });
   const auto field = field_of(parts, 0.5e-3);
