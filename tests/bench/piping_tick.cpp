@@ -54,7 +54,7 @@ SceneDesc piping_scene(const Solid& plant, const Solid& tool) {
   SceneDesc scene;
   scene.tool_shell = std::make_shared<const Pointshell>(expect(bake_pointshell(tool, {.spacing_m = 1.5e-3})));
   scene.scene_field =
-      std::make_shared<const DistanceField>(expect(bake_field(plant, {.voxel_m = 1e-3, .band_m = 2e-3})));
+      std::make_shared<const DistanceField>(expect(bake_field(plant, {.voxel_m = 0.66e-3, .band_m = 2e-3})));
   const content::MassProperties mass = mass_properties(content::spanner_solid(), content::steel_density);
   scene.tool.mass = mass.mass;
   scene.tool.inertia_T = mass.inertia;
