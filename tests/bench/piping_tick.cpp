@@ -60,7 +60,8 @@ SceneDesc piping_scene(const Solid& plant, const Solid& tool) {
   scene.tool.inertia_T = mass.inertia;
   scene.tool.X_HT = pose({0, 0, -0.05}, 0.5, -0.5, 0.5, 0.5);
   scene.tool.X_WT_start = clumsy_path().at(0);
-  scene.contact = {ContactResponse::constraint, 40000, 20, 0.012};
+  scene.contact = {
+      .response = ContactResponse::constraint, .stiffness = 40000, .dissipation = 20, .region_radius = 0.012};
   scene.integrator = Integrator::implicit_euler;
   scene.coupling = {800, 1.5, 1, 6, 0.3};
   scene.velocity = {.kind = VelocityEstimatorKind::low_pass, .cutoff_Hz = 60};
