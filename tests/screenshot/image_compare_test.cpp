@@ -29,20 +29,32 @@ TEST(ImageCompare, TheSamePicturePasses) {
   const Comparison result = compare(grey(8, 4), grey(8, 4), {});
   EXPECT_TRUE(result.passed);
   EXPECT_EQ(result.largest_lsb, 0);
-  EXPECT_EQ(result.differing_pixels, 0U);
+  EXPECT_EQ(result.pixels_by_one, 0U);
+  EXPECT_EQ(result.pixels_by_more, 0U);
 }
 
 TEST(ImageCompare, CountsPixelsAndTheLargestDifference) {
   render::Picture other = grey(8, 4);
   other.rgba[0] = 129;
-  other.rgba[1] = 127;  // the same pixel
+  other.rgba[1] = 126;  // the same pixel
+  other.rgba[12] = 127;
   other.rgba[21] = 125;
-  const Comparison result = compare(other, grey(8, 4), {.max_lsb = 3, .max_pixels = 2, .failure_folder = {}});
+  const CompareOptions just{
+      .max_lsb = 3, .max_pixels = 2, .max_share_by_one = 1.0 / 32, .failure_folder = {}};
+  const Comparison result = compare(other, grey(8, 4), just);
   EXPECT_TRUE(result.passed);
   EXPECT_EQ(result.largest_lsb, 3);
-  EXPECT_EQ(result.differing_pixels, 2U);
-  EXPECT_FALSE(compare(other, grey(8, 4), {.max_lsb = 2, .max_pixels = 2, .failure_folder = {}}).passed);
-  EXPECT_FALSE(compare(other, grey(8, 4), {.max_lsb = 3, .max_pixels = 1, .failure_folder = {}}).passed);
+  EXPECT_EQ(result.pixels_by_one, 1U);
+  EXPECT_EQ(result.pixels_by_more, 2U);
+  CompareOptions strict = just;
+  strict.max_lsb = 2;
+  EXPECT_FALSE(compare(other, grey(8, 4), strict).passed);
+  strict = just;
+  strict.max_pixels = 1;
+  EXPECT_FALSE(compare(other, grey(8, 4), strict).passed);
+  strict = just;
+  strict.max_share_by_one = 0;
+  EXPECT_FALSE(compare(other, grey(8, 4), strict).passed);
 }
 
 TEST(ImageCompare, AnotherSizeFails) {

@@ -3,6 +3,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace fulcrum::test {
@@ -64,13 +65,20 @@ Comparison compare(const Picture& actual, const Picture& golden, const CompareOp
       largest = std::max(largest, std::abs(actual.rgba[channel] - golden.rgba[channel]));
     }
     result.largest_lsb = std::max(result.largest_lsb, largest);
-    result.differing_pixels += largest > 0 ? 1 : 0;
+    result.pixels_by_one += largest == 1 ? 1 : 0;
+    result.pixels_by_more += largest > 1 ? 1 : 0;
   }
-  result.passed = result.largest_lsb <= options.max_lsb && result.differing_pixels <= options.max_pixels;
-  result.sentence =
-      std::to_string(result.differing_pixels) + " of " + std::to_string(actual.rgba.size() / 4) +
-      " pixels differ (allowed: " + std::to_string(options.max_pixels) + "), by at most " +
-      std::to_string(result.largest_lsb) + " of 255 (allowed: " + std::to_string(options.max_lsb) + ").";
+  const std::size_t pixels = actual.rgba.size() / 4;
+  const auto by_one =
+      static_cast<std::size_t>(std::llround(options.max_share_by_one * static_cast<double>(pixels)));
+  result.passed = result.largest_lsb <= options.max_lsb && result.pixels_by_more <= options.max_pixels &&
+                  result.pixels_by_one <= by_one;
+  result.sentence = "Of " + std::to_string(pixels) + " pixels " + std::to_string(result.pixels_by_one) +
+                    " differ by 1 of 255 (allowed: " + std::to_string(by_one) + ") and " +
+                    std::to_string(result.pixels_by_more) +
+                    " by more (allowed: " + std::to_string(options.max_pixels) + "), at most by " +
+                    std::to_string(result.largest_lsb) + " (allowed: " + std::to_string(options.max_lsb) +
+                    ").";
   return result;
 }
 
