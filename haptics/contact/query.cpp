@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 namespace fulcrum {
@@ -22,8 +23,8 @@ double overestimate_of(const DistanceField& field) {
   return std::max(field.error_bound_m(), beyond_band_error(field));
 }
 
-// (bricks) m: by how much the field may say too much at a place in the brick and too little at another no
-// farther from it than a brick's edge.
+// (bricks) m: by how much the field, by the errors measured at bake, may say too much at a place in the brick
+// and too little at another no farther from it than a brick's edge.
 std::vector<float> slack_of_bricks(const DistanceField& field, double rounding) {
   const FieldData& data = field.data();
   const auto at = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
@@ -113,8 +114,12 @@ struct Advance {
   double travel, turn, allowance, known, overestimate, farthest;
   double fraction = 1;
 
-  // Points beyond cannot lower the fraction that has been found: they are farther than they travel by it.
-  float margin() const { return static_cast<float>(fraction * farthest + overestimate); }
+  // Points beyond cannot lower the fraction that has been found: they are farther than they travel by it,
+  // less the allowance where all have it.
+  float margin() const {
+    const double spared = std::isinf(known) ? allowance : 0.0;
+    return static_cast<float>(fraction * farthest - spared + overestimate);
+  }
 
   float take(const PatchHit& hit) {
     for (std::uint32_t left = hit.touching; left != 0; left &= left - 1) {
@@ -169,7 +174,7 @@ ShellWalk ContactQuery::walk_at(const Pose& X_WT, double margin) const noexcept 
   // At the node's centre the field may say too much, at the point too little.
   walk.slack = static_cast<float>(overestimate_ + field_->error_bound_m() + rounding_far_);
   walk.brick_slack = brick_slack_.data();
-  walk.brick_edge = static_cast<float>(kBrickCells * field_->voxel_m());
+  walk.brick_edge = static_cast<float>(kBrickCells * field_->voxel_m() - rounding_far_);
   return walk;
 }
 

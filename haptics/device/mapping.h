@@ -30,6 +30,9 @@ struct MappingDesc {
     d_D << X_WD.q.conjugate() * d.head<3>() / position_scale, X_WD.q.conjugate() * d.tail<3>();
     return d_D;
   }
+  // Of the device, as the scene feels it: kg; kg m^2.
+  double mass_in_world(double mass) const { return mass / (position_scale * force_scale); }
+  double inertia_in_world(double inertia) const { return inertia / force_scale; }
   Wrench wrench_in_world(const Wrench& F_H_D) const {
     return {X_WD.q * F_H_D.force / force_scale, X_WD.q * F_H_D.torque / force_scale};
   }

@@ -91,22 +91,26 @@ Vec6 ConstrainedMotion::solve(const Pose& X_WG) noexcept {
 Vec6 ConstrainedMotion::solve_rows(const Vec6& goal) noexcept {
   const std::span<const Contact> contacts = contacts_.contacts();
   // The points that pushed last are the best guess at those that will.
-  const std::array<Pushing, 8> before = pushing_;
+  const AllPushing before = pushing_;
   const std::size_t before_count = pushing_count_;
-  std::array<Vec3, kMaxContacts>& friction_W = forces_;  // not needed for anything else yet
   std::size_t next = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     while (next < before_count && before[next].point < contacts[i].point) ++next;
     const bool pushed = next < before_count && before[next].point == contacts[i].point;
     multipliers_[i] = pushed ? before[next].multiplier : 0.0;
-    friction_W[i] = pushed ? before[next].friction_W : Vec3(Vec3::Zero());
   }
   const Vec6 step =
       qp_.solve(goal, {rows_.data(), contacts.size()}, {multipliers_.data(), contacts.size()}).x;
-  pushing_count_ = 0;
+  pushing_count_ = next = 0;
   for (std::size_t i = 0; i < contacts.size() && pushing_count_ < pushing_.size(); ++i) {
-    if (multipliers_[i] > 0)
-      pushing_[pushing_count_++] = {contacts[i].point, i, multipliers_[i], friction_W[i]};
+    if (!(multipliers_[i] > 0)) continue;
+    while (next < before_count && before[next].point < contacts[i].point) ++next;
+    const bool pushed = next < before_count && before[next].point == contacts[i].point;
+    pushing_[pushing_count_++] = {.point = contacts[i].point,
+                                  .contact = i,
+                                  .multiplier = multipliers_[i],
+                                  .r_W = contacts[i].p_W - tool_.state().X_WT.p,
+                                  .friction_W = pushed ? before[next].friction_W : Vec3(Vec3::Zero())};
   }
   return step;
 }
@@ -114,21 +118,20 @@ Vec6 ConstrainedMotion::solve_rows(const Vec6& goal) noexcept {
 Vec6 ConstrainedMotion::friction() const noexcept {
   Vec6 sum = Vec6::Zero();
   for (std::size_t i = 0; i < pushing_count_; ++i) {
-    const Vec3 r_W = contacts_.contacts()[pushing_[i].contact].p_W - tool_.state().X_WT.p;
     sum.head<3>() += pushing_[i].friction_W;
-    sum.tail<3>() += r_W.cross(pushing_[i].friction_W);
+    sum.tail<3>() += pushing_[i].r_W.cross(pushing_[i].friction_W);
   }
   return sum;
 }
 
 Vec6 ConstrainedMotion::rub_along(Vec6 step, const Vec6& under) noexcept {
   const Pose& X_WT = tool_.state().X_WT;
-  std::array<RubbingPoint, 8> points;
+  std::array<RubbingPoint, ElasticQp::kMostActive> points;
   for (std::size_t i = 0; i < pushing_count_; ++i) {
     const Contact& contact = contacts_.contacts()[pushing_[i].contact];
     const Vec3 p_T = X_WT.inverse() * contact.p_W;
     points[i] = {.nhat_W = contact.nhat_W,
-                 .r_W = contact.p_W - X_WT.p,
+                 .r_W = pushing_[i].r_W,
                  .slip_W = contact.p_W - X_WT_before_ * p_T,
                  .normal_force = pushing_[i].multiplier,
                  .force_W = pushing_[i].friction_W};

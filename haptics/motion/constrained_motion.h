@@ -55,12 +55,14 @@ private:
   std::array<QpRow, kMaxContacts> rows_;
   std::array<double, kMaxContacts> multipliers_{};  // N
   struct Pushing {
-    std::uint32_t point = 0;  // of the shell
-    std::size_t contact = 0;
+    std::uint32_t point = 0;         // of the shell
+    std::size_t contact = 0;         // in contacts_ as they were then
     double multiplier = 0;           // N
+    Vec3 r_W = Vec3::Zero();         // (3) m, from T
     Vec3 friction_W = Vec3::Zero();  // (3) N
   };
-  std::array<Pushing, 8> pushing_{};  // at the last solution, in the order of the shell
+  using AllPushing = std::array<Pushing, ElasticQp::kMostActive>;
+  AllPushing pushing_{};  // at the last solution, in the order of the shell
   std::size_t pushing_count_ = 0;
   std::array<Contact, kMaxContacts> touching_;
   std::array<Vec3, kMaxContacts> forces_;  // (touching x 3) N

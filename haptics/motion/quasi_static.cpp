@@ -8,8 +8,8 @@ namespace {
 
 // What the coupling's damper has to brake where the tool has no mass: the handle, as the scene feels it.
 RigidBody handle_in_scene(const DeviceDesc& device, const MappingDesc& mapping) {
-  return {device.handle_mass / (mapping.position_scale * mapping.force_scale),
-          Mat3::Identity() * (device.handle_inertia / mapping.force_scale)};
+  return {mapping.mass_in_world(device.handle_mass),
+          Mat3::Identity() * mapping.inertia_in_world(device.handle_inertia)};
 }
 
 }  // namespace

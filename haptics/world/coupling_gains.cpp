@@ -30,7 +30,7 @@ Way along(const SceneDesc& desc) {
   const DeviceDesc& device = desc.device;
   return {{device.handle_mass, device.damping, device.friction, device.encoder_step},
           scale,
-          massless(desc.contact.response) ? device.handle_mass / scale : desc.tool.mass};
+          massless(desc.contact.response) ? desc.mapping.mass_in_world(device.handle_mass) : desc.tool.mass};
 }
 
 Way about(const SceneDesc& desc) {
@@ -38,7 +38,8 @@ Way about(const SceneDesc& desc) {
   const DeviceDesc& device = desc.device;
   return {{device.handle_inertia, device.angular_damping, device.angular_friction, device.encoder_step_rad},
           scale,
-          massless(desc.contact.response) ? device.handle_inertia / scale : desc.tool.inertia_T.trace() / 3};
+          massless(desc.contact.response) ? desc.mapping.inertia_in_world(device.handle_inertia)
+                                          : desc.tool.inertia_T.trace() / 3};
 }
 
 // The low-pass that is as late as the estimator.
@@ -66,7 +67,7 @@ double suited(const Way& way, double limit, double otherwise) {
 
 std::string sentence(const char* key, double given, const char* unit, double limit) {
   return std::string(key) + " is " + number_text(given) + " " + unit +
-         ", and the device, let go, holds at most " + number_text(limit) +
+         ", and the device, let go, holds at most " + number_text(limit) + " " + unit +
          ": it may buzz in a light hand. Lower it or the device's scales, or name a "
          "velocity_estimator that is less late.";
 }

@@ -23,7 +23,7 @@ std::string let_go_text(const SceneDesc& desc) {
   const double limit = coupling_limits(desc).stiffness;
   if (!std::isfinite(limit)) return "";
   return " and, let go, holds up to " +
-         number_text(limit * desc.mapping.position_scale * desc.mapping.force_scale);
+         number_text(limit * desc.mapping.position_scale * desc.mapping.force_scale) + " N/m";
 }
 
 Error refuse_gain(const char* key, double given, const char* unit, double largest, double tick_s) {

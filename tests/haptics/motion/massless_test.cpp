@@ -136,6 +136,32 @@ TEST(Constraint, FrictionHoldsATwist) {
   EXPECT_NEAR(result.record.X_WT.p.x(), 0, 2e-6);
 }
 
+// A plate of many points is dragged, tipped onto an edge and lifted: who pushes changes all the time, and
+// with it what is remembered of them.
+TEST(Constraint, FrictionStaysInItsConeWhileContactsComeAndGo) {
+  std::vector<Vec3> plate;
+  for (int i = -7; i <= 7; ++i) {
+    for (int j = -7; j <= 7; ++j) plate.emplace_back(2e-3 * i, 0, 2e-3 * j);
+  }
+  SceneDesc desc = scene(ContactResponse::constraint, plate);
+  desc.coupling = linear_coupling();
+  desc.coupling.damping_ratio = 0;
+  desc.contact.friction = 0.5;
+  World world = expect(World::build(desc));
+  held(world, at_height(-1e-3));
+  int rubbing = 0;
+  for (int i = 0; i < 1200; ++i) {
+    const double tip = 0.2 * std::sin(0.02 * i), y = -1e-3 + 2e-3 * std::sin(0.013 * i);
+    const Pose X_WH{quaternion_exp(Vec3(tip, 0.1 * std::sin(0.007 * i), 0.5 * tip)),
+                    Vec3(5e-3 * std::sin(0.01 * i), y, 5e-3 * std::sin(0.017 * i))};
+    const Vec3 F = step(world, at(X_WH), {}).record.contact_F_T_W.force;
+    const double across = std::hypot(F.x(), F.z());
+    ASSERT_LE(across, 0.5 * F.y() * 1.02 + 2e-3) << i;
+    rubbing += across > 0.1 * F.y() ? 1 : 0;
+  }
+  EXPECT_GT(rubbing, 200);
+}
+
 TEST(Constraint, FrictionIsForTheConstraintAlone) {
   SceneDesc desc = scene(ContactResponse::penalty, {Vec3::Zero()});
   desc.contact.friction = 0.3;
