@@ -19,6 +19,9 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (response != ContactResponse::constraint)
     add("response constraint", "the scenario names another: no constraint solver is built");
   if (response != ContactResponse::voxel) add("response voxel", "the scenario names another");
+  if (response == ContactResponse::constraint && scene.contact.friction == 0)
+    add("friction", "contact.friction is 0");
+  if (response == ContactResponse::constraint && !scene.scene_edges) add("edges", "contact.edges is 0");
   if (massless(response)) add("integrator", "the tool has no mass under the scenario's response");
   if (!scene.device.renders_torque) add("torque motors", "the device '" + scene.device.name + "' has none");
   if (!scene.device.renders_force) add("force motors", "the device '" + scene.device.name + "' has none");

@@ -106,6 +106,15 @@ Result<Baked<T>> load_or_bake(const fs::path& folder, const std::string& name, c
   return Baked<T>{std::move(*made), false, std::move(note)};
 }
 
+std::string shell_name(const Solid& solid, const char* kind, const PointshellDesc& desc) {
+  Sha256 hasher = hash_of(solid, kind);
+  hash_value(hasher, desc.spacing_m);
+  hash_value(hasher, desc.sharp_angle_rad);
+  hash_value(hasher, desc.deviation);
+  hash_value(hasher, desc.seed);
+  return hasher.finish_hex() + ".shell";
+}
+
 }  // namespace
 
 BakeCache::BakeCache() : folder_(default_folder()) {}
@@ -123,12 +132,13 @@ Result<Baked<DistanceField>> BakeCache::field(const Solid& solid, const FieldDes
 }
 
 Result<Baked<Pointshell>> BakeCache::pointshell(const Solid& solid, const PointshellDesc& desc) const {
-  Sha256 hasher = hash_of(solid, "pointshell");
-  hash_value(hasher, desc.spacing_m);
-  hash_value(hasher, desc.sharp_angle_rad);
-  hash_value(hasher, desc.seed);
-  return load_or_bake<Pointshell>(folder_, hasher.finish_hex() + ".shell", pointshell_from_bytes,
+  return load_or_bake<Pointshell>(folder_, shell_name(solid, "pointshell", desc), pointshell_from_bytes,
                                   [&] { return bake_pointshell(solid, desc); });
+}
+
+Result<Baked<Pointshell>> BakeCache::edges(const Solid& solid, const PointshellDesc& desc) const {
+  return load_or_bake<Pointshell>(folder_, shell_name(solid, "edges", desc), pointshell_from_bytes,
+                                  [&] { return bake_edges(solid, desc); });
 }
 
 }  // namespace fulcrum

@@ -30,6 +30,7 @@ public:
   Result<Baked<DistanceField>> field(const Solid& solid, const FieldDesc& desc,
                                      const Progress& progress = {}) const;
   Result<Baked<Pointshell>> pointshell(const Solid& solid, const PointshellDesc& desc) const;
+  Result<Baked<Pointshell>> edges(const Solid& solid, const PointshellDesc& desc) const;
 
   const std::filesystem::path& folder() const { return folder_; }
 

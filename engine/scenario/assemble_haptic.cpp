@@ -70,6 +70,25 @@ ToolDesc tool_desc(const ToolEntry& entry, const LoadedModels& models, const Pos
   return tool;
 }
 
+// What of the scene could go in between the shell's points, and a field of the tool to look it up in.
+std::optional<Error> assemble_edges(const Scenario& scenario, const BakeCache& cache,
+                                    const BakeProgress& progress, HapticAssembly& result) {
+  Baking edges_baking("scene's edges", progress);
+  auto edges = cache.edges(result.scene_W, {.spacing_m = scenario.edges});
+  if (!edges) return Error{"contact.edges: " + edges.error().sentence};
+  edges_baking.finish(*edges, std::to_string(edges->value.size()) + " points", result.notes);
+  result.scene.scene_edges = std::make_shared<const Pointshell>(std::move(edges->value));
+
+  Baking field_baking("tool's distance field", progress);
+  auto field =
+      cache.field(result.tool_T, {.format = scenario.field.format, .error_m = scenario.field.error_m},
+                  [&](double fraction) { field_baking.tell(fraction); });
+  if (!field) return Error{"contact.edges: the tool's distance field: " + field.error().sentence};
+  field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result.notes);
+  result.scene.tool_field = std::make_shared<const DistanceField>(std::move(field->value));
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedModels& models,
@@ -107,6 +126,10 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   if (!field) return Error{"the scene's distance field: " + field.error().sentence};
   field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result.notes);
   scene.scene_field = std::make_shared<const DistanceField>(std::move(field->value));
+
+  if (scenario.edges > 0 && scenario.contact.response == ContactResponse::constraint) {
+    if (const auto error = assemble_edges(scenario, cache, progress, result)) return *error;
+  }
 
   result.task = {scenario.checkpoints, scenario.dwell, scenario.tool.touch_point - models.p_MT};
   for (const HandEntry& hand : scenario.hands) {

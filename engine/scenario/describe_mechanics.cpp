@@ -117,9 +117,17 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
                   });
   visitor.mapping({"shell", "", "the points that the tool's model is baked to"}, [&](KeyVisitor& inner) {
     inner.number({"spacing", "m", "between neighbours"}, scenario.shell.spacing_m, above_to(0, 1));
+    inner.number(
+        {"deviation", "m", "how far the surface may stand out from between its points, against a flat wall"},
+        scenario.shell.deviation, above_to(0, 1));
   });
-  visitor.mapping({"contact", "", "how the scene answers to touch"},
-                  [&](KeyVisitor& inner) { describe_contact(inner, scenario.contact); });
+  visitor.mapping({"contact", "", "how the scene answers to touch"}, [&](KeyVisitor& inner) {
+    describe_contact(inner, scenario.contact);
+    inner.number({"edges", "m",
+                  "between points on the scene's sharp edges, which then stay out of the tool, "
+                  "under the response constraint; 0: none"},
+                 scenario.edges, from_to(0, 1));
+  });
   visitor.choice_of({"integrator", "", "how the tool moves through a tick"}, scenario.integrator,
                     kIntegrators);
   visitor.mapping({"coupling", "", "the virtual coupling between hand and tool"},

@@ -89,8 +89,9 @@ struct Scenario {
   std::vector<MaterialOverride> materials;
   ToolEntry tool;
   FieldDesc field;
-  PointshellDesc shell;
+  PointshellDesc shell{.deviation = 50e-6};
   ContactDesc contact;
+  double edges = 0;  // m, between points on the scene's sharp edges, under the response constraint; 0: none
   Integrator integrator = SceneDesc{}.integrator;
   CouplingGains coupling;
   VelocityEstimatorDesc velocity_estimator;

@@ -40,6 +40,22 @@ public:
     return best.distance <= reach_m ? best : Nearest{};
   }
 
+  // visit(point) for every point that is reach_m away at most.
+  template <class Visit>
+  void visit_within(const Vec3& p, double reach_m, const Visit& visit) const {
+    const Cube low = cube_of(p.array() - reach_m), high = cube_of(p.array() + reach_m);
+    for (int k = low.z(); k <= high.z(); ++k) {
+      for (int j = low.y(); j <= high.y(); ++j) {
+        for (int i = low.x(); i <= high.x(); ++i) {
+          const auto found = cubes_.find(key(Cube(i, j, k)));
+          if (found == cubes_.end()) continue;
+          for (const std::uint32_t index : found->second)
+            if ((points_[index].position - p).norm() <= reach_m) visit(points_[index]);
+        }
+      }
+    }
+  }
+
 private:
   using Cube = Eigen::Vector3i;
 

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "haptics/bake/bulges.h"
 #include "haptics/bake/covering.h"
 #include "haptics/bake/point_grid.h"
 #include "haptics/bake/sentence.h"
@@ -29,12 +32,29 @@ auto facing(const Vec3& normal) {
   return [normal](const SurfacePoint& point) { return point.normal.dot(normal) > kSameSide; };
 }
 
+std::optional<Error> check_spacing(double spacing) {
+  if (spacing > 0.0 && std::isfinite(spacing)) return std::nullopt;
+  return Error{"A pointshell's spacing must be a positive length, not " + spell(spacing) +
+               " m: 0.0015 suits hand tools."};
+}
+
+Result<Pointshell> shell_of(const std::vector<SurfacePoint>& points, std::span<const double> areas,
+                            double covering_radius) {
+  std::vector<Vec3> positions, normals;
+  for (const SurfacePoint& point : points) {
+    positions.push_back(point.position);
+    normals.push_back(point.normal);
+  }
+  return pointshell_from_points(positions, normals, areas, covering_radius);
+}
+
 }  // namespace
 
 Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& desc) {
-  if (!(desc.spacing_m > 0.0) || !std::isfinite(desc.spacing_m)) {
-    return Error{"A pointshell's spacing must be a positive length, not " + spell(desc.spacing_m) +
-                 " m: 0.0015 suits hand tools."};
+  if (std::optional<Error> error = check_spacing(desc.spacing_m)) return *error;
+  if (!(desc.deviation > 0.0)) {
+    return Error{"A pointshell's deviation must be a positive length, not " + spell(desc.deviation) +
+                 " m: 0.00005 suits hand tools."};
   }
   const double spacing_squared = desc.spacing_m * desc.spacing_m;
   const double area = surface_area(solid);
@@ -55,6 +75,12 @@ Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& des
     if (near.index == PointGrid::kNone) grid.add(sample);
   }
 
+  if (std::isfinite(desc.deviation) && !cover_bulges(solid, samples, desc.deviation, desc.spacing_m,
+                                                     static_cast<std::size_t>(kMostPoints), grid)) {
+    return Error{"A pointshell from which the surface stands out by at most " + spell_mm(desc.deviation) +
+                 " would have more than " + spell(kMostPoints) + " points: allow a larger deviation."};
+  }
+
   // Each sample's area goes to the nearest point that faces its way, which no farther than its own disc there
   // is.
   std::vector<double> areas(grid.points().size(), 0.0);
@@ -67,12 +93,19 @@ Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& des
         grid.nearest(sample.position, desc.spacing_m, [](const SurfacePoint&) { return true; }).distance);
   }
 
-  std::vector<Vec3> positions, normals;
-  for (const SurfacePoint& point : grid.points()) {
-    positions.push_back(point.position);
-    normals.push_back(point.normal);
+  return shell_of(grid.points(), areas, covering_radius(solid, grid, seen));
+}
+
+Result<Pointshell> bake_edges(const Solid& solid, const PointshellDesc& desc) {
+  if (std::optional<Error> error = check_spacing(desc.spacing_m)) return *error;
+  const std::vector<SurfacePoint> points =
+      sharp_points(solid, desc.sharp_angle_rad, desc.spacing_m, SharpEdgeKind::convex);
+  if (points.empty()) return Error{"there is no sharp edge: leave edges out."};
+  if (static_cast<double>(points.size()) > kMostPoints) {
+    return Error{"points " + spell_mm(desc.spacing_m) + " apart would be " +
+                 spell(static_cast<double>(points.size())) + ": put them farther apart."};
   }
-  return pointshell_from_points(positions, normals, areas, covering_radius(solid, grid, seen));
+  return shell_of(points, std::vector<double>(points.size(), 0.0), 0.0);  // it covers no surface
 }
 
 }  // namespace fulcrum

@@ -19,7 +19,8 @@ Vec3 unit(const Vec3& v) {
 
 class SharpEdges {
 public:
-  SharpEdges(const Solid& solid, double angle) : positions_(solid.mesh.vertices), angle_(angle) {
+  SharpEdges(const Solid& solid, double angle, SharpEdgeKind kind)
+      : positions_(solid.mesh.vertices), angle_(angle) {
     // Faces that make the mesh non-manifold are left out: where a surface that crossed itself was cut.
     omerr().disable();
     for (std::size_t i = 0; i < positions_.size(); ++i) mesh_.add_vertex();
@@ -34,7 +35,8 @@ public:
     walked_.assign(mesh_.n_edges(), false);
     for (const auto edge : mesh_.edges()) {
       sharp_.push_back(!edge.is_boundary() &&
-                       angle_between(normal(edge.h0().face()), normal(edge.h1().face())) > angle_);
+                       angle_between(normal(edge.h0().face()), normal(edge.h1().face())) > angle_ &&
+                       (kind == SharpEdgeKind::any || is_convex(edge.h0())));
     }
   }
 
@@ -67,6 +69,11 @@ private:
   }
   Vec3 along(const Halfedge& edge) const {
     return (position(edge.to()) - position(edge.from())).normalized();
+  }
+
+  bool is_convex(const Halfedge& edge) const {
+    const Vec3 across = position(edge.opp().next().to()) - position(edge.to());
+    return normal(edge.face()).dot(across) < 0.0;
   }
 
   // Where sharp edges end, meet, or turn.
@@ -131,8 +138,9 @@ private:
 
 }  // namespace
 
-std::vector<SurfacePoint> sharp_points(const Solid& solid, double sharp_angle_rad, double spacing_m) {
-  return SharpEdges(solid, sharp_angle_rad).sample(spacing_m);
+std::vector<SurfacePoint> sharp_points(const Solid& solid, double sharp_angle_rad, double spacing_m,
+                                       SharpEdgeKind kind) {
+  return SharpEdges(solid, sharp_angle_rad, kind).sample(spacing_m);
 }
 
 }  // namespace fulcrum

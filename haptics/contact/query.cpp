@@ -56,30 +56,34 @@ std::vector<float> slack_of_bricks(const DistanceField& field, double rounding) 
   return around;
 }
 
-// Turns patches into contacts.
+// Turns patches into contacts. S is the shell's frame, F the field's.
 struct Collector {
-  const Pointshell& shell_T;
-  const DistanceField& field_W;
-  Mat3 R_WT;
-  Vec3 p_WT;
+  const Pointshell& shell_S;
+  const DistanceField& field_F;
+  Pose X_FS;
+  Mat3 R_WS;
+  Vec3 p_WS;
+  Mat3 R_out;  // from F to W, turned so that it points out of the scene
+  std::uint32_t first_point;
   ContactSet& set;
   float margin;
   bool in_band = true;
 
   Overlap in_W(Overlap overlap) const {
-    overlap.centred = R_WT * overlap.centred + overlap.volume * p_WT;
+    overlap.centred = R_WS * overlap.centred + overlap.volume * p_WS;
     return overlap;
   }
 
-  // overlap: in T.
+  // overlap: in S.
   Contact contact(const PatchHit& hit, unsigned lane, const Overlap& overlap) const {
     const std::uint32_t point = hit.first + lane;
-    const Vec3 p_W = R_WT * shell_T.positions[point] + p_WT;
-    const Vec3 nhat_W = (hit.guessed >> lane & 1u) != 0
-                            ? field_W.sample(p_W).gradient
+    const Vec3& p_S = shell_S.positions[point];
+    const Vec3 nhat_F = (hit.guessed >> lane & 1u) != 0
+                            ? field_F.sample(X_FS * p_S).gradient
                             : Vec3(static_cast<double>(hit.nx[lane]), static_cast<double>(hit.ny[lane]),
                                    static_cast<double>(hit.nz[lane]));
-    return {point, p_W, nhat_W, -static_cast<double>(hit.distance[lane]), in_W(overlap)};
+    return {first_point + point, R_WS * p_S + p_WS, R_out * nhat_F, -static_cast<double>(hit.distance[lane]),
+            in_W(overlap)};
   }
 
   float take(const PatchHit& hit) {
@@ -90,8 +94,8 @@ struct Collector {
     for (std::uint32_t left = hit.touching; left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
       const Overlap own =
-          Overlap::of(shell_T.areas_m2[hit.first + lane], -static_cast<double>(hit.distance[lane]),
-                      shell_T.positions[hit.first + lane]);
+          Overlap::of(shell_S.areas_m2[hit.first + lane], -static_cast<double>(hit.distance[lane]),
+                      shell_S.positions[hit.first + lane]);
       if (one_by_one) set.add(contact(hit, lane, own));
       if (hit.distance[lane] < least) {
         least = hit.distance[lane];
@@ -100,17 +104,19 @@ struct Collector {
       overlap += own;
     }
     const double depth = -static_cast<double>(least);
-    if (!one_by_one &&
-        !set.absorb(hit.first + deepest, depth, in_W(overlap)))  // as one by one would end up, sooner
+    if (!one_by_one && !set.absorb(first_point + hit.first + deepest, depth,
+                                   in_W(overlap)))  // as one by one would end up, sooner
       set.add(contact(hit, deepest, overlap));
-    in_band &= depth <= field_W.band_m();
+    in_band &= depth <= field_F.band_m();
     return margin;
   }
 };
 
 // The least fraction of a motion that a point near the scene allows.
 struct Advance {
-  const Pointshell& shell_T;
+  const Pointshell& shell;
+  Vec3 centre;  // of the turn, in the shell's frame
+  double arm;   // m, no point that matters is farther from it
   double travel, turn, allowance, known, overestimate, farthest;
   double fraction = 1;
 
@@ -129,7 +135,8 @@ struct Advance {
       const double room =
           distance < known ? safe + allowance : std::min(safe + allowance, std::max(safe, known));
       if (fraction * farthest <= room) continue;
-      const double reach = travel + turn * shell_T.positions[hit.first + lane].norm();
+      const double own = (shell.positions[hit.first + lane] - centre).norm();
+      const double reach = travel + turn * std::min(own, arm);
       if (fraction * reach > room) fraction = room / reach;
     }
     return margin();
@@ -147,8 +154,22 @@ void walk_into(ShellWalk walk, Taker& taker) noexcept {
 
 ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell_T,
                            std::shared_ptr<const DistanceField> field_W)
-    : shell_(std::move(shell_T)),
-      field_(std::move(field_W)),
+    : ContactQuery(shell_T, std::move(field_W), Points::of_tool, 0, shell_T->max_radius_m) {}
+
+ContactQuery ContactQuery::of_scene(std::shared_ptr<const Pointshell> shell_W,
+                                    std::shared_ptr<const DistanceField> field_T, std::uint32_t first_point,
+                                    double tool_radius) {
+  return {std::move(shell_W), std::move(field_T), Points::of_scene, first_point, tool_radius};
+}
+
+ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell,
+                           std::shared_ptr<const DistanceField> field, Points points,
+                           std::uint32_t first_point, double tool_radius)
+    : shell_(std::move(shell)),
+      field_(std::move(field)),
+      points_(points),
+      first_point_(first_point),
+      tool_radius_(tool_radius),
       tree_(build_sphere_tree(*shell_)),
       view_(view_of(*field_)),
       rounding_(rounding_over(2 * tree_.patch_radius + field_->voxel_m() + field_->band_m())),
@@ -158,13 +179,14 @@ ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell_T,
   simd_target();  // the first call finds out what the processor has
 }
 
-ShellWalk ContactQuery::walk_at(const Pose& X_WT, double margin) const noexcept {
+ShellWalk ContactQuery::walk(double margin) const noexcept {
   ShellWalk walk{};
   walk.tree = &tree_;
   walk.field = view_;
   const double cells_per_m = 1 / field_->voxel_m();
-  const Mat3 turn = X_WT.q.toRotationMatrix() * cells_per_m;
-  const Vec3 shift = (X_WT.p - field_->data().origin) * cells_per_m;
+  const Pose X_FS = shell_in_field();
+  const Mat3 turn = X_FS.q.toRotationMatrix() * cells_per_m;
+  const Vec3 shift = (X_FS.p - field_->data().origin) * cells_per_m;
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = 0; column < 3; ++column)
       walk.turn[static_cast<std::size_t>(3 * row + column)] = turn(row, column);
@@ -180,20 +202,46 @@ ShellWalk ContactQuery::walk_at(const Pose& X_WT, double margin) const noexcept 
 
 ContactQuery::Outcome ContactQuery::run(const Pose& X_WT, ContactSet& set, double margin) noexcept {
   set.clear();
+  return add(X_WT, set, margin);
+}
+
+ContactQuery::Outcome ContactQuery::add(const Pose& X_WT, ContactSet& set, double margin) noexcept {
   X_WT_ = X_WT;
-  Collector collector{*shell_, *field_, X_WT.q.toRotationMatrix(), X_WT.p, set, static_cast<float>(margin)};
-  ShellWalk walk = walk_at(X_WT, margin);
-  walk.normals = true;
-  walk_into(walk, collector);
+  const Mat3 R_WT = X_WT.q.toRotationMatrix();
+  const bool of_tool = points_ == Points::of_tool;
+  Collector collector{.shell_S = *shell_,
+                      .field_F = *field_,
+                      .X_FS = shell_in_field(),
+                      .R_WS = of_tool ? R_WT : Mat3(Mat3::Identity()),
+                      .p_WS = of_tool ? X_WT.p : Vec3(Vec3::Zero()),
+                      // What points out of the tool points into the scene.
+                      .R_out = of_tool ? Mat3(Mat3::Identity()) : Mat3(-R_WT),
+                      .first_point = first_point_,
+                      .set = set,
+                      .margin = static_cast<float>(margin)};
+  ShellWalk all = walk(margin);
+  all.normals = true;
+  walk_into(all, collector);
   return {set.complete(), collector.in_band};
 }
 
 double ContactQuery::safe_fraction(double travel, double turn, double allowance,
                                    double known) const noexcept {
-  const double farthest = travel + turn * shell_->max_radius_m;
+  // A point of the scene that the tool does not come to within its reach cannot be entered.
+  const bool of_tool = points_ == Points::of_tool;
+  const double arm = of_tool ? tool_radius_ : tool_radius_ + travel;
+  const double farthest = travel + turn * arm;
   if (farthest <= std::min(allowance, known)) return 1.0;
-  Advance advance{*shell_, travel, turn, allowance, known, overestimate_, farthest};
-  walk_into(walk_at(X_WT_, static_cast<double>(advance.margin())), advance);
+  Advance advance{.shell = *shell_,
+                  .centre = of_tool ? Vec3(Vec3::Zero()) : X_WT_.p,
+                  .arm = arm,
+                  .travel = travel,
+                  .turn = turn,
+                  .allowance = allowance,
+                  .known = known,
+                  .overestimate = overestimate_,
+                  .farthest = farthest};
+  walk_into(walk(static_cast<double>(advance.margin())), advance);
   return advance.fraction;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // Pointshell against distance field: which points of the tool are inside the scene, and how far it may move.
+// Or the other way about: points of the scene against a field of the tool.
 // W. A. McNeely, K. D. Puterbaugh, J. J. Troy, "Six degree-of-freedom haptic rendering using
 // voxel sampling", SIGGRAPH 1999; distance fields in place of voxels, and a hierarchy over the points: J.
 // Barbic, D. L. James, IEEE Trans. Haptics 1(1), 2008.
@@ -20,6 +21,10 @@ namespace fulcrum {
 class ContactQuery {
 public:
   ContactQuery(std::shared_ptr<const Pointshell> shell_T, std::shared_ptr<const DistanceField> field_W);
+  // Points of the scene, numbered from first_point on, for a tool that reaches tool_radius m from T.
+  static ContactQuery of_scene(std::shared_ptr<const Pointshell> shell_W,
+                               std::shared_ptr<const DistanceField> field_T, std::uint32_t first_point,
+                               double tool_radius);
 
   struct Outcome {
     bool complete = true;  // false: the set was too small and neighbours were taken together
@@ -30,12 +35,14 @@ public:
   // brings below a margin wider than the band, some are missing. Depths in band are rounding() off at most,
   // nanometres.
   Outcome run(const Pose& X_WT, ContactSet& set, double margin = 0) noexcept;
+  // The same after what is in the set already, whose points have lower numbers.
+  Outcome add(const Pose& X_WT, ContactSet& set, double margin) noexcept;
 
   // The largest fraction, 0 to 1, of a motion over which no shell point can enter the scene by more than
   // `allowance` m beyond where it was at the last run(). The field's values are 1-Lipschitz up to its error
   // bound, so a point that travels less than its distance stays out (conservative advancement: Mirtich 1996).
-  // The travel of a point is bounded by |v| t + |w| t |p_T|. Points whose distance is `known` m or more may
-  // not enter at all.
+  // The travel of a point is bounded by |v| t + |w| t |p_T|; a point of the scene, seen from the tool,
+  // likewise. Points whose distance is `known` m or more may not enter at all.
   double safe_fraction(double travel, double turn, double allowance,
                        double known = std::numeric_limits<double>::infinity()) const noexcept;
 
@@ -43,10 +50,18 @@ public:
   std::size_t bytes() const { return tree_.bytes() + brick_slack_.size() * sizeof(float); }
 
 private:
-  ShellWalk walk_at(const Pose& X_WT, double margin) const noexcept;
+  enum class Points { of_tool, of_scene };
+  ContactQuery(std::shared_ptr<const Pointshell> shell, std::shared_ptr<const DistanceField> field,
+               Points points, std::uint32_t first_point, double tool_radius);
 
-  std::shared_ptr<const Pointshell> shell_;
-  std::shared_ptr<const DistanceField> field_;
+  Pose shell_in_field() const noexcept { return points_ == Points::of_tool ? X_WT_ : X_WT_.inverse(); }
+  ShellWalk walk(double margin) const noexcept;
+
+  std::shared_ptr<const Pointshell> shell_;     // in T, or in W
+  std::shared_ptr<const DistanceField> field_;  // in W, or in T
+  Points points_;
+  std::uint32_t first_point_;
+  double tool_radius_;  // m
   SphereTree tree_;
   FieldView view_;
   double rounding_ = 0;

@@ -1,6 +1,7 @@
 #include "haptics/motion/constrained_motion.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "haptics/math/number_text.h"
 #include "haptics/motion/motion_limit.h"
@@ -25,17 +26,38 @@ Vec6 metric(const CouplingDesc& coupling) {
   return m;
 }
 
+// After the shell's points, at a number that no run of either reaches across (see ContactSet).
+std::uint32_t first_edge(const Pointshell& shell) {
+  return static_cast<std::uint32_t>(std::bit_ceil(shell.size()));
+}
+
+std::optional<ContactQuery> edge_query(const SceneDesc& desc) {
+  if (!desc.scene_edges) return std::nullopt;
+  const Pointshell& shell = *desc.tool_shell;
+  return ContactQuery::of_scene(desc.scene_edges, desc.tool_field, first_edge(shell),
+                                shell.max_radius_m + shell.covering_radius_m);
+}
+
+// Of both fields.
+template <class Figure>
+double least(const SceneDesc& desc, const Figure& figure) {
+  const double of_scene = figure(*desc.scene_field);
+  return desc.tool_field ? std::min(of_scene, figure(*desc.tool_field)) : of_scene;
+}
+
 }  // namespace
 
 ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
     : tool_(desc),
       query_(desc.tool_shell, desc.scene_field),
+      edges_(edge_query(desc)),
       regions_(desc.contact.region_radius),
       metric_(metric(desc.coupling)),
       qp_(metric_, kSlackStiffness * desc.coupling.stiffness),
       friction_(desc.contact.friction),
-      allowance_(motion_allowance(*desc.scene_field)),
-      reach_(std::min(2 * allowance_, desc.scene_field->band_m())),
+      allowance_(least(desc, motion_allowance)),
+      reach_(
+          std::min(2 * allowance_, least(desc, [](const DistanceField& field) { return field.band_m(); }))),
       tool_radius_(std::max(desc.tool_shell->max_radius_m, kSettled)) {}
 
 ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
@@ -49,7 +71,7 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
     const double reach = travel + turn * tool_radius_;
     settled = reach < kSettled;
     if (settled) break;
-    const double fraction = query_.safe_fraction(travel, turn, allowance_, reach_);  // nearer points are rows
+    const double fraction = safe_fraction(travel, turn);
     limited = fraction < 1.0;
     if (!tool_.move(step * fraction)) {
       faults |= kNotFinite;
@@ -71,6 +93,14 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
 
 void ConstrainedMotion::look() noexcept {
   outcome_ = query_.run(tool_.state().X_WT, contacts_, reach_);
+  if (!edges_) return;
+  const ContactQuery::Outcome of_edges = edges_->add(tool_.state().X_WT, contacts_, reach_);
+  outcome_ = {of_edges.complete, outcome_.in_band && of_edges.in_band};
+}
+
+double ConstrainedMotion::safe_fraction(double travel, double turn) const noexcept {
+  const double fraction = query_.safe_fraction(travel, turn, allowance_, reach_);
+  return edges_ ? std::min(fraction, edges_->safe_fraction(travel, turn, allowance_, reach_)) : fraction;
 }
 
 Vec6 ConstrainedMotion::solve(const Pose& X_WG) noexcept {
@@ -181,7 +211,7 @@ Wrench ConstrainedMotion::share_force(const Wrench& coupling_F_T_W) noexcept {
 }
 
 std::vector<BuiltPart> ConstrainedMotion::parts() const {
-  return {
+  std::vector<BuiltPart> parts{
       query_part(query_),
       {"response",
        "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kRounds) +
@@ -190,6 +220,10 @@ std::vector<BuiltPart> ConstrainedMotion::parts() const {
            (friction_ > 0 ? ", friction " + number_text(friction_) : std::string()),
        sizeof(ConstrainedMotion)},
   };
+  if (edges_)
+    parts.push_back(
+        {"edge query", "the same of the scene's edges against the tool's field", edges_->bytes()});
+  return parts;
 }
 
 }  // namespace fulcrum

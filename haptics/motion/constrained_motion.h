@@ -6,8 +6,11 @@
 // 13(3), 2007.
 //
 // A tick is a few rounds of: linearise what is near, solve the quadratic program, go along its answer as far
-// as no shell point can have passed a wall, look again. Points within reach_ of the scene are rows of the
-// program, so that they slide along it; the others bound how far a round may go.
+// as no shell point can have passed a wall, nor an edge of the scene the tool's, look again. Points within
+// reach_ of the scene are rows of the program, so that they slide along it; the others bound how far a round
+// may go.
+
+#include <optional>
 
 #include "haptics/contact/elastic_qp.h"
 #include "haptics/contact/friction.h"
@@ -31,6 +34,8 @@ public:
 
 private:
   void look() noexcept;
+  // How much of a motion is safe, see ContactQuery::safe_fraction(); points nearer than reach_ are rows.
+  double safe_fraction(double travel, double turn) const noexcept;
   // The step (6) towards the goal that the rows and friction allow; fills rows_, multipliers_ and pushing_.
   Vec6 solve(const Pose& X_WG) noexcept;
   Vec6 solve_rows(const Vec6& goal) noexcept;
@@ -41,6 +46,7 @@ private:
 
   QuasiStaticTool tool_;
   ContactQuery query_;
+  std::optional<ContactQuery> edges_;  // the scene's, against the tool
   RegionTracker regions_;
   Vec6 metric_;
   ElasticQp qp_;

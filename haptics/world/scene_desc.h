@@ -34,6 +34,10 @@ struct SceneDesc {
   ToolDesc tool;
   std::shared_ptr<const Pointshell> tool_shell;
   std::shared_ptr<const DistanceField> scene_field;
+  // For a constraint, both or neither: what of the scene could go in between the shell's points, against the
+  // tool.
+  std::shared_ptr<const Pointshell> scene_edges;    // in W
+  std::shared_ptr<const DistanceField> tool_field;  // in T
   ContactDesc contact;
   Integrator integrator = Integrator::semi_implicit_euler;
   CouplingDesc coupling;

@@ -1,10 +1,9 @@
-// What a World refuses, and what it says it is made of.
+// What a World refuses.
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
 
-#include "haptics/contact/shell_walk.h"
 #include "haptics/math/number_text.h"
 #include "haptics/world/coupling_gains.h"
 #include "haptics/world/world.h"
@@ -18,14 +17,6 @@ constexpr double kCouplingShare = 0.25;
 // Of the coupling's largest force: what the weight may take of it where the tool has no inertia.
 constexpr double kLargestSag = 0.9;
 
-// Of the stiffness that the device renders.
-std::string let_go_text(const SceneDesc& desc) {
-  const double limit = coupling_limits(desc).stiffness;
-  if (!std::isfinite(limit)) return "";
-  return " and, let go, holds up to " +
-         number_text(limit * desc.mapping.position_scale * desc.mapping.force_scale) + " N/m";
-}
-
 Error refuse_gain(const char* key, double given, const char* unit, double largest, double tick_s) {
   return {std::string(key) + " is " + number_text(given) + " " + unit + ", and with this tool a tick of " +
           number_text(tick_s * 1e3) + " ms can hold at most " + number_text(largest) +
@@ -34,22 +25,6 @@ Error refuse_gain(const char* key, double given, const char* unit, double larges
 
 bool positive(double value) {
   return std::isfinite(value) && value > 0;
-}
-
-std::string reason_of(VoxelReason reason) {
-  switch (reason) {
-    case VoxelReason::given:
-      return "as given";
-    case VoxelReason::error:
-      return "for the wanted error";
-    case VoxelReason::thinnest_wall:
-      return "for three across the thinnest wall";
-    case VoxelReason::band:
-      return "for two in the given band";
-    case VoxelReason::memory:
-      return "for want of memory, coarser than the wanted error asks";
-  }
-  return "";
 }
 
 }  // namespace
@@ -82,6 +57,13 @@ Result<World> World::build(SceneDesc desc) {
     return Error{
         "contact.friction is there for the response constraint alone: name that response, or leave friction "
         "out."};
+  if (!desc.scene_edges != !desc.tool_field)
+    return Error{
+        "The scene's edges need a field of the tool, and the other way about: give both or neither."};
+  if (desc.scene_edges && desc.contact.response != ContactResponse::constraint)
+    return Error{
+        "The scene's edges are there for the response constraint alone: name that response, or leave "
+        "them out."};
   if (!positive(desc.coupling.max_force) || !positive(desc.coupling.max_torque) ||
       !(desc.coupling.damping_ratio >= 0 && desc.coupling.damping_ratio <= 1))
     return Error{
@@ -103,45 +85,6 @@ Result<World> World::build(SceneDesc desc) {
   if (desc.velocity.window < 1 || desc.velocity.window > 1000 || !positive(desc.velocity.cutoff_Hz))
     return Error{"The velocity estimator's window must be 1 to 1000 ticks and its cutoff_Hz positive."};
   return World(std::move(desc));
-}
-
-std::vector<BuiltPart> World::parts() const {
-  const Pointshell& shell = *desc_.tool_shell;
-  const DistanceField& field = *desc_.scene_field;
-  const std::size_t shell_bytes = shell.size() * (2 * sizeof(Vec3) + sizeof(double));
-  const char* estimators[] = {"difference", "low_pass", "adaptive_window"};
-  std::vector<BuiltPart> parts{
-      {"field",
-       "distance field, " +
-           (field.format() == FieldFormat::int16 ? "int16 of " + number_text(field.quantum_m() * 1e6) + " um"
-                                                 : std::string("float32")) +
-           " in sparse bricks, " + number_text(static_cast<double>(field.bytes()) * 1e-6) + " MB, voxel " +
-           number_text(field.voxel_m() * 1e3) + " mm " + reason_of(field.voxel_reason()) +
-           ", error of contacts at most " + number_text(field.contact_error_m() * 1e3) +
-           " mm on 95 % of the surface and " + number_text(field.error_bound_m() * 1e3) +
-           " mm anywhere, thinnest wall " + number_text(field.thinnest_feature_m() * 1e3) + " mm",
-       field.bytes()},
-      {"pointshell",
-       std::to_string(shell.size()) + " points, no surface farther than " +
-           number_text(shell.covering_radius_m * 1e3) + " mm from one",
-       shell_bytes},
-      {"coupling",
-       number_text(desc_.coupling.stiffness) + " N/m, " + number_text(desc_.coupling.angular_stiffness) +
-           " N m/rad; the device renders " +
-           number_text(desc_.coupling.stiffness * desc_.mapping.position_scale * desc_.mapping.force_scale) +
-           " N/m" + let_go_text(desc_),
-       sizeof(VirtualCoupling)},
-      {"estimator",
-       std::string("velocity by ") + estimators[static_cast<int>(desc_.velocity.kind)] + ", delay " +
-           number_text(velocity_.delay() * 1e3) + " ms",
-       sizeof(VelocityEstimator) + velocity_.bytes()},
-      {"allocation", std::to_string(arm_.motors()) + " motors of " + desc_.device.name, sizeof(DeviceArm)},
-      {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control: always built",
-       sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl)},
-  };
-  const std::vector<BuiltPart> motion = motion_->parts();
-  parts.insert(parts.begin() + 2, motion.begin(), motion.end());
-  return parts;
 }
 
 }  // namespace fulcrum

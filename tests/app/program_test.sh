@@ -37,6 +37,12 @@ expect 0 'llvmpipe' "$FULCRUM" run piping --gpu list
 for part in field pointshell coupling integrator estimator surfaces shadow 'Left out' 'adaptive_window'; do
   expect 0 "$part" "$FULCRUM" explain piping
 done
+for part in 'tool field' 'response *haptics .* constraint' 'friction .* contact.friction is 0'; do
+  expect 0 "$part" "$FULCRUM" explain piping
+done
+expect 0 'no constraint solver is built' "$FULCRUM" explain piping --set response=penalty
+"$FULCRUM" explain piping --set response=penalty 2>&1 | grep -q 'tool field' && fail "springs need no field of the tool"
+expect 0 'edges .* contact.edges is 0' "$FULCRUM" explain piping --set contact.edges=0
 expect 0 'good' "$FULCRUM" check piping
 
 # --- runs

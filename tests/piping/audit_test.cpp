@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/app/penetration.h"
 #include "engine/scenario/task_judge.h"
 #include "tests/piping/path_audit.h"
 #include "tests/piping/piping.h"
@@ -10,26 +11,41 @@
 namespace fulcrum::test {
 namespace {
 
-void audit_clumsy(double seconds) {
-  PipingRun run("clumsy");
-  PathAudit audit(piping().haptic.scene_W, *piping().haptic.scene.tool_shell);
+void audit_clumsy(const app::Prepared& prepared, double seconds, double deepest_vertex) {
+  PipingRun run("clumsy", prepared);
+  const scenario::HapticAssembly& haptic = prepared.haptic;
+  PathAudit audit(haptic.scene_W, *haptic.scene.tool_shell);
+  app::PenetrationMeter meter(haptic.scene.tick_s);
   std::uint32_t faults = 0;
   for (int i = 0; i < static_cast<int>(seconds * 1000); ++i) {
     const TickRecord record = run.tick();
     faults |= record.faults;
     audit.move(record.X_WT);
+    meter.note(record);
   }
   EXPECT_GT(audit.crossings(), 1000u) << "it was to touch";
   EXPECT_EQ(audit.passages(), 0u) << audit.first_passage();
-  EXPECT_LT(audit.deepest(), 2e-3);
+  EXPECT_LT(meter.deepest(haptic.scene_W, haptic.tool_T, *haptic.scene.scene_field), deepest_vertex);
   EXPECT_EQ(faults & (kStoppingFaults | kEnergyBound), 0u);
 }
 
+// A constraint keeps what lies between the shell's points out as well, but for a part of the voxel.
+double of_voxel() {
+  return 0.3 * piping().haptic.scene.scene_field->voxel_m();
+}
+constexpr double kOnSprings = 2e-3;  // m
+
 TEST(Audit, ClumsyHandNeverGetsThroughAPipe) {
-  audit_clumsy(25);
+  audit_clumsy(piping(), 25, of_voxel());
+}
+TEST(Audit, ClumsyHandOnSpringsNeverGetsThroughAPipe) {
+  audit_clumsy(piping_on_springs(), 25, kOnSprings);
 }
 TEST(Audit, ClumsyHandNeverGetsThroughAPipeLong) {
-  audit_clumsy(piping().scenario.time_limit);
+  audit_clumsy(piping(), piping().scenario.time_limit, of_voxel());
+}
+TEST(Audit, ClumsyHandOnSpringsNeverGetsThroughAPipeLong) {
+  audit_clumsy(piping_on_springs(), piping().scenario.time_limit, kOnSprings);
 }
 
 TEST(Audit, ExpertHandReachesEveryCheckpointInOrder) {

@@ -130,6 +130,71 @@ TEST(ContactQuery, NoSafeMotionEntersFartherThanAllowed) {
   EXPECT_GT(used, 100) << "every motion stopped far from the scene: the promise was not tried";
 }
 
+// The other way about: points that stay in W, a ring with bars as the tool.
+TEST(ContactQuery, PointsOfTheSceneAreFoundInTheTool) {
+  const auto points = ball_shell(800, 0.05);
+  const DistanceField& field_T = *scene().field;
+  const std::uint32_t first = 4096;
+  ContactQuery query = ContactQuery::of_scene(points, scene().field, first, 0.06);
+  ContactSet set;
+  std::mt19937_64 random(11);
+  std::size_t touching = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Pose X_WT = random_pose(random, 0.03), X_TW = X_WT.inverse();
+    const double margin = i % 2 == 0 ? 0.0 : 0.5 * field_T.band_m();
+    set.clear();
+    ASSERT_TRUE(query.add(X_WT, set, margin).complete);
+    std::size_t wanted = 0;
+    for (const Vec3& p_W : points->positions)
+      wanted += field_T.distance(X_TW * p_W) < margin - query.rounding() ? 1 : 0;
+    EXPECT_GE(set.contacts().size(), wanted);
+    for (const Contact& contact : set.contacts()) {
+      ++touching;
+      const Vec3& p_W = points->positions[contact.point - first];
+      ASSERT_LT((contact.p_W - p_W).norm(), 1e-12);
+      ASSERT_NEAR(-contact.depth, field_T.distance(X_TW * p_W), query.rounding());
+      // Along its normal the tool moves out of the point's way.
+      const Pose X_away{X_WT.q, X_WT.p + 1e-5 * contact.nhat_W};
+      ASSERT_GT(contact.nhat_W.dot(-(X_WT.q * field_T.sample(X_TW * p_W).gradient)), 0.99);
+      ASSERT_GT(field_T.distance(X_away.inverse() * p_W), -contact.depth);
+    }
+  }
+  EXPECT_GT(touching, 2000u);
+}
+
+TEST(ContactQuery, NoSafeMotionTakesTheToolOverAPointOfTheScene) {
+  const auto points = ball_shell(400, 0.05);
+  double reach = 0;
+  for (const Vec3& p : scene().solid.mesh.vertices) reach = std::max(reach, p.norm());
+  ContactQuery query = ContactQuery::of_scene(points, scene().field, 0, reach);
+  ContactSet set;
+  std::mt19937_64 random(12);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double allowance = 0.2e-3;
+  int limited = 0, used = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Pose X_WT = random_pose(random, 0.05);
+    query.run(X_WT, set);
+    const Vec3 v = 0.02 * unit(random) * Vec3(normal(random), normal(random), normal(random)).normalized();
+    const double angle = unit(random);
+    const Vec3 axis = Vec3(normal(random), normal(random), normal(random)).normalized();
+    const double fraction = query.safe_fraction(v.norm(), angle, allowance);
+    limited += fraction < 1 ? 1 : 0;
+    for (const double part : {0.5 * fraction, fraction}) {
+      const Pose X_moved{Quat(Eigen::AngleAxisd(part * angle, axis)) * X_WT.q, X_WT.p + part * v};
+      for (const Vec3& p_W : points->positions) {
+        const double before = std::min(scene().exact.signed_distance(X_WT.inverse() * p_W), 0.0);
+        const double after = scene().exact.signed_distance(X_moved.inverse() * p_W);
+        ASSERT_GE(after, before - allowance - 1e-9) << "motion " << i;
+        if (after < before + 0.5e-3 && fraction < 1) ++used;
+      }
+    }
+  }
+  EXPECT_GT(limited, 200);
+  EXPECT_GT(used, 100) << "every motion stopped far from the points: the promise was not tried";
+}
+
 // What the hierarchy leaves out changes nothing: as point by point, within rounding.
 TEST(ContactQuery, SafeFractionIsThatOfTheWorstPoint) {
   const auto shell = ball_shell(3000, 0.012);

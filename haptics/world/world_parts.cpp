@@ -1,0 +1,91 @@
+// What a World says it is made of.
+
+#include <cmath>
+
+#include "haptics/math/number_text.h"
+#include "haptics/world/coupling_gains.h"
+#include "haptics/world/world.h"
+
+namespace fulcrum {
+namespace {
+
+// Of the stiffness that the device renders.
+std::string let_go_text(const SceneDesc& desc) {
+  const double limit = coupling_limits(desc).stiffness;
+  if (!std::isfinite(limit)) return "";
+  return " and, let go, holds up to " +
+         number_text(limit * desc.mapping.position_scale * desc.mapping.force_scale) + " N/m";
+}
+
+std::string reason_of(VoxelReason reason) {
+  switch (reason) {
+    case VoxelReason::given:
+      return "as given";
+    case VoxelReason::error:
+      return "for the wanted error";
+    case VoxelReason::thinnest_wall:
+      return "for three across the thinnest wall";
+    case VoxelReason::band:
+      return "for two in the given band";
+    case VoxelReason::memory:
+      return "for want of memory, coarser than the wanted error asks";
+  }
+  return "";
+}
+
+BuiltPart field_part(const char* name, const DistanceField& field) {
+  return {
+      name,
+      "distance field, " +
+          (field.format() == FieldFormat::int16 ? "int16 of " + number_text(field.quantum_m() * 1e6) + " um"
+                                                : std::string("float32")) +
+          " in sparse bricks, " + number_text(static_cast<double>(field.bytes()) * 1e-6) + " MB, voxel " +
+          number_text(field.voxel_m() * 1e3) + " mm " + reason_of(field.voxel_reason()) +
+          ", error of contacts at most " + number_text(field.contact_error_m() * 1e3) +
+          " mm on 95 % of the surface and " + number_text(field.error_bound_m() * 1e3) +
+          " mm anywhere, thinnest wall " + number_text(field.thinnest_feature_m() * 1e3) + " mm",
+      field.bytes()};
+}
+
+std::size_t bytes_of(const Pointshell& shell) {
+  return shell.size() * (2 * sizeof(Vec3) + sizeof(double));
+}
+
+}  // namespace
+
+std::vector<BuiltPart> World::parts() const {
+  const Pointshell& shell = *desc_.tool_shell;
+  constexpr const char* estimators[] = {"difference", "low_pass", "adaptive_window"};
+  std::vector<BuiltPart> parts{
+      field_part("field", *desc_.scene_field),
+      {"pointshell",
+       std::to_string(shell.size()) + " points, no surface farther than " +
+           number_text(shell.covering_radius_m * 1e3) + " mm from one",
+       bytes_of(shell)},
+      {"coupling",
+       number_text(desc_.coupling.stiffness) + " N/m, " + number_text(desc_.coupling.angular_stiffness) +
+           " N m/rad; the device renders " +
+           number_text(desc_.coupling.stiffness * desc_.mapping.position_scale * desc_.mapping.force_scale) +
+           " N/m" + let_go_text(desc_),
+       sizeof(VirtualCoupling)},
+      {"estimator",
+       std::string("velocity by ") + estimators[static_cast<int>(desc_.velocity.kind)] + ", delay " +
+           number_text(velocity_.delay() * 1e3) + " ms",
+       sizeof(VelocityEstimator) + velocity_.bytes()},
+      {"allocation", std::to_string(arm_.motors()) + " motors of " + desc_.device.name, sizeof(DeviceArm)},
+      {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control: always built",
+       sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl)},
+  };
+  if (desc_.scene_edges) {
+    const Pointshell& edges = *desc_.scene_edges;
+    parts.insert(
+        parts.begin() + 2,
+        {{"edges", std::to_string(edges.size()) + " points on the scene's sharp edges", bytes_of(edges)},
+         field_part("tool field", *desc_.tool_field)});
+  }
+  const std::vector<BuiltPart> motion = motion_->parts();
+  parts.insert(parts.begin() + (desc_.scene_edges ? 4 : 2), motion.begin(), motion.end());
+  return parts;
+}
+
+}  // namespace fulcrum
