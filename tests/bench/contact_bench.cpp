@@ -3,7 +3,6 @@
 
 #include <fstream>
 #include <iostream>
-#include <numbers>
 #include <stdexcept>
 
 #include "haptics/bake/field_bake.h"
@@ -18,12 +17,12 @@ namespace {
 constexpr std::size_t kPoses = 2000;
 constexpr std::size_t kComparedEvery = 4;
 constexpr unsigned kSeed = 11;
-constexpr double kVoxel = 1e-3;       // m: 512 cells and the band on both sides
-constexpr double kFiner = 1.5;        // times as many cells
-constexpr double kSpacing = 1.01e-3;  // m, between the points of a baked shell: about 10 000
-constexpr double kFineSpacing = 0.4e-3;
-// The roundings of the spanner are drawn in steps of 22.5 degrees; by default edges carry points from 30.
-constexpr double kRounded = 10 * std::numbers::pi / 180;
+constexpr double kVoxel = 1e-3;  // m: 512 cells and the band on both sides
+constexpr double kFiner = 1.5;   // times as many cells
+// Shells of about 10 000 points: one that follows the spanner's roundings, and one spread evenly.
+constexpr PointshellDesc kShell{.spacing_m = 1.2e-3, .deviation = 15e-6};
+constexpr PointshellDesc kEven{.spacing_m = 1.01e-3};
+constexpr PointshellDesc kFine{.spacing_m = 0.4e-3, .deviation = 15e-6};
 
 Field baked_field(const Solid& scene, double voxel) {
   Result<DistanceField> field = bake_field(scene, {.voxel_m = voxel, .band_m = 2 * voxel});
@@ -73,7 +72,7 @@ Report measure() {
   const auto cost = [&](std::size_t points) {
     return cost_of_queries(field, random_shell(workload.tool, points), poses);
   };
-  const Shell shell = baked_shell(workload.tool, {.spacing_m = kSpacing});
+  const Shell shell = baked_shell(workload.tool, kShell);
   report.at_1k = cost(1000);
   report.at_10k = cost_of_queries(field, shell, poses);
   report.at_100k = cost(100000);
@@ -85,10 +84,10 @@ Report measure() {
   report.compared = cost_of_queries(field, shell, compared);
   report.peers = cost_of_peers(workload, compared);
   report.depth = depth_error(workload, field, shell, compared);
-  const Shell rounded = baked_shell(workload.tool, {.spacing_m = kSpacing, .sharp_angle_rad = kRounded});
-  report.rounded = cost_of_queries(field, rounded, compared);
-  report.rounded_depth = depth_error(workload, field, rounded, compared);
-  const Shell fine = baked_shell(workload.tool, {.spacing_m = kFineSpacing, .sharp_angle_rad = kRounded});
+  const Shell even = baked_shell(workload.tool, kEven);
+  report.even = cost_of_queries(field, even, compared);
+  report.even_depth = depth_error(workload, field, even, compared);
+  const Shell fine = baked_shell(workload.tool, kFine);
   report.fine = cost_of_queries(field, fine, compared);
   report.fine_depth = depth_error(workload, field, fine, compared);
   report.tick = cost_of_piping_ticks();

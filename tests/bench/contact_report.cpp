@@ -90,8 +90,8 @@ void write_peers(const Report& r, std::ostream& out) {
                     text(peer.cost->median_us / r.compared.median_us), text(peer.cost->contacts),
                     text(peer.cost->depth_error_percent)});
   }
-  rows.push_back(our_row(r, r.rounded, r.rounded_depth, ", on roundings too"));
-  rows.push_back(our_row(r, r.fine, r.fine_depth, ", likewise"));
+  rows.push_back(our_row(r, r.even, r.even_depth, ", spread evenly"));
+  rows.push_back(our_row(r, r.fine, r.fine_depth, ""));
   write_table(rows, out);
   out << "\nBy how much ours falls short, in % of the depth, and why:\n\n";
   const auto share_row = [](const QueryCost& cost, const DepthError& depth) -> Row {
@@ -99,7 +99,7 @@ void write_peers(const Report& r, std::ostream& out) {
   };
   write_table({{"", "no point at the deepest place", "pipes are triangles", "field"},
                share_row(r.compared, r.depth),
-               share_row(r.rounded, r.rounded_depth),
+               share_row(r.even, r.even_depth),
                share_row(r.fine, r.fine_depth)},
               out);
 }
@@ -171,8 +171,8 @@ void write_json(const Report& r, std::ostream& out) {
   add("depth_error_sampling_percent", r.depth.sampling);
   add("depth_error_mesh_percent", r.depth.mesh);
   add("depth_error_field_percent", r.depth.field);
-  add("depth_error_rounded_percent", r.rounded_depth.percent);
-  add("rounded_us", r.rounded.median_us);
+  add("depth_error_even_percent", r.even_depth.percent);
+  add("even_us", r.even.median_us);
   add("depth_error_fine_percent", r.fine_depth.percent);
   add("fine_us", r.fine.median_us);
   add("compared_us", r.compared.median_us);

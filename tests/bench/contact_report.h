@@ -20,8 +20,8 @@ struct Report {
   QueryCost compared{};  // as at_10k, over the poses and with the shell of the comparison
   QueryCost all_touching{};
   DepthError depth{};
-  QueryCost rounded{};  // as compared, with a shell that has points on rounded edges too
-  DepthError rounded_depth{};
+  QueryCost even{};  // as compared, with a shell that takes no account of roundings
+  DepthError even_depth{};
   QueryCost fine{};  // as compared, with a shell of 0.4 mm
   DepthError fine_depth{};
   double voxel_m = 0, field_MB = 0, field_error_m = 0, bake_cpu_s = 0;

@@ -52,9 +52,12 @@ DeviceDesc phantom_like() {
 
 SceneDesc piping_scene(const Solid& plant, const Solid& tool) {
   SceneDesc scene;
-  scene.tool_shell = std::make_shared<const Pointshell>(expect(bake_pointshell(tool, {.spacing_m = 1.5e-3})));
+  scene.tool_shell = std::make_shared<const Pointshell>(
+      expect(bake_pointshell(tool, {.spacing_m = 1.5e-3, .deviation = 50e-6})));
   scene.scene_field =
       std::make_shared<const DistanceField>(expect(bake_field(plant, {.voxel_m = 0.66e-3, .band_m = 2e-3})));
+  scene.scene_edges = std::make_shared<const Pointshell>(expect(bake_edges(plant, {.spacing_m = 0.5e-3})));
+  scene.tool_field = std::make_shared<const DistanceField>(expect(bake_field(tool, {})));
   const content::MassProperties mass = mass_properties(content::spanner_solid(), content::steel_density);
   scene.tool.mass = mass.mass;
   scene.tool.inertia_T = mass.inertia;
