@@ -25,6 +25,7 @@ std::vector<WorkStudy> study_work_precision(const std::optional<PipingParts>& pi
   std::vector<Part> parts{{"A ball's field", one(study_field)},
                           {"A ball in a tube", one(study_tube)},
                           {"A ball on a plane", one(study_sampling)},
+                          {"A roller on a knife edge", one(study_rest)},
                           {"A ball pressed into a tube", one(study_press_tube)},
                           {"A ball pressed into a groove", one(study_press_groove)},
                           {"A loaded table", one(study_press_table)},

@@ -48,6 +48,7 @@ std::vector<WorkStudy> study_work_precision(const std::optional<PipingParts>& pi
 WorkStudy study_field(bool quick);
 WorkStudy study_tube(bool quick);
 WorkStudy study_sampling(bool quick);
+WorkStudy study_rest(bool quick);
 WorkStudy study_press_tube(bool quick);
 WorkStudy study_press_groove(bool quick);
 WorkStudy study_press_table(bool quick);

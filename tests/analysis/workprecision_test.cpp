@@ -48,6 +48,19 @@ TEST(WorkPrecision, SamplingIsNotFelt) {
   }
 }
 
+// Between a tool's points nothing goes in, once the scene's edges are asked as well.
+TEST(WorkPrecision, AKnifeEdgeIsFeltWhereItIs) {
+  const WorkStudy study = study_rest(true);
+  for (const WorkPoint& edges : study.points) {
+    if (edges.method != "edges") continue;
+    EXPECT_LT(edges.error, 0.05) << edges.value;  // of a millimetre; the roller's field has 0.5 mm voxels
+    for (const WorkPoint& even : study.points) {
+      if (even.method != "even" || even.value != edges.value) continue;
+      EXPECT_GT(even.error, 10 * edges.error) << edges.value;
+    }
+  }
+}
+
 // At the same voxel; what that costs is for the report, no test.
 void expect_truer_than_voxels(const WorkStudy& study, double times) {
   int compared = 0;
