@@ -3,13 +3,16 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <future>
 #include <optional>
 #include <span>
 #include <system_error>
 #include <vector>
 
 #include "engine/assets/baked_bytes.h"
+#include "engine/assets/mapped_file.h"
 #include "engine/assets/sha256.h"
 
 namespace fulcrum {
@@ -46,18 +49,25 @@ Sha256 hash_of(const Solid& solid, std::string_view kind) {
 // A file is its content's SHA-256 as 64 digits, then the content.
 enum class Found { nothing, damaged, whole };
 
-Found read_checked(const fs::path& path, std::vector<std::byte>& content) {
-  std::error_code ignored;
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file || !fs::is_regular_file(path, ignored)) return Found::nothing;
-  const std::streamoff size = file.tellg();
-  std::string checksum(64, ' ');
-  if (size < static_cast<std::streamoff>(checksum.size())) return Found::damaged;
-  content.resize(static_cast<std::size_t>(size) - checksum.size());
-  file.seekg(0);
-  file.read(checksum.data(), static_cast<std::streamsize>(checksum.size()));
-  file.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(content.size()));
-  return file && sha256_hex(content) == checksum ? Found::whole : Found::damaged;
+template <class T>
+struct Read {
+  Found found = Found::nothing;
+  std::optional<T> value;  // where whole
+};
+
+// Other processes only ever move a file into place whole, so what is mapped does not change.
+template <class T, class Parse>
+Read<T> read_checked(const fs::path& path, const Parse& parse) {
+  constexpr std::size_t checksum_size = 64;
+  const std::optional<MappedFile> file = MappedFile::open(path);
+  if (!file) return {};
+  if (file->bytes().size() < checksum_size) return {Found::damaged, std::nullopt};
+  const auto content = file->bytes().subspan(checksum_size);
+  // Summing takes longer than parsing, which trusts nothing anyway: side by side.
+  std::future<std::string> sum = std::async([content] { return sha256_hex(content); });
+  std::optional<T> value = parse(content);
+  const bool good = std::memcmp(sum.get().data(), file->bytes().data(), checksum_size) == 0;
+  return {good && value ? Found::whole : Found::damaged, std::move(value)};
 }
 
 // Written beside its place and moved there: other processes see the old file or the new one, never half of
@@ -89,12 +99,9 @@ Result<Baked<T>> load_or_bake(const fs::path& folder, const std::string& name, c
   const fs::path path = folder / name;
   std::string note;
   if (!folder.empty()) {
-    std::vector<std::byte> content;
-    const Found found = read_checked(path, content);
-    if (found == Found::whole) {
-      if (std::optional<T> value = parse(content)) return Baked<T>{std::move(*value), true, ""};
-    }
-    if (found != Found::nothing)
+    Read<T> read = read_checked<T>(path, parse);
+    if (read.found == Found::whole) return Baked<T>{std::move(*read.value), true, ""};
+    if (read.found == Found::damaged)
       note = "The cached bake " + path.string() + " was damaged and has been made anew.";
   }
   Result<T> made = bake();
