@@ -77,6 +77,7 @@ public:
   bool absorb(std::uint32_t point, double depth, const Overlap& overlap) noexcept;
   bool complete() const { return run_bits_ == 0; }  // nothing has been taken together
   std::span<const Contact> contacts() const { return contacts_; }
+  std::span<Contact> contacts() { return contacts_; }
   double depth_max() const;  // m, 0 when nothing touches
 
 private:

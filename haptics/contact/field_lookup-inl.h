@@ -38,6 +38,12 @@ HWY_INLINE I gather(const void* base, I offset) {
 #endif
 }
 
+HWY_INLINE std::uint32_t bits_of(M mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(f, mask, bytes);
+  return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
+}
+
 HWY_INLINE F mix(F a, F b, F t) {
   return hn::Add(a, hn::Mul(hn::Sub(b, a), t));
 }
@@ -165,6 +171,8 @@ HWY_INLINE F look_up(const FieldView& field, const Place& p, Terms& terms) {
                      hn::AllTrue(f, in_grid) ? zero : distance_to_bounds(field, wx, wy, wz)));
 }
 
+constexpr float kFlat = 1e-3f;  // of the gradient that a distance has
+
 // The interpolant's gradient, made unit. Answers where there is one.
 HWY_INLINE M unit_gradient(const FieldView& field, const Terms& terms, F& nx, F& ny, F& nz) {
   const auto slope = [&](int i) { return hn::Sub(terms.high[i], terms.low[i]); };
@@ -172,7 +180,6 @@ HWY_INLINE M unit_gradient(const FieldView& field, const Terms& terms, F& nx, F&
   const F gx = mix(mix(slope(0), slope(1), terms.ty), mix(slope(2), slope(3), terms.ty), terms.tz);
   const F gy = mix(hn::Sub(v[1], v[0]), hn::Sub(v[3], v[2]), terms.tz);
   const F gz = hn::Sub(mix(v[2], v[3], terms.ty), mix(v[0], v[1], terms.ty));
-  constexpr float kFlat = 1e-3f;  // of the gradient that a distance has
   const F size = length(gx, gy, gz);
   const M steep = hn::And(terms.stored, hn::Gt(size, hn::Set(f, kFlat * field.voxel_m / field.quantum_m)));
   const F divisor = hn::IfThenElse(steep, size, hn::Set(f, 1.0f));

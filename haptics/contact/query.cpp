@@ -56,15 +56,13 @@ std::vector<float> slack_of_bricks(const DistanceField& field, double rounding) 
   return around;
 }
 
-// Turns patches into contacts. S is the shell's frame, F the field's.
+// Turns patches into contacts, all but their normals. S is the shell's frame.
 struct Collector {
   const Pointshell& shell_S;
-  const DistanceField& field_F;
-  Pose X_FS;
   Mat3 R_WS;
   Vec3 p_WS;
-  Mat3 R_out;  // from F to W, turned so that it points out of the scene
   std::uint32_t first_point;
+  double band;  // m
   ContactSet& set;
   float margin;
   bool in_band = true;
@@ -77,13 +75,8 @@ struct Collector {
   // overlap: in S.
   Contact contact(const PatchHit& hit, unsigned lane, const Overlap& overlap) const {
     const std::uint32_t point = hit.first + lane;
-    const Vec3& p_S = shell_S.positions[point];
-    const Vec3 nhat_F = (hit.guessed >> lane & 1u) != 0
-                            ? field_F.sample(X_FS * p_S).gradient
-                            : Vec3(static_cast<double>(hit.nx[lane]), static_cast<double>(hit.ny[lane]),
-                                   static_cast<double>(hit.nz[lane]));
-    return {first_point + point, R_WS * p_S + p_WS, R_out * nhat_F, -static_cast<double>(hit.distance[lane]),
-            in_W(overlap)};
+    return {first_point + point, R_WS * shell_S.positions[point] + p_WS, Vec3::Zero(),
+            -static_cast<double>(hit.distance[lane]), in_W(overlap)};
   }
 
   float take(const PatchHit& hit) {
@@ -107,7 +100,7 @@ struct Collector {
     if (!one_by_one && !set.absorb(first_point + hit.first + deepest, depth,
                                    in_W(overlap)))  // as one by one would end up, sooner
       set.add(contact(hit, deepest, overlap));
-    in_band &= depth <= field_F.band_m();
+    in_band &= depth <= band;
     return margin;
   }
 };
@@ -153,20 +146,21 @@ void walk_into(ShellWalk walk, Taker& taker) noexcept {
 }  // namespace
 
 ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell_T,
-                           std::shared_ptr<const DistanceField> field_W)
-    : ContactQuery(shell_T, std::move(field_W), Points::of_tool, 0, shell_T->max_radius_m) {}
+                           std::shared_ptr<const DistanceField> field_W, Normals normals)
+    : ContactQuery(shell_T, std::move(field_W), normals, Points::of_tool, 0, shell_T->max_radius_m) {}
 
 ContactQuery ContactQuery::of_scene(std::shared_ptr<const Pointshell> shell_W,
-                                    std::shared_ptr<const DistanceField> field_T, std::uint32_t first_point,
-                                    double tool_radius) {
-  return {std::move(shell_W), std::move(field_T), Points::of_scene, first_point, tool_radius};
+                                    std::shared_ptr<const DistanceField> field_T, Normals normals,
+                                    std::uint32_t first_point, double tool_radius) {
+  return {std::move(shell_W), std::move(field_T), normals, Points::of_scene, first_point, tool_radius};
 }
 
 ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell,
-                           std::shared_ptr<const DistanceField> field, Points points,
+                           std::shared_ptr<const DistanceField> field, Normals normals, Points points,
                            std::uint32_t first_point, double tool_radius)
     : shell_(std::move(shell)),
       field_(std::move(field)),
+      normals_(normals),
       points_(points),
       first_point_(first_point),
       tool_radius_(tool_radius),
@@ -207,22 +201,48 @@ ContactQuery::Outcome ContactQuery::run(const Pose& X_WT, ContactSet& set, doubl
 
 ContactQuery::Outcome ContactQuery::add(const Pose& X_WT, ContactSet& set, double margin) noexcept {
   X_WT_ = X_WT;
-  const Mat3 R_WT = X_WT.q.toRotationMatrix();
   const bool of_tool = points_ == Points::of_tool;
   Collector collector{.shell_S = *shell_,
-                      .field_F = *field_,
-                      .X_FS = shell_in_field(),
-                      .R_WS = of_tool ? R_WT : Mat3(Mat3::Identity()),
+                      .R_WS = of_tool ? X_WT.q.toRotationMatrix() : Mat3(Mat3::Identity()),
                       .p_WS = of_tool ? X_WT.p : Vec3(Vec3::Zero()),
-                      // What points out of the tool points into the scene.
-                      .R_out = of_tool ? Mat3(Mat3::Identity()) : Mat3(-R_WT),
                       .first_point = first_point_,
+                      .band = field_->band_m(),
                       .set = set,
                       .margin = static_cast<float>(margin)};
-  ShellWalk all = walk(margin);
-  all.normals = true;
-  walk_into(all, collector);
+  walk_into(walk(margin), collector);
+  find_normals(set.contacts());
   return {set.complete(), collector.in_band};
+}
+
+// After the walk: of what is taken together, only the deepest needs one.
+void ContactQuery::find_normals(std::span<Contact> contacts) const noexcept {
+  const auto own = std::find_if(contacts.begin(), contacts.end(),
+                                [this](const Contact& contact) { return contact.point >= first_point_; });
+  contacts = contacts.subspan(static_cast<std::size_t>(own - contacts.begin()));
+  const bool of_tool = points_ == Points::of_tool;
+  const Pose X_FW = of_tool ? Pose{} : X_WT_.inverse();
+  // What points out of the tool points into the scene.
+  const Mat3 R_out = of_tool ? Mat3(Mat3::Identity()) : Mat3(-X_WT_.q.toRotationMatrix());
+  for (; !contacts.empty(); contacts = contacts.subspan(std::min(kBlock, contacts.size()))) {
+    const std::size_t count = std::min(kBlock, contacts.size());
+    NormalBatch batch{};
+    std::array<Vec3, kBlock> p_F;
+    for (std::size_t i = 0; i < count; ++i) {
+      p_F[i] = X_FW * contacts[i].p_W;
+      const Vec3 cells = (p_F[i] - field_->data().origin) / field_->voxel_m();
+      batch.x[i] = static_cast<float>(cells.x());
+      batch.y[i] = static_cast<float>(cells.y());
+      batch.z[i] = static_cast<float>(cells.z());
+    }
+    look_up_normals(view_, normals_, batch);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool known = (batch.known >> i & 1u) != 0;
+      const Vec3 nhat_F = known ? Vec3(static_cast<double>(batch.nx[i]), static_cast<double>(batch.ny[i]),
+                                       static_cast<double>(batch.nz[i]))
+                                : field_->sample(p_F[i]).gradient;
+      contacts[i].nhat_W = R_out * nhat_F;
+    }
+  }
 }
 
 double ContactQuery::safe_fraction(double travel, double turn, double allowance,

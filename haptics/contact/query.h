@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptics/contact/contact_set.h"
+#include "haptics/contact/field_normals.h"
 #include "haptics/contact/shell_walk.h"
 #include "haptics/geometry/distance_field.h"
 #include "haptics/geometry/pointshell.h"
@@ -20,11 +21,12 @@ namespace fulcrum {
 
 class ContactQuery {
 public:
-  ContactQuery(std::shared_ptr<const Pointshell> shell_T, std::shared_ptr<const DistanceField> field_W);
+  ContactQuery(std::shared_ptr<const Pointshell> shell_T, std::shared_ptr<const DistanceField> field_W,
+               Normals normals = Normals::across_cells);
   // Points of the scene, numbered from first_point on, for a tool that reaches tool_radius m from T.
   static ContactQuery of_scene(std::shared_ptr<const Pointshell> shell_W,
-                               std::shared_ptr<const DistanceField> field_T, std::uint32_t first_point,
-                               double tool_radius);
+                               std::shared_ptr<const DistanceField> field_T, Normals normals,
+                               std::uint32_t first_point, double tool_radius);
 
   struct Outcome {
     bool complete = true;  // false: the set was too small and neighbours were taken together
@@ -52,13 +54,15 @@ public:
 private:
   enum class Points { of_tool, of_scene };
   ContactQuery(std::shared_ptr<const Pointshell> shell, std::shared_ptr<const DistanceField> field,
-               Points points, std::uint32_t first_point, double tool_radius);
+               Normals normals, Points points, std::uint32_t first_point, double tool_radius);
 
   Pose shell_in_field() const noexcept { return points_ == Points::of_tool ? X_WT_ : X_WT_.inverse(); }
   ShellWalk walk(double margin) const noexcept;
+  void find_normals(std::span<Contact> contacts) const noexcept;
 
   std::shared_ptr<const Pointshell> shell_;     // in T, or in W
   std::shared_ptr<const DistanceField> field_;  // in W, or in T
+  Normals normals_;
   Points points_;
   std::uint32_t first_point_;
   double tool_radius_;  // m

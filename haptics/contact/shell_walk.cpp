@@ -11,12 +11,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace fulcrum::HWY_NAMESPACE {
 
-HWY_INLINE std::uint32_t bits_of(M mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(f, mask, bytes);
-  return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
-}
-
 template <class Value>
 class Walker {
 public:
@@ -85,26 +79,12 @@ private:
     PatchHit hit;
     hit.first = static_cast<std::uint32_t>(patch * kBlock);
     hit.touching = 0;
-    hit.guessed = 0;
     const Origin origin = origin_of(patch);
     for (std::size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
       Terms terms;
       const F distance = look_up<Value>(walk_.field, place_of(origin, block, i), terms);
       hn::Store(distance, f, &hit.distance[i]);
-      const M touching = hn::Lt(distance, hn::Set(f, margin_));
-      if (hn::AllFalse(f, touching)) continue;
-      const std::uint32_t bits = bits_of(touching);
-      hit.touching |= bits << i;
-      if (!walk_.normals) continue;
-      std::uint32_t known = 0;
-      if (!hn::AllFalse(f, terms.stored)) {
-        F nx, ny, nz;
-        known = bits_of(unit_gradient(walk_.field, terms, nx, ny, nz));
-        hn::Store(nx, f, &hit.nx[i]);
-        hn::Store(ny, f, &hit.ny[i]);
-        hn::Store(nz, f, &hit.nz[i]);
-      }
-      hit.guessed |= (bits & ~known) << i;
+      hit.touching |= bits_of(hn::Lt(distance, hn::Set(f, margin_))) << i;
     }
     if (hit.touching != 0) margin_ = walk_.found(walk_.taker, hit);
   }

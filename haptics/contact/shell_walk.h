@@ -19,11 +19,9 @@ namespace fulcrum {
 
 // Sixteen points of which at least one is nearer than the margin.
 struct alignas(64) PatchHit {
-  std::array<float, kBlock> distance;    // m
-  std::array<float, kBlock> nx, ny, nz;  // unit gradient, where `guessed` is not set; only when asked for
-  std::uint32_t first;                   // index of the first point
-  std::uint32_t touching;                // bit per point: distance < margin
-  std::uint32_t guessed;  // bit per point: no gradient, because nothing is stored there or it is flat
+  std::array<float, kBlock> distance;  // m
+  std::uint32_t first;                 // index of the first point
+  std::uint32_t touching;              // bit per point: distance < margin
 };
 
 struct ShellWalk {
@@ -35,7 +33,6 @@ struct ShellWalk {
   float slack;                  // m
   const float* brick_slack;     // (bricks) m, for nodes whose radius is brick_edge at most
   float brick_edge;             // m
-  bool normals;
   // Called in the order of the shell. Answers with the margin for what follows, at most the present one.
   float (*found)(void* taker, const PatchHit& hit) noexcept;
   void* taker;

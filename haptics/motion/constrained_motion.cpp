@@ -34,7 +34,7 @@ std::uint32_t first_edge(const Pointshell& shell) {
 std::optional<ContactQuery> edge_query(const SceneDesc& desc) {
   if (!desc.scene_edges) return std::nullopt;
   const Pointshell& shell = *desc.tool_shell;
-  return ContactQuery::of_scene(desc.scene_edges, desc.tool_field, first_edge(shell),
+  return ContactQuery::of_scene(desc.scene_edges, desc.tool_field, Normals::of_cell, first_edge(shell),
                                 shell.max_radius_m + shell.covering_radius_m);
 }
 
@@ -49,7 +49,8 @@ double least(const SceneDesc& desc, const Figure& figure) {
 
 ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
     : tool_(desc),
-      query_(desc.tool_shell, desc.scene_field),
+      query_(desc.tool_shell, desc.scene_field,
+             Normals::of_cell),  // other rows make the rounds go in circles
       edges_(edge_query(desc)),
       regions_(desc.contact.region_radius),
       metric_(metric(desc.coupling)),

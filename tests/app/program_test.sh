@@ -101,7 +101,10 @@ expect 1 'Cannot write K/trace.csv.*--out' bash -c "ulimit -f 2000; exec '$FULCR
 
 # --- SIGKILL: all but the last second is kept
 "$FULCRUM" run piping --headless --hand expert --realtime --out L >/dev/null 2>&1 &
-sleep 6
+for ((i = 0; i < 1200; ++i)); do # until there is more than a second of it, however slow the machine
+  [ -f L/trace.csv ] && [ "$(wc -l <L/trace.csv)" -gt 2000 ] && break
+  sleep 0.1
+done
 kill -9 $!
 wait $! 2>/dev/null
 rows=$(wc -l <L/trace.csv)

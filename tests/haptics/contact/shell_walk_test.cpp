@@ -1,6 +1,7 @@
 // Every SIMD target against the same sums written out, bit for bit.
 
 #include "haptics/contact/shell_walk.h"
+#include "haptics/contact/field_normals.h"
 
 #include <gtest/gtest.h>
 
@@ -70,7 +71,6 @@ ShellWalk walk_of(const SphereTree& tree, const DistanceField& field, std::mt199
   walk.slack = static_cast<float>(3 * field.error_bound_m());
   walk.brick_slack = field.data().centre_m.data();  // never taken: no node is small enough
   walk.brick_edge = 0;
-  walk.normals = true;
   return walk;
 }
 
@@ -94,8 +94,6 @@ std::vector<test::Looked> walked(ShellWalk walk) {
       test::Looked& point = into.points[hit.first + lane];
       point.distance = hit.distance[lane];
       point.touching = true;
-      point.guessed = (hit.guessed >> lane & 1u) != 0;
-      if (!point.guessed) point.n = {hit.nx[lane], hit.ny[lane], hit.nz[lane]};
     }
     return into.margin;
   };
@@ -125,21 +123,88 @@ TEST_F(Targets, GiveTheBitsOfTheSumsWrittenOut) {
       if (!take(target)) continue;
       ++tried;
       std::mt19937_64 random(5);
-      std::size_t touching = 0, guessed = 0;
+      std::size_t touching = 0;
       for (int pose = 0; pose < 60; ++pose) {
         ShellWalk walk = walk_of(tree, field, random);
         walk.margin = pose % 3 == 0 ? 1e-3f : 0.0f;
         const std::vector<test::Looked> want = expected(walk);
         ASSERT_TRUE(walked(walk) == want) << hwy::TargetName(target) << ", pose " << pose;
-        for (const test::Looked& point : want) {
-          touching += point.touching ? 1 : 0;
-          guessed += point.guessed ? 1 : 0;
-        }
+        for (const test::Looked& point : want) touching += point.touching ? 1 : 0;
       }
       EXPECT_GT(touching, 1000u);
-      EXPECT_GT(guessed, 10u);
     }
     EXPECT_GE(tried, 2) << "nothing was compared: this processor has one target alone";
+  }
+}
+
+TEST_F(Targets, GiveTheNormalsWrittenOut) {
+  for (const FieldFormat format : {FieldFormat::int16, FieldFormat::float32}) {
+    const DistanceField field = torus_field(format);
+    const FieldView view = view_of(field);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const std::int64_t target : all()) {
+      if (!take(target)) continue;
+      std::mt19937_64 random(8);
+      std::size_t known = 0, unknown = 0;
+      for (int i = 0; i < 200; ++i) {
+        NormalBatch batch{};
+        for (std::size_t lane = 0; lane < kBlock; ++lane) {
+          const auto place = [&](std::size_t axis) {
+            return std::uniform_real_distribution<float>(-2, view.cells[axis] + 2)(random);
+          };
+          batch.x[lane] = i % 50 == 49 ? nan : place(0);
+          batch.y[lane] = place(1);
+          batch.z[lane] = place(2);
+        }
+        look_up_normals(view, Normals::across_cells, batch);
+        for (std::size_t lane = 0; lane < kBlock; ++lane) {
+          const test::Normal want =
+              test::normal_across_cells(view, {batch.x[lane], batch.y[lane], batch.z[lane]});
+          ASSERT_EQ((batch.known >> lane & 1u) != 0, want.known) << hwy::TargetName(target);
+          (want.known ? known : unknown) += 1;
+          if (!want.known) continue;
+          ASSERT_EQ((std::array{batch.nx[lane], batch.ny[lane], batch.nz[lane]}), want.n)
+              << hwy::TargetName(target);
+        }
+      }
+      EXPECT_GT(known, 200u);
+      EXPECT_GT(unknown, 200u);
+    }
+  }
+}
+
+TEST_F(Targets, GiveTheSameGradientsWithinACell) {
+  for (const FieldFormat format : {FieldFormat::int16, FieldFormat::float32}) {
+    const DistanceField field = torus_field(format);
+    const FieldView view = view_of(field);
+    std::mt19937_64 random(9);
+    for (int i = 0; i < 200; ++i) {
+      NormalBatch asked{};
+      for (std::size_t lane = 0; lane < kBlock; ++lane) {
+        asked.x[lane] = std::uniform_real_distribution<float>(0, view.cells[0])(random);
+        asked.y[lane] = std::uniform_real_distribution<float>(0, view.cells[1])(random);
+        asked.z[lane] = std::uniform_real_distribution<float>(0, view.cells[2])(random);
+      }
+      std::vector<NormalBatch> answers;
+      for (const std::int64_t target : all()) {
+        if (!take(target)) continue;
+        answers.push_back(asked);
+        look_up_normals(view, Normals::of_cell, answers.back());
+      }
+      for (std::size_t lane = 0; lane < kBlock; ++lane) {
+        const Vec3 p = field.data().origin + field.voxel_m() * Vec3(static_cast<double>(asked.x[lane]),
+                                                                    static_cast<double>(asked.y[lane]),
+                                                                    static_cast<double>(asked.z[lane]));
+        for (const NormalBatch& answer : answers) {
+          ASSERT_EQ(answer.known, answers[0].known);
+          if ((answer.known >> lane & 1u) == 0) continue;
+          const std::array n{answer.nx[lane], answer.ny[lane], answer.nz[lane]};
+          ASSERT_EQ(n, (std::array{answers[0].nx[lane], answers[0].ny[lane], answers[0].nz[lane]}));
+          const Vec3 nhat(static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2]));
+          ASSERT_GT(nhat.dot(field.sample(p).gradient), 0.999) << p.transpose();
+        }
+      }
+    }
   }
 }
 

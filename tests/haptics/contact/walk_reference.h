@@ -1,6 +1,6 @@
 #pragma once
-// What walk_shell() has to give, point by point and without SIMD: the same single-precision sums, written
-// out.
+// What walk_shell() and look_up_normals() have to give, point by point and without SIMD: the same
+// single-precision sums, written out.
 
 #include <algorithm>
 #include <bit>
@@ -13,12 +13,11 @@ namespace fulcrum::test {
 
 struct Looked {
   float distance = 0;
-  bool touching = false, guessed = false;
-  std::array<float, 3> n{};
+  bool touching = false;
 
   bool operator==(const Looked& other) const {
     return std::bit_cast<std::uint32_t>(distance) == std::bit_cast<std::uint32_t>(other.distance) &&
-           touching == other.touching && guessed == other.guessed && n == other.n;
+           touching == other.touching;
   }
 };
 
@@ -46,38 +45,33 @@ inline float stored_value(const FieldView& field, std::size_t index) {
              : static_cast<const float*>(field.values)[index];
 }
 
-inline Looked look_up(const ShellWalk& walk, std::size_t patch, std::size_t lane) {
-  const FieldView& field = walk.field;
-  const SphereTree::Points& points = walk.tree->patches[patch];
-  const std::array<float, 3>& middle = walk.tree->middles[patch];
+// Cells from a lattice point.
+struct Spot {
   std::array<std::int32_t, 3> from{};
-  std::array<float, 3> local{}, q{}, t{};
+  std::array<float, 3> local{};
+};
+
+struct Read {
+  float distance = 0;
+  bool stored = false;
+};
+
+inline Read read_at(const FieldView& field, const Spot& spot) {
+  std::array<float, 3> q{}, t{};
   bool in_grid = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double a = walk.turn[3 * i], b = walk.turn[3 * i + 1], c = walk.turn[3 * i + 2];
-    const double place = a * static_cast<double>(middle[0]) + b * static_cast<double>(middle[1]) +
-                         c * static_cast<double>(middle[2]) + walk.shift[i];
-    if (std::abs(place) < 1e6) from[i] = static_cast<std::int32_t>(std::floor(place));
-    local[i] = static_cast<float>(a) * points.x[lane] + static_cast<float>(b) * points.y[lane] +
-               static_cast<float>(c) * points.z[lane] + static_cast<float>(place - from[i]);
-    q[i] = local[i] + static_cast<float>(from[i]);
+    q[i] = spot.local[i] + static_cast<float>(spot.from[i]);
     in_grid = in_grid && q[i] >= 0.0f && q[i] <= field.cells[i];
   }
-  Looked result;
-  if (!in_grid) {
-    result.distance = bounds_distance(field, q);
-    result.touching = result.distance < walk.margin;
-    result.guessed = result.touching;
-    return result;
-  }
+  if (!in_grid) return {bounds_distance(field, q), false};
   std::array<std::int32_t, 3> brick{}, within{};
   std::array<float, 3> from_middle{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::int32_t cell = std::clamp(static_cast<std::int32_t>(std::floor(local[i])) + from[i], 0,
-                                         field.bricks[i] * kBrickCells - 1);
+    const std::int32_t cell = std::clamp(static_cast<std::int32_t>(std::floor(spot.local[i])) + spot.from[i],
+                                         0, field.bricks[i] * kBrickCells - 1);
     brick[i] = cell / kBrickCells;
     within[i] = cell % kBrickCells;
-    t[i] = local[i] - static_cast<float>(cell - from[i]);
+    t[i] = spot.local[i] - static_cast<float>(cell - spot.from[i]);
     from_middle[i] = q[i] - static_cast<float>(brick[i] * kBrickCells + kBrickCells / 2);
   }
   const auto index =
@@ -86,30 +80,56 @@ inline Looked look_up(const ShellWalk& walk, std::size_t patch, std::size_t lane
   if (slot == kNoBrick) {
     const float centre = field.centre_m[index];
     const float way = length(from_middle[0], from_middle[1], from_middle[2]) * field.voxel_m;
-    result.distance = std::copysign(std::max(std::abs(centre) - way, field.band_m), centre);
-    result.touching = result.distance < walk.margin;
-    result.guessed = result.touching;
-    return result;
+    return {std::copysign(std::max(std::abs(centre) - way, field.band_m), centre), false};
   }
   const auto lowest = static_cast<std::size_t>(slot) * kBrickValues +
                       static_cast<std::size_t>(within[0] + kBrickSide * (within[1] + kBrickSide * within[2]));
-  float value[4], slope[4];
+  float value[4];
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t at = lowest + (i & 1) * kBrickSide + (i >> 1) * kBrickSide * kBrickSide;
-    const float low = stored_value(field, at), high = stored_value(field, at + 1);
-    value[i] = mix(low, high, t[0]);
-    slope[i] = high - low;
+    value[i] = mix(stored_value(field, at), stored_value(field, at + 1), t[0]);
   }
-  result.distance = mix(mix(value[0], value[1], t[1]), mix(value[2], value[3], t[1]), t[2]) * field.quantum_m;
+  return {mix(mix(value[0], value[1], t[1]), mix(value[2], value[3], t[1]), t[2]) * field.quantum_m, true};
+}
+
+inline Looked look_up(const ShellWalk& walk, std::size_t patch, std::size_t lane) {
+  const FieldView& field = walk.field;
+  const SphereTree::Points& points = walk.tree->patches[patch];
+  const std::array<float, 3>& middle = walk.tree->middles[patch];
+  Spot spot;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double a = walk.turn[3 * i], b = walk.turn[3 * i + 1], c = walk.turn[3 * i + 2];
+    const double place = a * static_cast<double>(middle[0]) + b * static_cast<double>(middle[1]) +
+                         c * static_cast<double>(middle[2]) + walk.shift[i];
+    if (std::abs(place) < 1e6) spot.from[i] = static_cast<std::int32_t>(std::floor(place));
+    spot.local[i] = static_cast<float>(a) * points.x[lane] + static_cast<float>(b) * points.y[lane] +
+                    static_cast<float>(c) * points.z[lane] + static_cast<float>(place - spot.from[i]);
+  }
+  Looked result;
+  result.distance = read_at(field, spot).distance;
   result.touching = result.distance < walk.margin;
-  if (!result.touching) return result;
-  const float gx = mix(mix(slope[0], slope[1], t[1]), mix(slope[2], slope[3], t[1]), t[2]);
-  const float gy = mix(value[1] - value[0], value[3] - value[2], t[2]);
-  const float gz = mix(value[2], value[3], t[1]) - mix(value[0], value[1], t[1]);
-  const float size = length(gx, gy, gz);
-  result.guessed = !(size > 1e-3f * field.voxel_m / field.quantum_m);
-  if (!result.guessed) result.n = {gx / size, gy / size, gz / size};
   return result;
+}
+
+struct Normal {
+  bool known = false;
+  std::array<float, 3> n{};
+};
+
+inline Normal normal_across_cells(const FieldView& field, const std::array<float, 3>& cells) {
+  bool known = true;
+  std::array<float, 3> g{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Spot high{{}, cells}, low{{}, cells};
+    high.local[i] += 0.5f;
+    low.local[i] -= 0.5f;
+    const Read at_high = read_at(field, high), at_low = read_at(field, low);
+    known = known && at_high.stored && at_low.stored;
+    g[i] = at_high.distance - at_low.distance;
+  }
+  const float size = length(g[0], g[1], g[2]);
+  if (!known || !(size > 1e-3f * field.voxel_m)) return {};
+  return {true, {g[0] / size, g[1] / size, g[2] / size}};
 }
 
 }  // namespace fulcrum::test
