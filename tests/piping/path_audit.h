@@ -15,7 +15,7 @@ class PathAudit {
 public:
   PathAudit(const Solid& scene_W, const Pointshell& shell_T);
 
-  // The tool's next accepted pose. Straight from the last one: a tick turns the tool by a degree at most.
+  // The tool's next accepted pose. From the last one it came straight, turning evenly the shorter way round.
   void move(const Pose& X_WT);
 
   double deepest() const { return deepest_; }  // m, of a shell point, exact
@@ -27,19 +27,21 @@ public:
 
 private:
   struct Point {
-    Vec3 p_W = Vec3::Zero();
-    double room = 0;  // m, it can travel so far before it can meet a triangle
+    double radius = 0;  // m, |p_T|
+    double room = 0;    // m, it can travel so far before it can meet a triangle
     bool inside = false;
     Vec3 entry_normal = Vec3::UnitY();
     double deepest = 0;  // m, a bound of its depth since it went in
   };
-  void check(std::size_t i, const Vec3& p_W);
+  void walk(std::size_t i, const Twist& along, double travel);
+  void check(std::size_t i, const Vec3& p0_W, const Vec3& p_W);  // straight from p0_W to p_W
   void leave(std::size_t i, const Vec3& p_W, const Vec3& exit_normal);
 
   TriangleDistance exact_;
   const Solid& scene_;
   const Pointshell& shell_;
   std::vector<Point> points_;
+  Pose X_WT_;  // the last one
   bool started_ = false;
   double deepest_ = 0;
   std::size_t passages_ = 0, crossings_ = 0;
