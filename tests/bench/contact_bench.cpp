@@ -1,6 +1,8 @@
 // bench_contact [--json]: what a contact query costs. CPU time of this thread, every pose once, warm; ratios
 // to the gather floor and to other libraries, all in the same run, hold on a busy machine and on another one.
 
+#include <sys/mman.h>
+
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -82,6 +84,7 @@ Report measure() {
   report.all_touching = cost_of_all_touching(workload, field, 1000000);
 
   report.compared = cost_of_queries(field, shell, compared);
+  report.across_cells = cost_of_queries(field, shell, compared, Normals::across_cells);
   report.peers = cost_of_peers(workload, compared);
   report.depth = depth_error(workload, field, shell, compared);
   const Shell even = baked_shell(workload.tool, kEven);
@@ -103,6 +106,9 @@ int main(int argc, char** argv) {
     std::cerr << "bench_contact [--json]\n";
     return 2;
   }
+  // As a haptic loop would: a page that the system takes back in between costs a hundred microseconds.
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+    std::cerr << "Memory could not be locked: times at p99 may hold page faults (see ulimit -l).\n";
   try {
     const fulcrum::bench::Report report = fulcrum::bench::measure();
     for (const auto& peer : report.peers) {

@@ -90,6 +90,7 @@ void write_peers(const Report& r, std::ostream& out) {
                     text(peer.cost->median_us / r.compared.median_us), text(peer.cost->contacts),
                     text(peer.cost->depth_error_percent)});
   }
+  rows.push_back(our_row(r, r.across_cells, r.depth, ", second-order normals"));
   rows.push_back(our_row(r, r.even, r.even_depth, ", spread evenly"));
   rows.push_back(our_row(r, r.fine, r.fine_depth, ""));
   write_table(rows, out);
@@ -171,6 +172,7 @@ void write_json(const Report& r, std::ostream& out) {
   add("depth_error_sampling_percent", r.depth.sampling);
   add("depth_error_mesh_percent", r.depth.mesh);
   add("depth_error_field_percent", r.depth.field);
+  add("across_cells_us", r.across_cells.median_us);
   add("depth_error_even_percent", r.even_depth.percent);
   add("even_us", r.even.median_us);
   add("depth_error_fine_percent", r.fine_depth.percent);

@@ -20,7 +20,8 @@ struct Report {
   QueryCost compared{};  // as at_10k, over the poses and with the shell of the comparison
   QueryCost all_touching{};
   DepthError depth{};
-  QueryCost even{};  // as compared, with a shell that takes no account of roundings
+  QueryCost across_cells{};  // as compared, with the normals that springs want
+  QueryCost even{};          // as compared, with a shell that takes no account of roundings
   DepthError even_depth{};
   QueryCost fine{};  // as compared, with a shell of 0.4 mm
   DepthError fine_depth{};

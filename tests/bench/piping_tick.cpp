@@ -13,6 +13,7 @@
 #include "haptics/world/world.h"
 #include "tests/bench/contact_workload.h"
 #include "tests/bench/cpu_time.h"
+#include "tests/bench/query_cost.h"
 #include "tools/content/mass.h"
 #include "tools/content/spanner.h"
 
@@ -98,6 +99,8 @@ TickCost cost_of_piping_ticks() {
   ContactQuery query(scene.tool_shell, scene.scene_field);
   const double reach = std::min(2 * motion_allowance(*scene.scene_field), scene.scene_field->band_m());
   ContactSet near;
+  touch(*scene.scene_field);
+  touch(*scene.tool_field);
   std::vector<double> us, limited_us;
   const auto ticks = static_cast<int>(clumsy_path().duration() / scene.tick_s);
   for (int tick = 0; tick < ticks; ++tick) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "haptics/contact/field_normals.h"
 #include "haptics/geometry/distance_field.h"
 #include "haptics/geometry/pointshell.h"
 #include "tests/bench/contact_workload.h"
@@ -23,8 +24,12 @@ struct QueryCost {
   double over_floor(double us) const { return 1e3 * us / (floor_ns * static_cast<double>(points)); }
 };
 
-// Every pose once, warm.
-QueryCost cost_of_queries(const Field& field, const Shell& shell, const std::vector<Pose>& poses);
+// Reads the field once through: what of it the machine has put aside is there again.
+void touch(const DistanceField& field);
+
+// Every pose once, warm. Normals as the default response wants them, the constraint.
+QueryCost cost_of_queries(const Field& field, const Shell& shell, const std::vector<Pose>& poses,
+                          Normals normals = Normals::of_cell);
 
 // Every point touches: the points of one pipe, moved inwards.
 QueryCost cost_of_all_touching(const Workload& workload, const Field& field, std::size_t points);
