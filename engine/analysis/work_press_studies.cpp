@@ -36,16 +36,16 @@ PressPlace moved(const PressPlace& place, const Pose& X) {
 WorkStudy study_press_tube(bool quick) {
   WorkStudy study{
       "tube, pressed",
-      std::string(
-          "A ball of 9 mm, pressed 1 mm beyond the wall of a tube of 10 mm, in 8 directions. Two "
-          "springs in series: F = k_c k x / (k_c + k) with k_c = 800, k = 2000 N/m, and k_c x where "
-          "the contact is a constraint. The force has a direction, too: a cell's normals are of order "
-          "1, and along the wall the ball gives way to them. The classic method takes its normals "
-          "from the ball, where they are exact here.") +
+      std::string("A ball of 9 mm, pressed 1 mm beyond the wall of a tube of 10 mm, in 8 directions. Two "
+                  "springs in series: F = k_c k x / (k_c + k) with k_c = 800, k = 2000 N/m, and k_c x where "
+                  "the contact is a constraint. The force has a direction, too, and along the wall the ball "
+                  "gives way to it: springs push along differences over a cell's width, of order 2, a "
+                  "constraint along the gradient within a cell, of order 1. The classic method takes its "
+                  "normals from the ball, where they are exact here.") +
           kHow,
       "voxel (mm)",
       "",
-      {{"penalty", 1}, {"static", 1}, {"constraint", 1}},
+      {{"penalty", 2}, {"static", 2}, {"constraint", 1}},
       {}};
   const double R = 10e-3, r = 9e-3, x = 1e-3;
   PressTask task;
