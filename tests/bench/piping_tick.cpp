@@ -13,8 +13,8 @@
 #include "haptics/world/world.h"
 #include "tests/bench/contact_workload.h"
 #include "tests/bench/cpu_time.h"
-#include "tools/content/mass.h"
-#include "tools/content/spanner.h"
+#include "tools/content/mesh/mass.h"
+#include "tools/content/piping/spanner.h"
 
 namespace fulcrum::bench {
 namespace {
