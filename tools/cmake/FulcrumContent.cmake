@@ -27,6 +27,7 @@ function(fulcrum_models scenario)
 endfunction()
 
 fulcrum_models(piping piping.glb spanner.glb)
+fulcrum_models(teeth jaw.glb explorer.glb)
 
 file(GLOB_RECURSE texts RELATIVE ${CMAKE_SOURCE_DIR}/content CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/content/*.yaml)
 foreach(text IN LISTS texts)
