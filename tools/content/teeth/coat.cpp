@@ -15,13 +15,13 @@ namespace {
 using Eigen::Vector3d;
 
 // Linear colours, chosen by eye after shade A2 of a common shade guide and photographs of healthy gingiva.
-const Vector3d enamel(0.87, 0.75, 0.55);
-const Vector3d cervical(0.76, 0.55, 0.30);  // dentine shows through
+const Vector3d enamel(0.89, 0.745, 0.57);
+const Vector3d cervical(0.79, 0.56, 0.33);  // dentine shows through
 const Vector3d incisal(0.74, 0.72, 0.66);   // nothing but enamel there: it lets the dark behind it through
-const Vector3d stain(0.30, 0.19, 0.10);     // of fissures
+const Vector3d stain(0.20, 0.115, 0.055);   // of fissures
 const Vector3d free_gingiva(0.66, 0.25, 0.22);
 const Vector3d attached(0.72, 0.33, 0.29);
-const Vector3d mucosa(0.55, 0.165, 0.15);
+const Vector3d mucosa(0.52, 0.145, 0.13);
 
 Vector3d mixed(const Vector3d& a, const Vector3d& b, double t) {
   return a + std::clamp(t, 0.0, 1.0) * (b - a);
@@ -74,7 +74,7 @@ double mucogingival_line(double along) {
 Vector3d stipple(const Vector3d& p, double along) {
   const double loose = smooth_step(0.5, -1.5, p.y() - mucogingival_line(along));
   const Vector3d q = 5.2 * p;
-  return (0.10 - 0.06 * loose) *
+  return (0.055 - 0.035 * loose) *
          Vector3d(mottle(q), mottle(q + Vector3d(7.1, 3.3, 1.9)), mottle(q + Vector3d(2.7, 9.1, 5.3)));
 }
 
@@ -85,7 +85,7 @@ Vector3d enamel_colour(const Tooth& tooth, const Vector3d& p_T) {
   if (has_edge) colour = mixed(colour, incisal, 0.85 * smooth_step(0.7, 1.0, up));
   const double under_top = tooth.design.relief.height(p_T.x(), p_T.y()) - p_T.z();
   const double fissure = tooth.design.relief.fissure(p_T.x(), p_T.y()) * smooth_step(0.8, 0.2, under_top);
-  colour = mixed(colour, stain, 0.8 * fissure * fissure);
+  colour = mixed(colour, stain, 0.9 * std::pow(fissure, 1.6));
   return colour * (1.0 + 0.03 * mottle(0.9 * p_T));
 }
 

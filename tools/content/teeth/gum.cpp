@@ -67,13 +67,13 @@ Gum::Margin Gum::margin(const Vector3d& p_W, const Arch::Foot& foot) const {
 
 double Gum::ridge(const Vector3d& p_W, const Arch::Foot& foot) const {
   static const Profile top(
-      {{0, -10.0}, {14, -10.5}, {25, -9.6}, {40, -8.3}, {48, -7.6}, {53, -5.2}, {55, -5.0}});
+      {{0, -10.0}, {14, -10.5}, {25, -9.6}, {40, -8.3}, {48, -7.6}, {52, -5.8}, {55, -6.2}});
   static const Profile half_width({{0, 4.3}, {14, 5.0}, {25, 5.6}, {40, 6.9}, {48, 6.6}, {55, 5.0}});
   static const Profile shift(
       {{0, -1.6}, {14, -0.8}, {25, 0.3}, {40, 0.8}, {48, 0.4}, {55, 0.0}});  // outwards
   const double along = std::abs(foot.along);
   const double y = p_W.y();
-  const double flare = 1.8 * smooth_step(-9.0, -21.0, y);
+  const double flare = 1.6 * smooth_step(-9.0, -19.0, y);
   const double sides = std::abs(foot.outward - shift(along)) - half_width(along) - flare;
   const double body = smooth_max(sides, y - top(along), 5.0);
   return smooth_max(body, base - y, 2.2);
@@ -84,7 +84,8 @@ double Gum::distance(const Vector3d& p_W) const {
   const double hull = ridge(p_W, foot);
   if (hull > 12.0) return hull;
   const Margin m = margin(p_W, foot);
-  const double sleeve = m.to_teeth - thickness(m.below);
+  // The necks are formulas without an end: inside the ridge, well above its underside, they are cut.
+  const double sleeve = smooth_max(m.to_teeth - thickness(m.below), base + 4.0 - p_W.y(), 1.0);
   return smooth_min(sleeve, hull, 3.0);
 }
 

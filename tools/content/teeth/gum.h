@@ -15,7 +15,7 @@ public:
   // How far (mm) below the gum's margin a point lies, measured along the teeth's axes.
   double below_margin(const Eigen::Vector3d& p_W) const;
 
-  static constexpr double base = -23.0;  // mm, y of the flat underside
+  static constexpr double base = -20.5;  // mm, y of the flat underside
 
 private:
   struct Margin {

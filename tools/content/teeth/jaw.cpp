@@ -56,7 +56,7 @@ Model make_jaw(const Dentition& dentition) {
   Model model{
       .name = "jaw",
       .materials = {{.name = "enamel", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.17},
-                    {.name = "gum", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.34}},
+                    {.name = "gum", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.38}},
       .parts = {}};
   for (std::size_t i = 0; i < dentition.teeth.size(); ++i) {
     const Tooth& tooth = dentition.teeth[i];

@@ -10,6 +10,7 @@
 #include "tools/content/mesh/solid_check.h"
 #include "tools/content/teeth/explorer.h"
 #include "tools/content/teeth/jaw.h"
+#include "tools/content/teeth/jaw_check.h"
 #include "tools/content/teeth/route.h"
 
 namespace fulcrum::content {
@@ -41,20 +42,30 @@ bool check_solids(const Model& model) {
   return sound;
 }
 
+TriangleTree tree_of(const Model& model) {
+  TriangleTree tree;
+  for (const Part& part : model.parts) tree.add(part.solid);
+  tree.build();
+  return tree;
+}
+
 int check() {
-  const bool jaw = check_solids(make_jaw(make_dentition()));
-  const bool explorer = check_solids(make_explorer());
-  return jaw && explorer ? 0 : 1;
+  const Dentition dentition = make_dentition();
+  const Model jaw = make_jaw(dentition);
+  const Model explorer = make_explorer();
+  const TriangleTree scene = tree_of(jaw);
+  bool good = check_solids(jaw);
+  good &= check_solids(explorer);
+  good &= check_sizes(dentition, jaw);
+  good &= check_contacts(dentition);
+  good &= check_way(make_route(make_stops(dentition, scene)), scene, explorer);
+  return good ? 0 : 1;
 }
 
 // The expert's way, or the checkpoints on it.
 void print_route(bool stops_alone) {
   const Dentition dentition = make_dentition();
-  TriangleTree scene;
-  const Model jaw = make_jaw(dentition);
-  for (const Part& part : jaw.parts) scene.add(part.solid);
-  scene.build();
-  const std::vector<Stop> stops = make_stops(dentition, scene);
+  const std::vector<Stop> stops = make_stops(dentition, tree_of(make_jaw(dentition)));
   std::cout << (stops_alone ? stops_yaml(stops) : route_yaml(make_route(stops)));
 }
 

@@ -68,7 +68,7 @@ Relief::At Relief::at(double x, double y) const {
     // Beside a valley the heights differ by about the sum of both slopes for each mm.
     const Eigen::Vector2d reach = (Eigen::Vector2d(x, y) - fissure_middle).cwiseQuotient(fissure_reach);
     const double fade = smooth_step(1.25, 0.8, reach.norm());
-    result.fissure = bump(first - second, 1.5 * fissure_width) * fade;
+    result.fissure = bump(first - second, 1.8 * fissure_width) * fade;
     result.height = smooth_max(first, second, 0.2) - fissure_depth * result.fissure;
   }
   const double without = result.height;
