@@ -85,7 +85,7 @@ Vector3d enamel_colour(const Tooth& tooth, const Vector3d& p_T) {
   if (has_edge) colour = mixed(colour, incisal, 0.85 * smooth_step(0.7, 1.0, up));
   const double under_top = tooth.design.relief.height(p_T.x(), p_T.y()) - p_T.z();
   const double fissure = tooth.design.relief.fissure(p_T.x(), p_T.y()) * smooth_step(0.8, 0.2, under_top);
-  colour = mixed(colour, stain, 0.9 * std::pow(fissure, 1.6));
+  colour = mixed(colour, stain, 0.75 * std::pow(fissure, 0.7));
   return colour * (1.0 + 0.03 * mottle(0.9 * p_T));
 }
 

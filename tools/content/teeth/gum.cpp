@@ -18,7 +18,7 @@ constexpr double join = 2.6;           // mm, rounding between the sleeves of ne
 // Height (mm) above the cervical line of the papilla between two teeth: to just below where they touch.
 double papilla(const Tooth& a, const Tooth& b) {
   const auto to_contact = [](const Tooth& t) { return t.design.contact * t.crown_length; };
-  return 0.5 * (to_contact(a) + to_contact(b)) * 0.5;
+  return 0.5 * (to_contact(a) + to_contact(b)) * 0.54;
 }
 
 // How far (mm) the gum stands off a tooth, this far below its margin: a rounded edge, then free and attached
@@ -27,7 +27,7 @@ double thickness(double below) {
   if (below < 0.0) return 0.25 + (1.1 - below) * below;
   // Further down it sinks into the ridge.
   const double deep = std::max(below - 2.5, 0.0);
-  return 0.25 + 0.68 * (1.0 - std::exp(-below / 0.64)) - 0.03 * deep * deep;
+  return 0.25 + 0.7 * (1.0 - std::exp(-below / 0.8)) - 0.03 * deep * deep;
 }
 
 // The neck of a tooth and the root below it, without the crown's bulge.
