@@ -73,8 +73,8 @@ double mucogingival_line(double along) {
 // Attached gingiva is dimpled like an orange's peel; so fine that it tilts the normal alone.
 Vector3d stipple(const Vector3d& p, double along) {
   const double loose = smooth_step(0.5, -1.5, p.y() - mucogingival_line(along));
-  const Vector3d q = 5.2 * p;
-  return (0.055 - 0.035 * loose) *
+  const Vector3d q = 3.4 * p;
+  return (0.045 - 0.035 * loose) *
          Vector3d(mottle(q), mottle(q + Vector3d(7.1, 3.3, 1.9)), mottle(q + Vector3d(2.7, 9.1, 5.3)));
 }
 
