@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int columns = 40;
+constexpr int columns = 28;
 
 // The axis, walked from the tip: straight up, over the hook, down a little, and out along shank and handle.
 struct Stretch {

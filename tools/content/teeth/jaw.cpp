@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double gum_cell = 0.36;     // mm, where the gum shows
+constexpr double gum_cell = 0.38;     // mm, where the gum shows
 constexpr double coarse_cell = 0.75;  // mm, deep down
 
 Solid in_metres(Solid solid) {
@@ -25,7 +25,7 @@ Solid tooth_solid(const Tooth& tooth) {
   const double cell = tooth.design.cell;
   const double side = 0.75 * std::max(tooth.half_width * 2.0, 9.0);
   const auto even = [&](double) { return cell; };
-  const auto finer_upwards = [&](double z) { return z < 0.5 ? 2.0 * cell : cell; };
+  const auto finer_upwards = [&](double z) { return z < 0.6 ? 2.0 * cell : cell; };
   const GridLines lines{grid_line(-side, side, even), grid_line(-side, side, even),
                         grid_line(tooth.design.body.low - 0.8, tooth.crown_length + 0.7, finer_upwards)};
   Solid solid = surface_nets([&](const Vector3d& p) { return tooth.design.distance(p); }, lines);
