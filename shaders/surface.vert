@@ -8,10 +8,12 @@ layout(std430, set = 0, binding = 1) readonly buffer Instances { InstanceData in
 
 layout(location = 0) in vec3 mesh_position;
 layout(location = 1) in vec3 mesh_normal;
+layout(location = 2) in vec4 mesh_colour;
 layout(location = 0) out vec3 world_position;
 layout(location = 1) out vec3 world_normal;
 layout(location = 2) flat out vec4 base_colour;
 layout(location = 3) flat out vec4 surface;
+layout(location = 4) out vec3 absorbed;  // 1 - colour: a mesh without colours interpolates zeros, which is exact
 
 void main() {
   InstanceData self = instances[gl_InstanceIndex];
@@ -20,5 +22,6 @@ void main() {
   world_normal = mat3(self.normal_x.xyz, self.normal_y.xyz, self.normal_z.xyz) * mesh_normal;
   base_colour = self.base_colour;
   surface = self.surface;
+  absorbed = 1.0 - mesh_colour.rgb;
   gl_Position = frame.clip_from_world * position;
 }

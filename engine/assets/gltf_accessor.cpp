@@ -1,8 +1,11 @@
 #include "engine/assets/gltf_accessor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
+#include <type_traits>
 
 namespace fulcrum {
 namespace {
@@ -57,6 +60,26 @@ std::vector<std::uint32_t> read_scalars(const Elements& elements) {
   return result;
 }
 
+// Whole numbers stand for fractions of their largest (glTF 2.0, 3.6.2.2); what follows red, green, blue is
+// left.
+template <class T>
+std::vector<Vec3> read_fractions(const Elements& elements) {
+  constexpr double one =
+      std::is_floating_point_v<T> ? 1.0 : static_cast<double>(std::numeric_limits<T>::max());
+  std::vector<Vec3> result;
+  result.reserve(elements.count);
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    T rgb[3];
+    std::memcpy(rgb, elements.first + i * elements.stride, sizeof(rgb));
+    Vec3& colour = result.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      const double fraction = static_cast<double>(rgb[k]) / one;
+      colour[k] = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 1.0;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Vec3> read_vectors(const tinygltf::Model& file, int index) {
@@ -80,6 +103,24 @@ std::vector<Vec3> read_vectors(const tinygltf::Model& file, int index) {
     }
   }
   return result;
+}
+
+std::vector<Vec3> read_colours(const tinygltf::Model& file, int index) {
+  const tinygltf::Accessor& accessor = at(file.accessors, index, "accessor");
+  const std::size_t numbers = accessor.type == TINYGLTF_TYPE_VEC4 ? 4 : 3;
+  if (numbers == 4 || accessor.type == TINYGLTF_TYPE_VEC3) {
+    switch (accessor.componentType) {
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return read_fractions<std::uint8_t>(locate(file, accessor, numbers));
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return read_fractions<std::uint16_t>(locate(file, accessor, 2 * numbers));
+      case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return read_fractions<float>(locate(file, accessor, 4 * numbers));
+      default:
+        break;
+    }
+  }
+  throw GltfFault("the colours of a mesh are neither RGB nor RGBA; the file is damaged, export it again");
 }
 
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& file, int index) {

@@ -17,6 +17,7 @@ struct GltfFault : std::runtime_error {
 };
 
 std::vector<Vec3> read_vectors(const tinygltf::Model& file, int accessor);           // (n x 3) finite
+std::vector<Vec3> read_colours(const tinygltf::Model& file, int accessor);           // (n x 3) 0 to 1
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& file, int accessor);  // (n)
 
 }  // namespace fulcrum

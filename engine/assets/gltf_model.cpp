@@ -83,9 +83,13 @@ ModelMaterial material_from(const tinygltf::Material& source) {
 
 // glTF 2.0, 3.7.2.1: a mesh without normals is shaded flat, so that its triangles share no vertex.
 void make_flat_normals(ModelPart& part) {
-  std::vector<Vec3> positions;
-  for (const std::uint32_t i : part.indices) positions.push_back(part.positions[i]);
+  std::vector<Vec3> positions, colours;
+  for (const std::uint32_t i : part.indices) {
+    positions.push_back(part.positions[i]);
+    if (!part.colours.empty()) colours.push_back(part.colours[i]);
+  }
   part.positions = std::move(positions);
+  part.colours = std::move(colours);
   std::iota(part.indices.begin(), part.indices.end(), 0u);
   part.normals.clear();
   for (std::size_t i = 0; i + 2 < part.positions.size(); i += 3) {
@@ -122,6 +126,12 @@ ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& prim
     if (i >= part.positions.size()) {
       throw GltfFault("a triangle refers to vertex " + std::to_string(i) + " of " +
                       std::to_string(part.positions.size()) + "; the file is damaged, export it again");
+    }
+  }
+  if (const auto colours = primitive.attributes.find("COLOR_0"); colours != primitive.attributes.end()) {
+    part.colours = read_colours(file, colours->second);
+    if (part.colours.size() != part.positions.size()) {
+      throw GltfFault("a mesh has more or fewer colours than vertices; export it again");
     }
   }
   if (const auto normals = primitive.attributes.find("NORMAL"); normals != primitive.attributes.end()) {

@@ -15,6 +15,7 @@ struct ModelPart {
   std::string name;
   std::vector<Vec3> positions;         // (n x 3) m, node transforms applied
   std::vector<Vec3> normals;           // (n x 3) unit; the file's, or made from the triangles
+  std::vector<Vec3> colours;           // (n x 3) linear, 0 to 1, times the material's; or none
   std::vector<std::uint32_t> indices;  // (3 m), counter-clockwise seen from outside
   std::uint32_t material = 0;          // into Model::materials
 };

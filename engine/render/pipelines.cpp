@@ -29,11 +29,12 @@ PipelineDesc scene_desc(const RenderPlan& plan, VkPipelineLayout layout) {
   return desc;
 }
 
-void read_vertices(PipelineDesc& desc, bool normals) {
+void read_vertices(PipelineDesc& desc, bool shaded) {
   desc.vertex_stride = sizeof(Vertex);
   desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)}};
-  if (normals) {
+  if (shaded) {
     desc.attributes.push_back({1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)});
+    desc.attributes.push_back({2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(Vertex, colour)});
   }
 }
 

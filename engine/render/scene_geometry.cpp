@@ -16,6 +16,12 @@ void write_pose(gpu::InstanceData& to, const glm::mat4& X_WM) {
   to.normal_z = glm::vec4(normals[2], 0.0F);
 }
 
+std::array<std::uint8_t, 4> to_bytes(const glm::vec3& colour) {
+  const glm::vec3 scaled = 255.0F * glm::clamp(colour, 0.0F, 1.0F) + 0.5F;
+  return {static_cast<std::uint8_t>(scaled.r), static_cast<std::uint8_t>(scaled.g),
+          static_cast<std::uint8_t>(scaled.b), 255};
+}
+
 gpu::InstanceData to_gpu(const Instance& instance, const Material& material) {
   gpu::InstanceData made{};
   write_pose(made, instance.X_WM);
@@ -41,7 +47,9 @@ void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc
                         static_cast<std::uint32_t>(mesh.indices.size()),
                         static_cast<std::int32_t>(vertices.size()), 0, 0, 0});
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      vertices.push_back({mesh.positions[i], mesh.normals[i]});
+      Vertex vertex{.position = mesh.positions[i], .normal = mesh.normals[i]};
+      if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
+      vertices.push_back(vertex);
     }
     indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
   }

@@ -25,6 +25,11 @@ Result<void> check_mesh(const Mesh& mesh, std::size_t index) {
     return Error{who + " has " + std::to_string(mesh.positions.size()) + " positions and " +
                  std::to_string(mesh.normals.size()) + " normals; give one normal for each position."};
   }
+  if (!mesh.colours.empty() && mesh.colours.size() != mesh.positions.size()) {
+    return Error{who + " has " + std::to_string(mesh.positions.size()) + " positions and " +
+                 std::to_string(mesh.colours.size()) +
+                 " colours; give one colour for each position, or none."};
+  }
   if (mesh.indices.size() % 3 != 0) {
     return Error{who + " has " + std::to_string(mesh.indices.size()) +
                  " indices, which do not make triangles."};

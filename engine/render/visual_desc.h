@@ -18,6 +18,7 @@ struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;    // (n) m
   std::vector<glm::vec3> normals;      // (n) unit, one for each position
+  std::vector<glm::vec3> colours;      // (n) linear, times the material's; or none
   std::vector<std::uint32_t> indices;  // (3 x triangles) into positions
 };
 

@@ -28,6 +28,7 @@ render::Mesh mesh_of(const ModelPart& part, const Vec3& origin) {
   mesh.indices = part.indices;
   for (const Vec3& p : part.positions) mesh.positions.push_back(narrowed(p - origin));
   for (const Vec3& n : part.normals) mesh.normals.push_back(narrowed(n));
+  for (const Vec3& c : part.colours) mesh.colours.push_back(narrowed(c));
   return mesh;
 }
 

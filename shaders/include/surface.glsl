@@ -17,6 +17,7 @@ layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;
 layout(location = 2) flat in vec4 base_colour;
 layout(location = 3) flat in vec4 surface;
+layout(location = 4) in vec3 absorbed;
 layout(location = 0) out vec4 colour;
 
 const float kPi = 3.14159265;
@@ -96,8 +97,9 @@ void main() {
   float metallic = surface.x;
   float roughness = clamp(surface.y, 0.045, 1.0);
   float alpha = roughness * roughness;
-  vec3 f0 = mix(vec3(0.04), base_colour.rgb, metallic);
-  vec3 diffuse = base_colour.rgb * (1.0 - metallic);
+  vec3 base = base_colour.rgb * (1.0 - absorbed);
+  vec3 f0 = mix(vec3(0.04), base, metallic);
+  vec3 diffuse = base * (1.0 - metallic);
 
   vec3 mirrored = reflect(-v, n);
   vec3 radiance = diffuse * studio_diffuse(n, frame.sky.rgb, frame.ground.rgb);

@@ -66,6 +66,18 @@ TEST(Gltf, NodesMoveTurnScaleAndMirror) {
   EXPECT_EQ(solid->components.size(), 2u);
 }
 
+TEST(Gltf, VerticesMayHaveColours) {
+  Tetrahedron file;
+  file.primitive = R"({"attributes":{"POSITION":0,"COLOR_0":0},"indices":1,"material":0})";
+  const auto model = parse_glb(file.bytes(), "part.glb");
+  ASSERT_TRUE(model) << model.error().sentence;
+  const ModelPart& part = model->parts[0];
+  EXPECT_EQ(part.colours, part.positions);  // whose numbers are 0 and 1 as well
+  EXPECT_TRUE(parse_glb(Tetrahedron().bytes(), "part.glb")->parts[0].colours.empty());
+  file.primitive = R"({"attributes":{"POSITION":0,"COLOR_0":1},"indices":1,"material":0})";
+  EXPECT_MENTIONS(refusal(file), "colours");
+}
+
 TEST(Gltf, EveryFaultIsASentence) {
   EXPECT_MENTIONS(refusal(std::span<const std::byte>{}), "part.glb: it is not a binary glTF file");
   std::vector<std::byte> bytes = Tetrahedron().bytes();

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "haptics/bake/pointshell_bake.h"
-#include "tools/content/piping.h"
-#include "tools/content/spanner.h"
+#include "tools/content/piping/piping.h"
+#include "tools/content/piping/spanner.h"
 
 namespace fulcrum::bench {
 namespace {

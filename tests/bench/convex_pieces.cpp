@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/content/spanner.h"
+#include "tools/content/piping/spanner.h"
 
 namespace fulcrum::bench {
 namespace {

@@ -14,8 +14,8 @@
 #include "tests/bench/contact_workload.h"
 #include "tests/bench/cpu_time.h"
 #include "tests/bench/query_cost.h"
-#include "tools/content/mass.h"
-#include "tools/content/spanner.h"
+#include "tools/content/mesh/mass.h"
+#include "tools/content/piping/spanner.h"
 
 namespace fulcrum::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "tools/content/piping.h"
-#include "tools/content/tube.h"
+#include "tools/content/mesh/tube.h"
+#include "tools/content/piping/piping.h"
 
 namespace fulcrum::bench {
 namespace {

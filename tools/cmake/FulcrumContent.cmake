@@ -1,21 +1,33 @@
 # Content beside the program: scenario files copied, models made. Target: content.
 
 set(FULCRUM_CONTENT_DIR ${CMAKE_BINARY_DIR}/content)
-file(GLOB content_generator CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tools/content/*.cpp)
-add_executable(make_piping ${content_generator})
-target_link_libraries(make_piping PRIVATE fulcrum::options Eigen3::Eigen tinygltf)
-target_include_directories(make_piping PRIVATE ${CMAKE_SOURCE_DIR})
-set_target_properties(make_piping PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tools)
 
-set(piping ${FULCRUM_CONTENT_DIR}/scenarios/piping)
-add_custom_command(
-  OUTPUT ${piping}/piping.glb ${piping}/spanner.glb
-  COMMAND ${CMAKE_COMMAND} -E make_directory ${piping}
-  COMMAND make_piping ${piping}
-  DEPENDS make_piping
-  COMMENT "Making the models of piping"
-  VERBATIM)
-set(content_files ${piping}/piping.glb ${piping}/spanner.glb)
+file(GLOB content_mesh CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tools/content/mesh/*.cpp)
+add_library(content_mesh STATIC ${content_mesh})
+target_link_libraries(content_mesh PUBLIC fulcrum::options Eigen3::Eigen PRIVATE tinygltf)
+target_include_directories(content_mesh PUBLIC ${CMAKE_SOURCE_DIR})
+
+# fulcrum_models(SCENARIO MODEL...): the program make_SCENARIO of the folder of that name, and the models it makes.
+set(content_files "")
+function(fulcrum_models scenario)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tools/content/${scenario}/*.cpp)
+  add_executable(make_${scenario} ${sources})
+  target_link_libraries(make_${scenario} PRIVATE content_mesh)
+  set_target_properties(make_${scenario} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tools)
+  set(folder ${FULCRUM_CONTENT_DIR}/scenarios/${scenario})
+  list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE models)
+  add_custom_command(
+    OUTPUT ${models}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+    COMMAND make_${scenario} ${folder}
+    DEPENDS make_${scenario}
+    COMMENT "Making the models of ${scenario}"
+    VERBATIM)
+  set(content_files ${content_files} ${models} PARENT_SCOPE)
+endfunction()
+
+fulcrum_models(piping piping.glb spanner.glb)
+fulcrum_models(teeth jaw.glb explorer.glb)
 
 file(GLOB_RECURSE texts RELATIVE ${CMAKE_SOURCE_DIR}/content CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/content/*.yaml)
 foreach(text IN LISTS texts)

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "tools/content/mesh/model.h"
+
+namespace fulcrum::content {
+
+// Writes a binary glTF with one node per part. The same model gives the same bytes.
+// `program` is named in it as its author. Returns an empty string, or a sentence that says what went wrong.
+std::string write_glb(const Model& model, const std::string& path, const std::string& program);
+
+}  // namespace fulcrum::content

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tools/content/mesh/solid.h"
+
+namespace fulcrum::content {
+
+// Metallic-roughness, as glTF has it.
+struct Material {
+  std::string name;
+  std::array<double, 3> base_colour;  // linear
+  double metallic = 0.0;
+  double roughness = 0.5;
+};
+
+// Wider than the 30 degrees between the sides of a twelve-sided stud, narrower than a 45 degree chamfer.
+inline constexpr double default_crease = 38.0 * degree;
+
+// What a surface that is known as a formula knows of itself at each point of its solid.
+struct Coat {
+  std::vector<Eigen::Vector3d> normals;  // (n x 3) unit
+  std::vector<Eigen::Vector3d> colours;  // (n x 3) linear, times the material's
+};
+
+struct Part {
+  std::string name;  // "bolt/07/a/3": kind, line, place
+  std::size_t material = 0;
+  Solid solid;
+  double crease = default_crease;  // rad: sharper edges are drawn sharp, of a solid without a coat
+  Coat coat{};
+};
+
+struct Model {
+  std::string name;
+  std::vector<Material> materials;
+  std::vector<Part> parts;
+};
+
+std::size_t triangle_count(const Model& model);
+
+}  // namespace fulcrum::content

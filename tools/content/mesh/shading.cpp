@@ -1,0 +1,67 @@
+#include "tools/content/mesh/shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum::content {
+namespace {
+
+struct Corner {
+  std::uint32_t triangle;
+  Eigen::Vector3d weighted_normal;
+};
+
+Eigen::Vector3d face_normal(const Solid& solid, const Triangle& t) {
+  const Eigen::Vector3d& a = solid.points[t[0]];
+  return (solid.points[t[1]] - a).cross(solid.points[t[2]] - a);
+}
+
+double corner_angle(const Solid& solid, const Triangle& t, std::size_t k) {
+  const Eigen::Vector3d& p = solid.points[t[k]];
+  const Eigen::Vector3d u = (solid.points[t[(k + 1) % 3]] - p).normalized();
+  const Eigen::Vector3d v = (solid.points[t[(k + 2) % 3]] - p).normalized();
+  return std::acos(std::clamp(u.dot(v), -1.0, 1.0));
+}
+
+}  // namespace
+
+ShadedMesh shade(const Solid& solid, double crease) {
+  std::vector<Eigen::Vector3d> unit_normals;
+  std::vector<std::vector<Corner>> corners_at(solid.points.size());
+  for (std::uint32_t i = 0; i < solid.triangles.size(); ++i) {
+    const Triangle& t = solid.triangles[i];
+    const Eigen::Vector3d normal = face_normal(solid, t);
+    unit_normals.push_back(normal.normalized());
+    // Weighting by area as well keeps a flat face flat beside a narrow fillet.
+    for (std::size_t k = 0; k < 3; ++k) corners_at[t[k]].push_back({i, corner_angle(solid, t, k) * normal});
+  }
+
+  ShadedMesh mesh;
+  std::vector<std::vector<std::uint32_t>> drawn_at(solid.points.size());
+  const double cos_crease = std::cos(crease);
+  for (std::uint32_t i = 0; i < solid.triangles.size(); ++i) {
+    for (const std::uint32_t point : solid.triangles[i]) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const Corner& corner : corners_at[point]) {
+        if (unit_normals[corner.triangle].dot(unit_normals[i]) > cos_crease) sum += corner.weighted_normal;
+      }
+      const Eigen::Vector3f normal = sum.normalized().cast<float>();
+      auto& drawn = drawn_at[point];
+      const auto same = std::find_if(drawn.begin(), drawn.end(), [&](std::uint32_t v) {
+        return (mesh.normals[v] - normal).norm() < 1e-4F;
+      });
+      if (same != drawn.end()) {
+        mesh.indices.push_back(*same);
+        continue;
+      }
+      const auto vertex = static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.push_back(solid.points[point].cast<float>());
+      mesh.normals.push_back(normal);
+      mesh.indices.push_back(vertex);
+      drawn.push_back(vertex);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace fulcrum::content

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "tools/content/mesh/solid.h"
+
+namespace fulcrum::content {
+
+// Whether a solid, as it is written (single precision, points welded where they are equal), is closed,
+// manifold, facing outwards, free of degenerate triangles and free of self-intersections.
+// Empty, or a sentence about the first thing that is wrong.
+std::string what_is_wrong(const Solid& solid);
+
+}  // namespace fulcrum::content

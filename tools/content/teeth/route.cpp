@@ -1,0 +1,135 @@
+#include "tools/content/teeth/route.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "tools/content/teeth/explorer.h"
+
+namespace fulcrum::content {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double gap = 0.05 * mm;    // left between the tip and what it is let down to
+constexpr double press = 0.25 * mm;  // how far beyond that the hand aims
+constexpr double hover = 9.0 * mm;   // y at which the tip goes from one place to the next
+constexpr double above = 2.0 * mm;   // over a stop, where it slows down
+constexpr double sphere = 1.0 * mm;  // radius of a checkpoint
+constexpr double slow = 0.004;       // m/s
+constexpr double fast = 0.025;       // m/s
+const Vector3d start(0.0, 18 * mm, 42 * mm);
+
+// Straight down from above the teeth until the tip has only the gap left.
+Vector3d let_down(const Vector3d& from, const TriangleTree& scene) {
+  const double wanted = explorer_tip_radius + gap;
+  Vector3d p = from;
+  for (int step = 0; step < 4000; ++step) {
+    const double room = scene.distance(p, 5 * mm) - wanted;
+    if (room < 0.002 * mm) break;
+    p.y() -= std::max(0.5 * room, 0.002 * mm);
+  }
+  return p;
+}
+
+// Over the pit of a tooth, at a place in its own coordinates (mm).
+Vector3d over(const Tooth& tooth, double x, double y) {
+  Vector3d p = tooth.to_world({x, y, tooth.design.relief.height(x, y)}) * mm;
+  p.y() = 5 * mm;
+  return p;
+}
+
+// Before the space between two teeth, this far (mm) to the cheek from where they touch.
+Vector3d beside(const Dentition& dentition, int number_a, int number_b, double out) {
+  const Tooth& a = dentition.tooth(number_a);
+  const Tooth& b = dentition.tooth(number_b);
+  const auto touching = [](const Tooth& t) {
+    return t.to_world({0.0, 0.0, t.design.contact * t.crown_length});
+  };
+  const double share = a.half_width / (a.half_width + b.half_width);
+  const Vector3d middle = touching(a) + share * (touching(b) - touching(a));
+  const Arch::Place place = dentition.arch.at(a.along + share * (b.along - a.along));
+  return Vector3d(middle.x() + out * place.outward.x(), 5.0, middle.z() + out * place.outward.y()) * mm;
+}
+
+std::string numbers(const char* format, double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, std::abs(value) < 5e-7 ? 0.0 : value);
+  return text.data();
+}
+
+std::string list(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + numbers("%.6f", value);
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+std::vector<Stop> make_stops(const Dentition& dentition, const TriangleTree& scene) {
+  const auto stop = [&](const char* name, const Vector3d& from, double yaw) {
+    return Stop{name, let_down(from, scene), yaw};
+  };
+  return {
+      stop("fissure of 46", over(dentition.tooth(46), 0.0, 0.0), -12 * degree),
+      stop("space 46/45", beside(dentition, 46, 45, 3.6), -20 * degree),
+      stop("space 43/42", beside(dentition, 43, 42, 2.3), -10 * degree),
+      stop("pit of 35", over(dentition.tooth(35), -0.9, -0.9), 12 * degree),
+      stop("space 36/37", beside(dentition, 36, 37, 3.8), 20 * degree),
+      stop("fissure of 37", over(dentition.tooth(37), 0.0, 0.0), 12 * degree),
+  };
+}
+
+std::vector<RoutePose> make_route(const std::vector<Stop>& stops) {
+  std::vector<RoutePose> route;
+  const auto go = [&](const std::string& note, const Vector3d& tip, double yaw, double pace, double dwell) {
+    RoutePose pose{.note = note, .X_WT = Eigen::Isometry3d::Identity(), .travel = 0.0, .dwell = dwell};
+    pose.X_WT.linear() = Eigen::AngleAxisd(yaw, Vector3d::UnitY()).toRotationMatrix();
+    pose.X_WT.translation() = tip;
+    if (!route.empty()) pose.travel = std::max(0.3, (tip - route.back().X_WT.translation()).norm() / pace);
+    route.push_back(pose);
+  };
+  go("start", start, 0.0, fast, 0.5);
+  for (const Stop& stop : stops) {
+    const Vector3d over_it(stop.tip_W.x(), hover, stop.tip_W.z());
+    go("over: " + stop.name, over_it, stop.yaw, fast, 0.0);
+    go("", stop.tip_W + above * Vector3d::UnitY(), stop.yaw, fast, 0.0);
+    go(stop.name, stop.tip_W - press * Vector3d::UnitY(), stop.yaw, slow, 3.6);
+    route.back().presses = true;
+    go("", stop.tip_W + above * Vector3d::UnitY(), stop.yaw, slow, 0.0);
+    go("", over_it, stop.yaw, fast, 0.0);
+  }
+  return route;
+}
+
+std::string route_yaml(const std::vector<RoutePose>& route) {
+  std::string text =
+      "fulcrum: 1\n"
+      "# The way of someone who knows how: over each place, down to it, a light touch that lasts, and up "
+      "again.\n"
+      "# Written by `make_teeth --route`.\n"
+      "waypoints:\n";
+  for (const RoutePose& pose : route) {
+    if (!pose.note.empty()) text += "  # " + pose.note + "\n";
+    const Vector3d p = pose.X_WT.translation();
+    const Eigen::Quaterniond q(pose.X_WT.linear());
+    text += "  - position: " + list({p.x(), p.y(), p.z()}) + "\n";
+    text += "    orientation: " + list({q.w(), q.x(), q.y(), q.z()}) + "\n";
+    if (pose.travel > 0.0) text += "    travel: " + numbers("%.2f", pose.travel) + "\n";
+    if (pose.dwell > 0.0) text += "    dwell: " + numbers("%.1f", pose.dwell) + "\n";
+  }
+  return text;
+}
+
+std::string stops_yaml(const std::vector<Stop>& stops) {
+  std::string text;
+  for (const Stop& stop : stops) {
+    text += "  - {name: " + stop.name +
+            ", position: " + list({stop.tip_W.x(), stop.tip_W.y(), stop.tip_W.z()}) +
+            ", radius: " + numbers("%.4f", sphere) + "}\n";
+  }
+  return text;
+}
+
+}  // namespace fulcrum::content
