@@ -108,8 +108,9 @@ struct Collector {
 // The least fraction of a motion that a point near the scene allows.
 struct Advance {
   const Pointshell& shell;
-  Vec3 centre;  // of the turn, in the shell's frame
-  double arm;   // m, no point that matters is farther from it
+  Vec3 centre;   // of the turn, in the shell's frame
+  double drift;  // m, how far the centre itself moves there
+  double arm;    // m, no point that matters is ever farther from it
   double travel, turn, allowance, known, overestimate, farthest;
   double fraction = 1;
 
@@ -129,7 +130,7 @@ struct Advance {
           distance < known ? safe + allowance : std::min(safe + allowance, std::max(safe, known));
       if (fraction * farthest <= room) continue;
       const double own = (shell.positions[hit.first + lane] - centre).norm();
-      const double reach = travel + turn * std::min(own, arm);
+      const double reach = travel + turn * std::min(own + drift, arm);
       if (fraction * reach > room) fraction = room / reach;
     }
     return margin();
@@ -254,6 +255,7 @@ double ContactQuery::safe_fraction(double travel, double turn, double allowance,
   if (farthest <= std::min(allowance, known)) return 1.0;
   Advance advance{.shell = *shell_,
                   .centre = of_tool ? Vec3(Vec3::Zero()) : X_WT_.p,
+                  .drift = of_tool ? 0.0 : travel,
                   .arm = arm,
                   .travel = travel,
                   .turn = turn,

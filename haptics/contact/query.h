@@ -43,8 +43,9 @@ public:
   // The largest fraction, 0 to 1, of a motion over which no shell point can enter the scene by more than
   // `allowance` m beyond where it was at the last run(). The field's values are 1-Lipschitz up to its error
   // bound, so a point that travels less than its distance stays out (conservative advancement: Mirtich 1996).
-  // The travel of a point is bounded by |v| t + |w| t |p_T|; a point of the scene, seen from the tool,
-  // likewise. Points whose distance is `known` m or more may not enter at all.
+  // The travel of a point is bounded by |v| t + |w| t |p_T|; of a point of the scene, seen from the tool, by
+  // the same with its distance from T, which |v| t may add to. Points whose distance is `known` m or more may
+  // not enter at all.
   double safe_fraction(double travel, double turn, double allowance,
                        double known = std::numeric_limits<double>::infinity()) const noexcept;
 
