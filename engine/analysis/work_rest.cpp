@@ -16,9 +16,9 @@
 namespace fulcrum::analysis {
 namespace {
 
-constexpr double kRadius = 4e-3, kPressed = 1e-3;  // m
-constexpr double kDeviation = 50e-6, kEdges = 0.5e-3;
-constexpr int kPressing = 60, kSettling = 100;  // ticks
+constexpr double kRadius = 4e-3, kPressed = 1e-3;      // m
+constexpr double kDeviation = 50e-6, kEdges = 0.5e-3;  // m
+constexpr int kPressing = 60, kSettling = 100;         // ticks
 
 // Along x, its edge at y = 0, 60 degrees sharp.
 TriangleMesh knife_mesh() {
@@ -34,7 +34,7 @@ TriangleMesh knife_mesh() {
 
 struct Method {
   const char* name;
-  double deviation;
+  double deviation;  // m
   bool edges;
 };
 
@@ -68,13 +68,10 @@ WorkStudy study_rest(bool quick) {
       "roller on a knife edge",
       "A roller of 4 mm radius lies across a knife edge and is pressed 1 mm beyond it, under the response "
       "constraint, at places and rolls that share nothing with its points: F = k x. Between the points the "
-      "edge "
-      "goes in, and the roller's own roundness stands out. Even: points at that spacing. Deviation: more of "
-      "them, "
-      "so that the surface stands out by at most 0.05 mm (shell.deviation). Edges: and the knife's edge, in "
-      "points "
-      "0.5 mm apart, against a field of the roller (contact.edges). The error is root mean square over the "
-      "places, of the truth; the work is a tick while the hand presses in.",
+      "edge goes in, and the roller's own roundness stands out. Even: points at that spacing. Deviation: "
+      "more of them, so that the surface stands out by at most 0.05 mm (shell.deviation). Edges: and the "
+      "knife's edge, in points 0.5 mm apart, against a field of the roller (contact.edges). The error is "
+      "root mean square over the places, of the truth; the work is a tick while the hand presses in.",
       "spacing of points (mm)",
       "",
       {},

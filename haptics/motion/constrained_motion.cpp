@@ -49,8 +49,8 @@ double least(const SceneDesc& desc, const Figure& figure) {
 
 ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
     : tool_(desc),
-      query_(desc.tool_shell, desc.scene_field,
-             Normals::of_cell),  // other rows make the rounds go in circles
+      // Rows with other normals than the depths' own make the rounds go in circles.
+      query_(desc.tool_shell, desc.scene_field, Normals::of_cell),
       edges_(edge_query(desc)),
       regions_(desc.contact.region_radius),
       metric_(metric(desc.coupling)),
