@@ -1,6 +1,9 @@
 #include "tools/content/mesh/glb_writer.h"
 
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <iostream>
 
 #include <tiny_gltf.h>
 
@@ -123,6 +126,21 @@ std::string write_glb(const Model& model, const std::string& path, const std::st
     return "cannot write " + path;
   }
   return {};
+}
+
+bool write_models(const std::vector<Model>& models, const std::string& folder, const std::string& program) {
+  std::error_code ignored;  // writing says what is wrong
+  std::filesystem::create_directories(folder, ignored);
+  for (const Model& model : models) {
+    const std::string trouble = write_glb(model, folder + "/" + model.name + ".glb", program);
+    if (!trouble.empty()) {
+      std::cerr << trouble << "\n";
+      return false;
+    }
+    std::printf("%s: {parts: %zu, triangles: %zu}\n", model.name.c_str(), model.parts.size(),
+                triangle_count(model));
+  }
+  return true;
 }
 
 }  // namespace fulcrum::content

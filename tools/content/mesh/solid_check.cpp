@@ -1,6 +1,7 @@
 #include "tools/content/mesh/solid_check.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <tuple>
 
@@ -117,6 +118,19 @@ std::string what_is_wrong(const Solid& solid) {
   if (signed_volume(written) <= 0.0) return "it faces inwards";
   if (self_intersects(written)) return "it intersects itself";
   return {};
+}
+
+bool check_solids(const Model& model) {
+  bool sound = true;
+  for (const Part& part : model.parts) {
+    const std::string trouble = what_is_wrong(part.solid);
+    if (trouble.empty()) continue;
+    sound = false;
+    std::printf("%s: %s\n", part.name.c_str(), trouble.c_str());
+  }
+  std::printf("%s: %zu parts, %s\n", model.name.c_str(), model.parts.size(),
+              sound ? "all sound" : "NOT SOUND");
+  return sound;
 }
 
 }  // namespace fulcrum::content

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tools/content/mesh/solid.h"
+#include "tools/content/mesh/model.h"
 
 namespace fulcrum::content {
 
@@ -10,5 +10,8 @@ namespace fulcrum::content {
 // manifold, facing outwards, free of degenerate triangles and free of self-intersections.
 // Empty, or a sentence about the first thing that is wrong.
 std::string what_is_wrong(const Solid& solid);
+
+// The same of every part, printed.
+bool check_solids(const Model& model);
 
 }  // namespace fulcrum::content

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <span>
 #include <string>
@@ -33,36 +32,6 @@ void print_spanner(const Model& spanner) {
   for (int row = 0; row < 3; ++row) {
     std::printf("  - [%.6e, %.6e, %.6e]\n", m.inertia(row, 0), m.inertia(row, 1), m.inertia(row, 2));
   }
-}
-
-int write_models(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  const Model spanner = make_spanner();
-  for (const Model& model : {make_piping(), spanner}) {
-    const std::string trouble = write_glb(model, folder + "/" + model.name + ".glb", "make_piping");
-    if (!trouble.empty()) {
-      std::cerr << trouble << "\n";
-      return 1;
-    }
-    std::printf("%s: {parts: %zu, triangles: %zu}\n", model.name.c_str(), model.parts.size(),
-                triangle_count(model));
-  }
-  print_spanner(spanner);
-  return 0;
-}
-
-bool check_solids(const Model& model) {
-  bool sound = true;
-  for (const Part& part : model.parts) {
-    const std::string trouble = what_is_wrong(part.solid);
-    if (trouble.empty()) continue;
-    sound = false;
-    std::printf("%s: %s\n", part.name.c_str(), trouble.c_str());
-  }
-  std::printf("%s: %zu parts, %s\n", model.name.c_str(), model.parts.size(),
-              sound ? "all sound" : "NOT SOUND");
-  return sound;
 }
 
 bool check_clearance(const Model& piping, const Model& spanner, Near near, const char* from, double least) {
@@ -110,7 +79,10 @@ int run(std::span<char*> arguments) {
     std::cerr << "usage: make_piping OUTDIR | --route | --check\n";
     return 2;
   }
-  return write_models(what);
+  const Model spanner = make_spanner();
+  if (!write_models({make_piping(), spanner}, what, "make_piping")) return 1;
+  print_spanner(spanner);
+  return 0;
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // make_teeth: writes the models of the teeth scene, prints the route through it, and checks both.
 
-#include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <span>
 #include <string>
@@ -15,32 +13,6 @@
 
 namespace fulcrum::content {
 namespace {
-
-int write_models(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  for (const Model& model : {make_jaw(make_dentition()), make_explorer()}) {
-    const std::string trouble = write_glb(model, folder + "/" + model.name + ".glb", "make_teeth");
-    if (!trouble.empty()) {
-      std::cerr << trouble << "\n";
-      return 1;
-    }
-    std::printf("%s: {parts: %zu, triangles: %zu}\n", model.name.c_str(), model.parts.size(),
-                triangle_count(model));
-  }
-  return 0;
-}
-
-bool check_solids(const Model& model) {
-  bool sound = true;
-  for (const Part& part : model.parts) {
-    const std::string trouble = what_is_wrong(part.solid);
-    std::printf("%s: %zu triangles%s%s\n", part.name.c_str(), part.solid.triangles.size(),
-                trouble.empty() ? "" : ": ", trouble.c_str());
-    sound &= trouble.empty();
-  }
-  return sound;
-}
 
 TriangleTree tree_of(const Model& model) {
   TriangleTree tree;
@@ -80,7 +52,7 @@ int run(std::span<char*> arguments) {
     std::cerr << "usage: make_teeth OUTDIR | --route | --checkpoints | --check\n";
     return 2;
   }
-  return write_models(what);
+  return write_models({make_jaw(make_dentition()), make_explorer()}, what, "make_teeth") ? 0 : 1;
 }
 
 }  // namespace
