@@ -3,6 +3,19 @@
 namespace fulcrum::app {
 namespace {
 
+template <class Add>  // (name, why)
+void leave_out_of_torque_substitution(const SceneDesc& scene, const Add& add) {
+  const std::string device = "the device '" + scene.device.name + "' ";
+  if (!scene.torque_substitution) return add("torque substitution", "the scenario does not name it");
+  if (scene.device.renders_torque) return add("torque substitution", device + "renders torque");
+  if (!scene.device.renders_force) add("vibration", device + "has no motors");
+  if (!scene.device.senses_rotation) add("ghost", device + "senses no rotation");
+  if (!scene.torque_substitution->limit_stiffness)
+    add("stiffness limit", "torque_substitution.limit_stiffness is off");
+  else if (scene.contact.response == ContactResponse::constraint)
+    add("stiffness limit", "under the response constraint the tool stays out whatever the torque");
+}
+
 void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vector<InventoryItem>& out) {
   const SceneDesc& scene = world.desc();
   const auto add = [&out](const char* name, const std::string& why) {
@@ -25,6 +38,7 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (massless(response)) add("integrator", "the tool has no mass under the scenario's response");
   if (!scene.device.renders_torque) add("torque motors", "the device '" + scene.device.name + "' has none");
   if (!scene.device.renders_force) add("force motors", "the device '" + scene.device.name + "' has none");
+  leave_out_of_torque_substitution(scene, add);
   if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
   if (!scene.tool.weight) add("tool weight", "tool.weight is off");
   if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");

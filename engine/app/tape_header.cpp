@@ -62,7 +62,9 @@ record::TraceColumns trace_columns(const SceneDesc& scene) {
   std::vector<std::string> motors;
   for (int motor = 0; motor < DeviceArm(scene.device).motors(); ++motor)
     motors.push_back(DeviceArm::motor_name(scene.device, motor));
-  return {scene.tick_s, motors};
+  return {scene.tick_s,
+          motors,
+          {.torque_substitution = substitutes_torque(scene), .transients = has_transients(scene)}};
 }
 
 }  // namespace fulcrum::app

@@ -51,7 +51,7 @@ private:
 std::uint64_t digest(const TickRecord& record) {
   // A field that is added to TickRecord does not compile here until it is added to this list.
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load,
-               energy_port, energy_unrendered, force_gain, faults, stopped, clutched] = record;
+               energy_port, energy_unrendered, force_gain, faults, stopped, clutched, torque] = record;
   Fnv fnv;
   fnv.add(tick);
   fnv.add(X_WH);
@@ -71,6 +71,11 @@ std::uint64_t digest(const TickRecord& record) {
   fnv.add(faults);
   fnv.add(stopped);
   fnv.add(clutched);
+  fnv.add(torque.bad);
+  for (const double value : {torque.magnitude, torque.stiffness, torque.vibration, torque.ghost,
+                             torque.vibration_gain, torque.ghost_gain, torque.energy}) {
+    fnv.add(value);
+  }
   return fnv.hash();
 }
 

@@ -7,7 +7,7 @@
 //     CRC-32C of it
 // Kind "TICK", payload:  u64 index of the first entry  u32 entries  then each entry:
 //     f64 q.w q.x q.y q.z p.x p.y p.z age  u32 buttons  u8 connected  i64 lost_before  u64 digest
-//     u32 commands  u32 kind of each
+//     u32 commands  u32 kind  f64 value of each
 // Kind "END ", payload:  u64 entries of the whole tape. Nothing follows it.
 
 #include <cstdint>
@@ -22,7 +22,7 @@
 namespace fulcrum::record {
 
 inline constexpr std::string_view kTapeMagic = "FULCTAPE";
-inline constexpr std::uint32_t kTapeVersion = 1;
+inline constexpr std::uint32_t kTapeVersion = 2;
 
 // Everything that a replay needs besides the samples. All text is UTF-8.
 struct TapeHeader {

@@ -43,6 +43,7 @@ void TapeWriter::entry(const DeviceSample& sample, std::span<const Command> comm
   put(pending_, static_cast<std::uint32_t>(commands.size()));
   for (const Command& command : commands) {
     put(pending_, static_cast<std::uint32_t>(command.kind));
+    put(pending_, command.value);
   }
   ++pending_entries_;
 }

@@ -52,9 +52,27 @@ void add_wrench(Columns& columns, const What& what, Read read) {
              [read](const TickRecord& record) -> const Vec3& { return read(record).torque; });
 }
 
+void add_torque_substitution(Columns& c) {
+  add(c, {"torque/bad", "1", "", "1 while no force that the hand feels can tell of the torque."},
+      [](const TickRecord& record) { return std::int64_t{record.torque.bad}; });
+  add(c, {"torque/magnitude", "N m", "", "Of the torque that the coupling's full stiffness gives, about T."},
+      [](const TickRecord& record) { return record.torque.magnitude; });
+  add(c, {"torque/stiffness", "N m/rad", "", "The coupling's torque over the angle between hand and tool."},
+      [](const TickRecord& record) { return record.torque.stiffness; });
+  add(c, {"cue/vibration", "N", "", "Amplitude of the vibration that tells of torque."},
+      [](const TickRecord& record) { return record.torque.vibration; });
+  add(c, {"cue/ghost", "1", "", "Opacity of the ghost, 0 to 1."},
+      [](const TickRecord& record) { return record.torque.ghost; });
+  add(c, {"cue/vibration_gain", "1", "", "What the vibration is set to; 0: off."},
+      [](const TickRecord& record) { return record.torque.vibration_gain; });
+  add(c, {"cue/ghost_gain", "1", "", "What the ghost is set to; 0: off."},
+      [](const TickRecord& record) { return record.torque.ghost_gain; });
+}
+
 }  // namespace
 
-TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors) : tick_s_(tick_s) {
+TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, Extras extras)
+    : tick_s_(tick_s) {
   Columns& c = columns_;
   add(c, {"timestamp", "s", "", "Simulated time, counted in ticks."},
       [tick_s, rate = whole_rate(tick_s)](const TickRecord& record) {
@@ -91,6 +109,10 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors) :
   add(c,
       {"energy/unrendered", "J", "", "Of energy/port, what came in on axes that the device does not render."},
       [](const TickRecord& record) { return record.energy_unrendered; });
+  if (extras.transients)
+    add(c, {"energy/vibration", "J", "", "What the vibration has given to the hand since the start."},
+        [](const TickRecord& record) { return record.torque.energy; });
+  if (extras.torque_substitution) add_torque_substitution(c);
   add(c,
       {"fault", "1", "", "Bits of Fault: 0 to 15 stop the force, the others are limits that were applied."},
       [](const TickRecord& record) { return std::int64_t{record.faults}; });

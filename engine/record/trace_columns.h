@@ -30,8 +30,14 @@ struct TraceColumn {
 
 class TraceColumns {
 public:
+  // What a scene has beyond what every scene has.
+  struct Extras {
+    bool torque_substitution = false;
+    bool transients = false;
+  };
   // motors: their names, in the order of TickRecord::actuator_load; empty for a device without motors.
-  TraceColumns(double tick_s, std::span<const std::string> motors);
+  TraceColumns(double tick_s, std::span<const std::string> motors, Extras extras);
+  TraceColumns(double tick_s, std::span<const std::string> motors) : TraceColumns(tick_s, motors, Extras()) {}
 
   const std::vector<TraceColumn>& columns() const { return columns_; }
   double tick_s() const { return tick_s_; }

@@ -23,6 +23,7 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device);
 // Parts of describe_scenario(), in files of their own.
 void describe_tool(KeyVisitor& visitor, ToolEntry& tool);
 void describe_mechanics(KeyVisitor& visitor, Scenario& scenario);  // field to device
-void describe_look(KeyVisitor& visitor, Scenario& scenario);       // views to background
+void describe_effects(KeyVisitor& visitor, Scenario& scenario);
+void describe_look(KeyVisitor& visitor, Scenario& scenario);  // views to background
 
 }  // namespace fulcrum::scenario

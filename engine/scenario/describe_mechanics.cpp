@@ -145,6 +145,7 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
       device.kinematics, kKinematics);
   visitor.boolean({"renders_force", "", "it can push"}, device.renders_force);
   visitor.boolean({"renders_torque", "", "it can twist"}, device.renders_torque);
+  visitor.boolean({"senses_rotation", "", "it knows how its handle is turned"}, device.senses_rotation);
   visitor.number({"max_force", "N", "on the handle"}, device.max_force, from_to(0, 1000));
   visitor.number({"max_torque", "N m", "on the handle"}, device.max_torque, from_to(0, 100));
   visitor.number({"max_joint_torque", "N m", "of each motor of a serial arm"}, device.max_joint_torque,

@@ -98,6 +98,7 @@ void describe_scenario(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping({"tool", "", "the tool in the hand; poses are of its model's own frame", true},
                   [&](KeyVisitor& inner) { describe_tool(inner, scenario.tool); });
   describe_mechanics(visitor, scenario);
+  describe_effects(visitor, scenario);
   describe_task(visitor, scenario);
   describe_hands(visitor, scenario.hands);
   describe_look(visitor, scenario);

@@ -96,6 +96,7 @@ struct Scenario {
   CouplingGains coupling;
   VelocityEstimatorDesc velocity_estimator;
   DeviceEntry device;
+  std::optional<TorqueSubstitutionDesc> torque_substitution;
   std::vector<Checkpoint> checkpoints;
   double dwell = TaskDesc{}.dwell;  // s
   std::vector<HandEntry> hands;

@@ -73,7 +73,7 @@ Allocation allocate(const DeviceArm& arm, const Pose& X_DH, const Wrench& F_H_D)
     worst = std::max(worst, std::abs(result.command.effort[slot]) / arm.limit(motor));
   }
   const double scale = worst > 1.0 ? 1.0 / worst : 1.0;
-  result.clamped = worst > 1.0;
+  result.scale = scale;
   result.command.F_H_D = F_H_D * scale;
   for (int motor = 0; motor < arm.motors(); ++motor) {
     const auto slot = static_cast<std::size_t>(motor);

@@ -34,7 +34,8 @@ private:
 struct Allocation {
   DeviceCommand command;
   std::array<double, kMaxMotors> load{};  // fraction of each motor's limit
-  bool clamped = false;
+  double scale = 1;                       // of the wrench, below 1 where a motor would have passed its limit
+  bool clamped() const { return scale < 1; }
 };
 Allocation allocate(const DeviceArm& arm, const Pose& X_DH, const Wrench& F_H_D) noexcept;
 

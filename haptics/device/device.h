@@ -25,6 +25,14 @@ struct DeviceSample {
 struct DeviceCommand {
   Wrench F_H_D;                             // wrench on the handle about H, in D, that the motors add up to
   std::array<double, kMaxMotors> effort{};  // (motors) N or N m at each motor
+
+  // What else the person is told, for a device that can tell it in its own way, and for a simulated hand.
+  struct Cues {
+    double vibration = 0;          // N, amplitude of the tone that is in F_H_D
+    double ghost = 0;              // 0 to 1, how plainly the turn below is seen
+    Vec3 unwind_D = Vec3::Zero();  // (3) rad, the turn that would take the handle back to the tool
+  };
+  Cues cues{};
 };
 
 enum class Kinematics {
@@ -40,6 +48,7 @@ struct DeviceDesc {
   Kinematics kinematics = Kinematics::cartesian;
   bool renders_force = true;
   bool renders_torque = false;
+  bool senses_rotation = true;
   double max_force = 7.9;               // N
   double max_torque = 0;                // N m
   double max_joint_torque = 1.2;        // N m, each motor of a serial arm

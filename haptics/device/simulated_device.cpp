@@ -65,6 +65,8 @@ void SimulatedDevice::miss(int ticks) noexcept {
 
 void SimulatedDevice::measure() noexcept {
   measured_.p = stepped(X_DH_.p, desc_.device.encoder_step);
+  seen_[at_] = measured_;
+  if (!desc_.device.senses_rotation) return;
   const Vec3 turned = rotation_vector(X_DH_.q * measured_.q.conjugate());
   measured_.q = (quaternion_exp(stepped(turned, desc_.device.encoder_step_rad)) * measured_.q).normalized();
   seen_[at_] = measured_;

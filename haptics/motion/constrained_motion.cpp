@@ -88,6 +88,8 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
   ToolAnswer answer;
   answer.X_WT = tool_.state().X_WT;
   answer.coupling_F_T_W = tool_.settle(X_WG, V_WG);
+  answer.full_torque_T_W = tool_.coupling().full_torque();
+  answer.turn_W = tool_.coupling().turn();
   answer.contact_F_T_W = share_force(answer.coupling_F_T_W);
   return answer;
 }

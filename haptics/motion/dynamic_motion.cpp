@@ -42,6 +42,8 @@ ToolAnswer DynamicMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint
   answer.X_WT = tool_.X_WT;
   answer.contact_F_T_W = contact_wrench(faults);
   answer.coupling_F_T_W = coupling_.pull(X_WG, V_WG, tool_);
+  answer.full_torque_T_W = coupling_.full_torque();
+  answer.turn_W = coupling_.turn();
   Wrench F_T_W = answer.coupling_F_T_W + answer.contact_F_T_W;
   F_T_W.force.y() -= weight_;
   move(F_T_W, faults);

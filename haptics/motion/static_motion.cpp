@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 
 #include "haptics/math/number_text.h"
+#include "haptics/math/shortened.h"
 #include "haptics/motion/motion_limit.h"
 #include "haptics/motion/query_part.h"
 #include "haptics/safety/faults.h"
@@ -67,6 +68,8 @@ ToolAnswer StaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint3
   answer.X_WT = tool_.state().X_WT;
   answer.contact_F_T_W = response_.push(contacts_, at_rest(answer.X_WT)).F_T_W;
   answer.coupling_F_T_W = tool_.settle(X_WG, V_WG);
+  answer.full_torque_T_W = tool_.coupling().full_torque();
+  answer.turn_W = tool_.coupling().turn();
   regions_.update(contacts_.contacts(), response_.forces(), tool_.state());
   return answer;
 }
@@ -80,7 +83,9 @@ Vec6 StaticMotion::newton_step(const Pose& X_WG) noexcept {
   response_.linearise(contacts_, tool, around);
   const Vec6 d = tool_.to_hand(X_WG);
   const Vec3 pull = saturated_spring(d.head<3>(), coupling_.stiffness, coupling_.max_force);
-  const Vec3 twist = saturated_spring(d.tail<3>(), coupling_.angular_stiffness, coupling_.max_torque);
+  const Vec3 twist =
+      shortened(saturated_spring(d.tail<3>(), coupling_.angular_stiffness, coupling_.max_torque),
+                tool_.coupling().torque_limit());
   around.K.diagonal().head<3>().array() += secant(pull, d.head<3>(), coupling_.stiffness);
   around.K.diagonal().tail<3>().array() += secant(twist, d.tail<3>(), coupling_.angular_stiffness);
   Vec6 force;

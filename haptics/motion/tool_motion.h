@@ -25,6 +25,8 @@ struct ToolAnswer {
   Pose X_WT;
   Wrench coupling_F_T_W;
   Wrench contact_F_T_W;
+  Vec3 full_torque_T_W = Vec3::Zero();  // (3) N m, the coupling's if nothing limited it
+  Vec3 turn_W = Vec3::Zero();           // (3) rad, by which its spring is wound: from the tool to the hand
 };
 
 class ToolMotion {
@@ -34,6 +36,10 @@ public:
   // One tick. X_WG, V_WG: where and how fast the hand wants the tool. Adds the bits of what went wrong or was
   // limited. May: change the tool's state. Must not: allocate, lock, throw.
   virtual ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept = 0;
+
+  // The coupling's torque from the next tick on: N m, infinity for no limit. Nothing to do where contact is
+  // no spring.
+  virtual void limit_torque(double) noexcept {}
 
   virtual const BodyState& tool() const = 0;
   virtual std::span<const ContactRegion> regions() const = 0;

@@ -23,6 +23,7 @@ std::span<const FaultName> fault_names() {
       {kEnergyBound, "energy_bound", "The haptic loop gave out more energy than its bound allows."},
       {kPassivityControl, "passivity_control",
        "The motion was resisted, to take back energy that the loop had made."},
+      {kTransientLimited, "transient_limited", "A vibration was held to what transients may do."},
   };
   return names;
 }

@@ -1,12 +1,27 @@
 #include "haptics/safety/guard.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "haptics/math/shortened.h"
 
 namespace fulcrum {
+namespace {
 
-Guard::Guard(const DeviceDesc& device, double tick_s) : device_(device), tick_s_(tick_s) {}
+// The longest part of `transient` that keeps the sum within the limit.
+Vec3 beside(const Vec3& continuous, const Vec3& transient, double limit) {
+  const double a = transient.squaredNorm();
+  const double c = continuous.squaredNorm() - limit * limit;
+  if (a == 0.0 || c >= 0.0) return Vec3::Zero();
+  const double b = continuous.dot(transient);
+  return std::min(1.0, (std::sqrt(b * b - a * c) - b) / a) * transient;
+}
+
+}  // namespace
+
+Guard::Guard(const DeviceDesc& device, double tick_s, bool transients) : device_(device), tick_s_(tick_s) {
+  if (transients) transients_.emplace(device, tick_s);
+}
 
 std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> commands) noexcept {
   std::uint32_t faults = 0;
@@ -28,6 +43,9 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
         break;
       case Command::Kind::acknowledge:
         acknowledged = true;
+        break;
+      case Command::Kind::vibration_gain:
+      case Command::Kind::ghost_gain:
         break;
     }
   }
@@ -72,6 +90,19 @@ Wrench Guard::limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept 
     return slewed;
   }
   return F;
+}
+
+Vec3 Guard::limit_transient(const Vec3& wanted_D, const Vec3& continuous_D, const Vec3& moved_D,
+                            std::uint32_t& faults) noexcept {
+  if (!transients_) return Vec3::Zero();
+  const Vec3 allowed = transients_->allow(wanted_D * gain(), moved_D);
+  if (allowed != wanted_D * gain()) faults |= kTransientLimited;
+  return beside(continuous_D, allowed, device_.max_force);
+}
+
+void Guard::commanded(const Wrench& continuous_F_H_D, const Vec3& transient_D) noexcept {
+  last_ = continuous_F_H_D;
+  if (transients_) transients_->commanded(transient_D);
 }
 
 }  // namespace fulcrum

@@ -1,5 +1,6 @@
 #include "haptics/tool/virtual_coupling.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "haptics/math/rotation.h"
@@ -22,23 +23,32 @@ Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyStat
   F.torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
              angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
   F.force = shortened(F.force, desc_.max_force);
-  F.torque = shortened(F.torque, desc_.max_torque);
+  full_torque_ = shortened(F.torque, desc_.max_torque);
+  F.torque = shortened(full_torque_, torque_limit_);
   return F;
 }
 
 void VirtualCoupling::linearise(const BodyState& tool, Linearisation& around) const noexcept {
   const double k = desc_.stiffness * std::exp(-desc_.stiffness * offset_.norm() / desc_.max_force);
-  const double k_R =
-      desc_.angular_stiffness * std::exp(-desc_.angular_stiffness * rotation_.norm() / desc_.max_torque);
+  const double full = full_torque_.norm();
+  const double part = full > torque_limit_ ? torque_limit_ / full : 1.0;  // of torque, where it is limited
+  const double k_R = part * desc_.angular_stiffness *
+                     std::exp(-desc_.angular_stiffness * rotation_.norm() / desc_.max_torque);
   around.K.topLeftCorner<3, 3>().diagonal().array() += k;
   around.K.bottomRightCorner<3, 3>().diagonal().array() += k_R;
   around.B.topLeftCorner<3, 3>().diagonal().array() += damping_;
-  around.B.bottomRightCorner<3, 3>() += angular_damping_ * tool_.root_inertia_W(tool.X_WT.q);
+  around.B.bottomRightCorner<3, 3>() += part * angular_damping_ * tool_.root_inertia_W(tool.X_WT.q);
 }
 
 double VirtualCoupling::stored() const noexcept {
+  const double turn = rotation_.norm();
+  const double k_R = desc_.angular_stiffness, most = desc_.max_torque;
+  // Beyond this turn the torque is the limit and stays so.
+  const double yields =
+      torque_limit_ < most ? std::min(turn, -most / k_R * std::log1p(-torque_limit_ / most)) : turn;
+  const double beyond = turn > yields ? torque_limit_ * (turn - yields) : 0.0;
   return saturated_spring_energy(offset_.norm(), desc_.stiffness, desc_.max_force) +
-         saturated_spring_energy(rotation_.norm(), desc_.angular_stiffness, desc_.max_torque);
+         saturated_spring_energy(yields, k_R, most) + beyond;
 }
 
 Vec3 saturated_spring(const Vec3& d, double stiffness, double limit) noexcept {

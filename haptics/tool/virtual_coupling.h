@@ -4,6 +4,8 @@
 // McNeely, K. D. Puterbaugh, J. J. Troy, "Voxel-based 6-DOF haptic rendering improvements", Haptics-e 3(7),
 // 2006.
 
+#include <limits>
+
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 #include "haptics/tool/rigid_body.h"
@@ -27,6 +29,15 @@ public:
   // 2 pi.
   Wrench pull(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept;
 
+  // From the next pull on: the torque is no larger than this, N m; infinity for no limit. The spring's energy
+  // is then that of a spring of constant torque beyond it.
+  void limit_torque(double limit) noexcept { torque_limit_ = limit; }
+  double torque_limit() const { return torque_limit_; }
+
+  // Of the last pull (3): N m, what it would have been without a limit; rad, by which the spring is wound.
+  const Vec3& full_torque() const { return full_torque_; }
+  const Vec3& turn() const { return rotation_; }
+
   // Of the last pull(): tangent stiffness of the saturated springs, and the dampers.
   void linearise(const BodyState& tool, Linearisation& around) const noexcept;
 
@@ -38,8 +49,10 @@ private:
   double damping_;          // N s/m
   double angular_damping_;  // 2 zeta sqrt(k_R): times the root of the inertia
   RigidBody tool_;
-  Vec3 offset_ = Vec3::Zero();    // (3) m, of the last pull
-  Vec3 rotation_ = Vec3::Zero();  // (3) rad, likewise, as a rotation vector
+  Vec3 offset_ = Vec3::Zero();                                     // (3) m, of the last pull
+  Vec3 rotation_ = Vec3::Zero();                                   // (3) rad, likewise, as a rotation vector
+  Vec3 full_torque_ = Vec3::Zero();                                // (3) N m, likewise
+  double torque_limit_ = std::numeric_limits<double>::infinity();  // N m
 };
 
 // F_s (1 - exp(-k |d| / F_s)) d / |d|: a spring that yields at F_s. d (3), k per unit of d.

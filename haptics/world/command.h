@@ -7,11 +7,14 @@ namespace fulcrum {
 
 struct Command {
   enum class Kind : std::uint32_t {
-    stop = 1,         // the force falls to zero and stays there
-    acknowledge = 2,  // ends a stop: the force ramps in again
-    watchdog = 3,     // the live loop lost ticks to a stall
+    stop = 1,            // the force falls to zero and stays there
+    acknowledge = 2,     // ends a stop: the force ramps in again
+    watchdog = 3,        // the live loop lost ticks to a stall
+    vibration_gain = 4,  // of the vibration that tells of torque: value 0 (off) to 1
+    ghost_gain = 5,      // of the ghost, likewise
   };
   Kind kind = Kind::stop;
+  double value = 0;  // what it is set to; 0 where there is nothing to set
 
   bool operator==(const Command&) const = default;
 };

@@ -2,10 +2,12 @@
 // A scene as plain data. World::build() turns it into what ticks; a part that is not named here is not built.
 
 #include <memory>
+#include <optional>
 
 #include "haptics/contact/contact_desc.h"
 #include "haptics/device/device.h"
 #include "haptics/device/mapping.h"
+#include "haptics/effects/torque_substitution.h"
 #include "haptics/estimate/velocity.h"
 #include "haptics/geometry/distance_field.h"
 #include "haptics/geometry/pointshell.h"
@@ -44,6 +46,17 @@ struct SceneDesc {
   VelocityEstimatorDesc velocity;
   MappingDesc mapping;
   DeviceDesc device;
+  std::optional<TorqueSubstitutionDesc> torque_substitution;
 };
+
+// A device that renders torque has nothing to substitute.
+inline bool substitutes_torque(const SceneDesc& desc) {
+  return desc.torque_substitution && !desc.device.renders_torque;
+}
+
+// Something in the scene asks for forces that no slew limit slows down.
+inline bool has_transients(const SceneDesc& desc) {
+  return substitutes_torque(desc) && desc.device.renders_force;
+}
 
 }  // namespace fulcrum

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "haptics/device/device.h"
+#include "haptics/effects/torque_cues.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 
@@ -27,6 +28,7 @@ struct TickRecord {
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
+  TorqueCues torque;  // of torque substitution; zero where it is not built
 };
 
 }  // namespace fulcrum

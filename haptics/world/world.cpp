@@ -17,6 +17,18 @@ Vec6 encoder_steps(const SceneDesc& desc) {
   return step;
 }
 
+std::optional<TorqueSubstitution> torque_substitution(const SceneDesc& desc) {
+  if (!substitutes_torque(desc)) return std::nullopt;
+  return TorqueSubstitution(*desc.torque_substitution,
+                            {.tick_s = desc.tick_s,
+                             .tool_reach = desc.tool_shell->max_radius_m,
+                             .max_force = desc.coupling.max_force,
+                             .max_torque = desc.coupling.max_torque,
+                             .renders_force = desc.device.renders_force,
+                             .senses_rotation = desc.device.senses_rotation,
+                             .springs = desc.contact.response != ContactResponse::constraint});
+}
+
 }  // namespace
 
 World::World(SceneDesc desc)
@@ -24,11 +36,12 @@ World::World(SceneDesc desc)
       motion_(build_motion(desc_)),
       velocity_(desc_.velocity, desc_.tick_s),
       arm_(desc_.device),
-      guard_(desc_.device, desc_.tick_s),
+      guard_(desc_.device, desc_.tick_s, has_transients(desc_)),
       counted_(encoder_steps(desc_)),
       ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale, desc_.device.renders_force,
               desc_.device.renders_torque),
-      passivity_(desc_.device, desc_.tick_s) {
+      passivity_(desc_.device, desc_.tick_s),
+      torque_substitution_(torque_substitution(desc_)) {
   X_WH_ = desc_.tool.X_WT_start * desc_.tool.X_HT.inverse();
   X_DH_good_ = desc_.mapping.handle_in_device(X_WH_);
 }
@@ -53,11 +66,31 @@ Pose World::follow_handle(const DeviceSample& sample, std::uint32_t faults) noex
   return X_WH;
 }
 
+// Answers the vibration on the handle (3) N, in D.
+Vec3 World::substitute_torque(const ToolAnswer& answer, const Vec3& felt_D) noexcept {
+  if (!torque_substitution_) return Vec3::Zero();
+  TorqueSubstitution::Tick tick;
+  tick.contact_torque = answer.contact_F_T_W.torque;
+  tick.coupling_F_T_W = {answer.coupling_F_T_W.force, answer.full_torque_T_W};
+  tick.coupling_F_T_W.force.y() -= tool_weight(desc_.tool);
+  tick.torque = answer.coupling_F_T_W.torque.norm();
+  tick.angle = answer.turn_W.norm();
+  tick.regions = regions();
+  tick.felt_D = felt_D;
+  tick.engaged = !clutched_;
+  const TorqueSubstitution::Demand demand = torque_substitution_->process(tick);
+  motion_->limit_torque(demand.torque_limit);
+  return demand.vibration_D;
+}
+
 StepResult step(World& w, const DeviceSample& sample, std::span<const Command> commands) noexcept {
   const SceneDesc& desc = w.desc_;
 
   // Read.
   std::uint32_t faults = w.guard_.watch(sample, commands);
+  if (w.torque_substitution_) {
+    for (const Command& command : commands) w.torque_substitution_->obey(command);
+  }
   const Pose X_WH = w.follow_handle(sample, faults);
   Vec6 moved;
   moved << X_WH.p - w.X_WH_.p, rotation_vector(X_WH.q * w.X_WH_.q.conjugate());
@@ -89,12 +122,19 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if (desc.device.renders_force)
     own_weight.force = desc.mapping.X_WD.q.conjugate() * Vec3(0, desc.device.handle_weight, 0);
   const Wrench limited_F_H_D = w.guard_.limit(wanted_F_H_D + own_weight, faults);
-  const Allocation allocation = allocate(w.arm_, w.X_DH_good_, limited_F_H_D);
-  if (allocation.clamped) faults |= kMotorClamped;
-  w.guard_.commanded(allocation.command.F_H_D);
+  const Vec6 moved_D = desc.mapping.motion_in_device(moved);
+  const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
+  const Vec3 transient_D = w.guard_.limit_transient(w.substitute_torque(answer, felt_D), limited_F_H_D.force,
+                                                    moved_D.head<3>(), faults);
+  Wrench all_F_H_D = limited_F_H_D;
+  if (!transient_D.isZero(0)) all_F_H_D.force += transient_D;  // or -0 would become 0
+  Allocation allocation = allocate(w.arm_, w.X_DH_good_, all_F_H_D);
+  if (allocation.clamped()) faults |= kMotorClamped;
+  const Wrench continuous_F_H_D = limited_F_H_D * allocation.scale;
+  w.guard_.commanded(continuous_F_H_D, allocation.scale * transient_D);
 
   // Book what the hand did, against what it felt and feels from here on.
-  Wrench felt_F_H_W = desc.mapping.wrench_in_world(allocation.command.F_H_D + own_weight * -w.guard_.gain());
+  Wrench felt_F_H_W = desc.mapping.wrench_in_world(continuous_F_H_D + own_weight * -w.guard_.gain());
   if (!desc.device.renders_force) felt_F_H_W.force = wanted_F_H_W.force * w.guard_.gain();
   if (!desc.device.renders_torque) felt_F_H_W.torque = wanted_F_H_W.torque * w.guard_.gain();
   w.ledger_.book(moved, w.counted_.within_tick(),
@@ -105,6 +145,12 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if (w.ledger_.port() < kPortBound) faults |= kEnergyBound;
 
   StepResult result;
+  TorqueCues cues;
+  if (w.torque_substitution_) {
+    cues = w.torque_substitution_->cues();
+    if (w.guard_.transients()) cues.energy = w.guard_.transients()->energy();
+    allocation.command.cues = {cues.vibration, cues.ghost, desc.mapping.X_WD.q.conjugate() * -answer.turn_W};
+  }
   result.command = allocation.command;
   TickRecord& record = result.record;
   record.tick = w.tick_++;
@@ -123,6 +169,7 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   record.faults = faults;
   record.stopped = w.guard_.stopped();
   record.clutched = w.clutched_;
+  record.torque = cues;
   return result;
 }
 

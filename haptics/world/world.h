@@ -48,6 +48,7 @@ private:
                          std::span<const Command> commands) noexcept;
 
   Pose follow_handle(const DeviceSample& sample, std::uint32_t faults) noexcept;
+  Vec3 substitute_torque(const ToolAnswer& answer, const Vec3& felt_D) noexcept;
 
   SceneDesc desc_;
   std::unique_ptr<ToolMotion> motion_;
@@ -57,6 +58,7 @@ private:
   CountedMotion counted_;
   EnergyLedger ledger_;
   PassivityControl passivity_;
+  std::optional<TorqueSubstitution> torque_substitution_;
 
   std::int64_t tick_ = 0;
   Pose X_DH_good_;  // the last handle pose that could be used

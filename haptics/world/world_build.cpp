@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "haptics/math/number_text.h"
@@ -25,6 +26,30 @@ Error refuse_gain(const char* key, double given, const char* unit, double larges
 
 bool positive(double value) {
   return std::isfinite(value) && value > 0;
+}
+
+bool within(double value, double low, double high) {
+  return value >= low && value <= high;
+}
+
+std::optional<Error> refuse_torque_substitution(const TorqueSubstitutionDesc& desc, double tick_s) {
+  for (const std::optional<double>& figure :
+       {desc.bad_above, desc.tool_radius, desc.reference, desc.ghost_above, desc.ghost_below}) {
+    if (figure && !positive(*figure)) return Error{"The thresholds of torque_substitution must be positive."};
+  }
+  if (!within(desc.vibration_gain, 0, 1) || !within(desc.ghost_gain, 0, 1) || !positive(desc.ghost_fade) ||
+      !(desc.amplitude >= 0) || !std::isfinite(desc.amplitude))
+    return Error{
+        "In torque_substitution gains must be from 0 to 1, the ghost's fade positive and the vibration's "
+        "amplitude not negative."};
+  // Slower, and its half waves would push the hand to and fro (safety/transient_budget.h).
+  constexpr double slowest_Hz = 80;
+  constexpr double samples = 2.5;  // a period; with fewer the held samples are mostly mirror tones
+  if (!within(desc.frequency_Hz, slowest_Hz, 1 / (samples * tick_s)))
+    return Error{"torque_substitution.vibration.frequency_Hz is " + number_text(desc.frequency_Hz) +
+                 "; at this tick rate it must be from " + number_text(slowest_Hz) + " to " +
+                 number_text(1 / (samples * tick_s)) + ": change it, or raise tick_rate_Hz."};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -84,6 +109,9 @@ Result<World> World::build(SceneDesc desc) {
                  " N cannot carry: raise coupling.max_force or set tool.weight to false."};
   if (desc.velocity.window < 1 || desc.velocity.window > 1000 || !positive(desc.velocity.cutoff_Hz))
     return Error{"The velocity estimator's window must be 1 to 1000 ticks and its cutoff_Hz positive."};
+  if (desc.torque_substitution) {
+    if (auto error = refuse_torque_substitution(*desc.torque_substitution, desc.tick_s)) return *error;
+  }
   return World(std::move(desc));
 }
 

@@ -47,6 +47,17 @@ BuiltPart field_part(const char* name, const DistanceField& field) {
       field.bytes()};
 }
 
+BuiltPart torque_part(const TorqueSubstitution& effect) {
+  std::string what = "bad above " + number_text(effect.bounds().torque) + " N m and a lever of " +
+                     number_text(effect.bounds().radius * 1e3) + " mm";
+  if (effect.limits()) what += "; limits the coupling's torque";
+  if (effect.vibrates()) what += "; vibration";
+  if (effect.shows_ghost())
+    what += "; ghost from " + number_text(effect.ghost_above()) + " to " + number_text(effect.ghost_below()) +
+            " N m";
+  return {"torque substitution", what, sizeof(TorqueSubstitution)};
+}
+
 std::size_t bytes_of(const Pointshell& shell) {
   return shell.size() * (2 * sizeof(Vec3) + sizeof(double));
 }
@@ -83,6 +94,13 @@ std::vector<BuiltPart> World::parts() const {
         {{"edges", std::to_string(edges.size()) + " points on the scene's sharp edges", bytes_of(edges)},
          field_part("tool field", *desc_.tool_field)});
   }
+  if (torque_substitution_) parts.push_back(torque_part(*torque_substitution_));
+  if (guard_.transients())
+    parts.push_back({"transient budget",
+                     "over any 100 ms: peak " + number_text(guard_.transients()->peak()) + " N, " +
+                         number_text(TransientBudget::kPush * 1e3) + " ms of it to one side, " +
+                         number_text(TransientBudget::kEnergy * 1e3) + " mJ to the hand",
+                     sizeof(TransientBudget) + guard_.transients()->bytes()});
   const std::vector<BuiltPart> motion = motion_->parts();
   parts.insert(parts.begin() + (desc_.scene_edges ? 4 : 2), motion.begin(), motion.end());
   return parts;

@@ -26,7 +26,8 @@ std::vector<TapeEntry> made_up_entries(int count) {
     entry.lost_before = i % 5 == 0 ? i : 0;
     entry.digest = 0x0123456789abcdefu * static_cast<std::uint64_t>(i + 1);
     if (i % 3 == 0) {
-      entry.commands = {{Command::Kind::stop}, {Command::Kind::acknowledge}};
+      entry.commands = {
+          {Command::Kind::stop}, {Command::Kind::acknowledge}, {Command::Kind::ghost_gain, 0.25}};
     }
   }
   entries.front().sample.X_DH.p = Vec3(-0.0, std::bit_cast<double>(0x7ff8dead0000beefu), 5e-324);
@@ -127,10 +128,10 @@ TEST(Tape, AnyTurnedBitIsRefused) {
 
 TEST(Tape, OtherVersionsAreNamed) {
   std::string text = tape_of(made_up_entries(1));
-  text[8] = 2;
+  text[8] = 3;
   const Result<Tape> tape = parse_tape(bytes_of(text));
   ASSERT_FALSE(tape);
-  EXPECT_NE(tape.error().sentence.find("format version 2 (byte 8)"), std::string::npos)
+  EXPECT_NE(tape.error().sentence.find("format version 3 (byte 8)"), std::string::npos)
       << tape.error().sentence;
 }
 

@@ -47,7 +47,7 @@ TEST(DeviceArm, SaturationKeepsTheDirection) {
   const DeviceArm arm(phantom());
   const Wrench wanted{Vec3(30, -20, 10), Vec3::Zero()};
   const Allocation allocation = allocate(arm, Pose{}, wanted);
-  EXPECT_TRUE(allocation.clamped);
+  EXPECT_TRUE(allocation.clamped());
   double largest = 0;
   for (double load : allocation.load) largest = std::max(largest, std::abs(load));
   EXPECT_NEAR(largest, 1.0, 1e-12);
