@@ -28,6 +28,9 @@ public:
   // metric: (6) diag(m), each positive. slack: rho, positive and large beside the metric over the rows.
   ElasticQp(const Vec6& metric, double slack);
 
+  // Another metric from the next solve() on.
+  void set_metric(const Vec6& metric) noexcept { per_root_metric_ = metric.cwiseSqrt().cwiseInverse(); }
+
   struct Solution {
     Vec6 x = Vec6::Zero();
     bool exact = true;  // false: the iterations ran out; x is the best so far

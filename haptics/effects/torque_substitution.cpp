@@ -9,7 +9,7 @@ constexpr double kBad = 0.1;       // of the coupling's largest torque: T_min
 constexpr double kContact = 0.1;   // of T_min: eps
 constexpr double kGhostOn = 2;     // of T_min: T_on
 constexpr double kGhostOff = 0.6;  // of T_on: T_off
-constexpr double kLeast = 0.5;     // of T_min: to which a limit falls at most
+constexpr double kLeast = 0.1;     // of T_min: to which a limit falls at most
 
 TorqueBounds bounds_of(const TorqueSubstitutionDesc& desc, const TorqueSurroundings& around) {
   const double torque = desc.bad_above.value_or(kBad * around.max_torque);

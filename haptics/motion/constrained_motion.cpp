@@ -11,10 +11,12 @@
 namespace fulcrum {
 namespace {
 
-constexpr int kRounds = 6;           // at most, in a tick
-constexpr int kPasses = 3;           // in which normal forces and friction find each other
-constexpr double kSettled = 1e-6;    // m, a round that moves no point farther ends the tick
-constexpr double kTouching = 50e-6;  // m, a point nearer than this belongs to a region
+constexpr int kRounds = 6;             // at most, in a tick
+constexpr int kPasses = 3;             // in which normal forces and friction find each other
+constexpr double kSettled = 1e-6;      // m, a round that moves no point farther ends the tick
+constexpr double kTouching = 50e-6;    // m, a point nearer than this belongs to a region
+constexpr double kSettledTurn = 1e-6;  // rad, likewise
+constexpr double kSoftest = 1e-4;      // of the coupling's stiffness, however far the hand is away
 // Over the coupling's stiffness: conflicting rows share their depth at forces that are never felt, and
 // compatible ones give way by a ten thousandth of the coupling's own offset.
 constexpr double kSlackStiffness = 1e4;
@@ -49,6 +51,7 @@ double least(const SceneDesc& desc, const Figure& figure) {
 
 ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
     : tool_(desc),
+      coupling_(desc.coupling),
       // Rows with other normals than the depths' own make the rounds go in circles.
       query_(desc.tool_shell, desc.scene_field, Normals::of_cell),
       edges_(edge_query(desc)),
@@ -65,6 +68,8 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
   if (!looked_) look();
   looked_ = true;
   X_WT_before_ = tool_.state().X_WT;
+  metric_ = secant_metric(tool_.to_hand(X_WG), tool_.to_goal(X_WG));
+  qp_.set_metric(metric_);
   bool limited = false, settled = false;
   for (int round = 0; round < kRounds; ++round) {
     const Vec6 step = solve(X_WG);
@@ -119,6 +124,19 @@ Vec6 ConstrainedMotion::solve(const Pose& X_WG) noexcept {
   for (int pass = 0; pass < kPasses; ++pass)
     rubbing = rub_along(solve_rows(goal + rubbing.cwiseQuotient(metric_)), rubbing);
   return solve_rows(goal + rubbing.cwiseQuotient(metric_));
+}
+
+Vec6 ConstrainedMotion::secant_metric(const Vec6& to_hand, const Vec6& goal) const noexcept {
+  Vec3 pull = saturated_spring(to_hand.head<3>(), coupling_.stiffness, coupling_.max_force);
+  pull.y() -= tool_.weight();
+  const Vec3 twist = saturated_spring(goal.tail<3>(), coupling_.angular_stiffness, coupling_.max_torque);
+  const double way = goal.head<3>().norm(), turn = goal.tail<3>().norm();
+  CouplingDesc secant = coupling_;
+  if (way > kSettled)
+    secant.stiffness = std::clamp(pull.norm() / way, kSoftest * coupling_.stiffness, coupling_.stiffness);
+  if (turn > kSettledTurn)
+    secant.angular_stiffness = std::max(twist.norm() / turn, kSoftest * coupling_.angular_stiffness);
+  return metric(secant);
 }
 
 Vec6 ConstrainedMotion::solve_rows(const Vec6& goal) noexcept {

@@ -1,9 +1,10 @@
 #pragma once
 // A tool without mass that never goes in: of all poses that keep every shell point out, the one nearest to
-// where the hand wants it, in the coupling's metric. C. B. Zilles, J. K. Salisbury, "A constraint-based
-// god-object method for haptic display", IROS 1995; in six axes M. Ortega, S. Redon, S. Coquillart, "A six
-// degree-of-freedom god-object method for haptic display of rigid bodies with surface properties", IEEE TVCG
-// 13(3), 2007.
+// where the hand wants it, in the coupling's metric: its stiffness in this tick, which its saturation makes
+// smaller the farther the hand is away. The rows then push as hard as the coupling pulls and no harder. C. B.
+// Zilles, J. K. Salisbury, "A constraint-based god-object method for haptic display", IROS 1995; in six axes
+// M. Ortega, S. Redon, S. Coquillart, "A six degree-of-freedom god-object method for haptic display of rigid
+// bodies with surface properties", IEEE TVCG 13(3), 2007.
 //
 // A tick is a few rounds of: linearise what is near, solve the quadratic program, go along its answer as far
 // as no shell point can have passed a wall, nor an edge of the scene the tool's, look again. Points within
@@ -39,12 +40,15 @@ private:
   // The step (6) towards the goal that the rows and friction allow; fills rows_, multipliers_ and pushing_.
   Vec6 solve(const Pose& X_WG) noexcept;
   Vec6 solve_rows(const Vec6& goal) noexcept;
+  // N/m and N m/rad (6): what the coupling and the weight pull with from here, over the way to `goal`.
+  Vec6 secant_metric(const Vec6& to_hand, const Vec6& goal) const noexcept;
   // The friction (6) of the points that push, under which `step` was found and then is.
   Vec6 rub_along(Vec6 step, const Vec6& friction) noexcept;
   Vec6 friction() const noexcept;
   Wrench share_force(const Wrench& coupling_F_T_W) noexcept;
 
   QuasiStaticTool tool_;
+  CouplingDesc coupling_;
   ContactQuery query_;
   std::optional<ContactQuery> edges_;  // the scene's, against the tool
   RegionTracker regions_;
