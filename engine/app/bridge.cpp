@@ -19,6 +19,25 @@ render::MarkerState marker_state(const scenario::TaskState& task, std::size_t i)
   return {task.inside ? Show::dwelling : Show::next, static_cast<float>(task.dwell_progress)};
 }
 
+std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TorqueCues& cues) {
+  std::vector<ui::CueLine> lines;
+  for (const Command::Kind kind : cue_commands(scene)) {
+    if (kind == Command::Kind::ghost_gain) {
+      lines.push_back({"Ghost", "G", cues.ghost_gain, cues.ghost});
+    } else {
+      const double most = scene.torque_substitution->amplitude;
+      lines.push_back({"Vibration", "V", cues.vibration_gain, most > 0 ? cues.vibration / most : 0.0});
+    }
+  }
+  return lines;
+}
+
+std::string variant_text(const TorqueCues& cues) {
+  const bool vibration = cues.vibration_gain > 0, ghost = cues.ghost_gain > 0;
+  if (ghost) return vibration ? "variant C" : "";
+  return vibration ? "variant B" : "variant A";
+}
+
 std::string stop_reason(std::uint32_t faults) {
   for (const FaultName& fault : fault_names()) {
     if ((fault.bit & kStoppingFaults & faults) != 0) return fault.sentence;
@@ -69,6 +88,14 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
   return axes;
 }
 
+std::vector<Command::Kind> cue_commands(const SceneDesc& scene) {
+  std::vector<Command::Kind> kinds;
+  if (!substitutes_torque(scene)) return kinds;
+  if (scene.device.renders_force) kinds.push_back(Command::Kind::vibration_gain);
+  if (scene.device.senses_rotation) kinds.push_back(Command::Kind::ghost_gain);
+  return kinds;
+}
+
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
                                const scenario::TaskState& task) {
   ui::OverlayState state;
@@ -84,6 +111,9 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.torque_Nm = {record.force_gain * record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
+  state.cues = cue_lines(scene, record.torque);
+  state.variant = variant_text(record.torque);
+  state.torque_bad = record.torque.bad;
   if (record.stopped)
     state.force = ui::Force::stopped;
   else if (record.force_gain < 1)

@@ -10,6 +10,7 @@
 #include "engine/render/frame_state.h"
 #include "engine/scenario/task_judge.h"
 #include "engine/ui/overlay_state.h"
+#include "haptics/world/command.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::app {
@@ -33,6 +34,9 @@ private:
 
 // The trainee's view of the picture plane at p_W.
 input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W);
+
+// The commands that set the gains of OverlayState::cues, in their order.
+std::vector<Command::Kind> cue_commands(const SceneDesc& scene);
 
 // Gauges, checkpoints and stop banner as of one tick.
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,

@@ -2,23 +2,33 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <utility>
 
 #include "engine/app/interrupt.h"
 #include "engine/app/terminal.h"
 #include "engine/record/percentiles.h"
+#include "engine/ui/cue_panel.h"
 
 namespace fulcrum::app {
 namespace {
 
 constexpr std::size_t kCostWindow = 1000;  // ticks that the shown percentiles are of
 
-const std::vector<ui::KeyLine>& key_lines() {
-  static const std::vector<ui::KeyLine> lines = {
+std::string lower(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
+std::vector<ui::KeyLine> key_lines(const std::vector<ui::CueLine>& cues) {
+  std::vector<ui::KeyLine> lines = {
       {"Esc", "stop the force"},  {"Enter", "let the force return"},     {"R", "start again"},
       {"1 to 9", "go to a view"}, {"Home", "back to this view's start"}, {"F1", "show or hide this list"},
   };
+  for (const ui::CueLine& cue : cues)
+    lines.insert(lines.end() - 1, {cue.key, "switch the " + lower(cue.name)});
   return lines;
 }
 
@@ -69,6 +79,12 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   scene_ = &world.desc();
   mouse_ = mouse;
   restart_ = false;
+  shown_ = {};
+  cues_ = cue_commands(*scene_);
+  switched_on_.clear();
+  for (const Command::Kind kind : cues_)
+    switched_on_.push_back(kind == Command::Kind::ghost_gain ? scene_->torque_substitution->ghost_gain
+                                                             : scene_->torque_substitution->vibration_gain);
   cpu_ns_.clear();
   cpu_at_ = 0;
   tool_mouse_.reset(scene_->tool.X_WT_start * scene_->tool.X_HT.inverse());
@@ -80,7 +96,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   };
   events.button = [this](int button, int action, int modifiers) {
     shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
-    button_ = action == GLFW_PRESS ? button : -1;
+    button_ = action == GLFW_PRESS && !on_cue(button) ? button : -1;
   };
   events.cursor = [this](double x, double y) { on_cursor(x, y); };
   events.scroll = [this](double, double steps) { on_scroll(steps); };
@@ -121,6 +137,12 @@ void TrainingWindow::on_key(int key, int action) {
     case GLFW_KEY_R:
       restart_ = true;
       break;
+    case GLFW_KEY_V:
+      switch_cue(Command::Kind::vibration_gain);
+      break;
+    case GLFW_KEY_G:
+      switch_cue(Command::Kind::ghost_gain);
+      break;
     case GLFW_KEY_F1:
       keys_visible_ = !keys_visible_;
       break;
@@ -133,6 +155,28 @@ void TrainingWindow::on_key(int key, int action) {
         if (view < visual_.views.size()) camera_ = render::OrbitCamera(visual_.views[view].camera);
       }
   }
+}
+
+void TrainingWindow::set_cue(std::size_t cue, double gain) {
+  if (gain > 0) switched_on_[cue] = gain;
+  loop_->send({cues_[cue], gain});
+}
+
+void TrainingWindow::switch_cue(Command::Kind kind) {
+  const auto cue = static_cast<std::size_t>(std::ranges::find(cues_, kind) - cues_.begin());
+  if (cue < cues_.size() && cue < shown_.cues.size())
+    set_cue(cue, shown_.cues[cue].gain > 0 ? 0.0 : switched_on_[cue]);
+}
+
+bool TrainingWindow::on_cue(int button) {
+  if (button != GLFW_MOUSE_BUTTON_LEFT) return false;
+  const render::Extent size = window_->pixels();
+  const float unit = ui::overlay_scale(size.height), height = static_cast<float>(size.height);
+  const auto press = ui::pressed_cue(shown_, switched_on_, static_cast<float>(size.width) / unit,
+                                     static_cast<float>(cursor_x_) * height / unit,
+                                     static_cast<float>(cursor_y_) * height / unit);
+  if (press) set_cue(press->cue, press->gain);
+  return press.has_value();
 }
 
 void TrainingWindow::on_cursor(double x, double y) {
@@ -205,7 +249,7 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   }
   state.message = message(sink);
   state.keys_visible = keys_visible_;
-  state.keys = key_lines();
+  state.keys = key_lines(state.cues);
   if (mouse_ != nullptr) {
     for (const char* line : input::mouse_help()) state.mapping.emplace_back(line);
   } else {
@@ -218,12 +262,12 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   const render::Extent size = window_->pixels();
   if (size.width == 0 || size.height == 0) return;
   const TickRecord& record = loop.newest();
-  const ui::OverlayState shown = overlay_of(record, sink, loop);
-  if (const auto laid_out = overlay_->prepare(shown, size); !laid_out) {
+  shown_ = overlay_of(record, sink, loop);
+  if (const auto laid_out = overlay_->prepare(shown_, size); !laid_out) {
     error_ = laid_out.error();
     return;
   }
-  render::FrameState frame = bridge_.frame(record.X_WT, sink.task(), camera_.camera(), shown.time_s);
+  render::FrameState frame = bridge_.frame(record.X_WT, sink.task(), camera_.camera(), shown_.time_s);
   frame.overlay = overlay_.get();
   const auto drawn = renderer_->frame(frame, *swapchain_, size);
   if (!drawn) {

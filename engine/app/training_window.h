@@ -38,8 +38,11 @@ private:
   TrainingWindow(const Prepared& prepared, const scenario::VisualAssembly& visual);
 
   void on_key(int key, int action);
+  bool on_cue(int button);  // a press on the panel of the cues: true, and it was for that
   void on_cursor(double x, double y);
   void on_scroll(double steps);
+  void set_cue(std::size_t cue, double gain);
+  void switch_cue(Command::Kind kind);
   void note_cost(const TickEvent& event);
   ui::OverlayState overlay_of(const TickRecord& record, const RunSink& sink, const LiveLoop& loop) const;
   std::string message(const RunSink& sink) const;
@@ -72,6 +75,9 @@ private:
   bool shift_ = false, control_ = false;
   double cursor_x_ = 0, cursor_y_ = 0;
   bool keys_visible_ = false;
+  ui::OverlayState shown_;           // what the panels showed last
+  std::vector<Command::Kind> cues_;  // of the scene: what sets the gain of each of shown_.cues
+  std::vector<double> switched_on_;  // gain of each when it is switched on again
   bool restart_ = false;
   std::string error_;  // why drawing stopped
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/ui/cue_panel.h"
 #include "engine/ui/fonts.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/peak_hold.h"
@@ -62,12 +63,6 @@ vulkan::DescriptorPoolHandle make_pool(VkDevice device) {
   return {device, pool};
 }
 
-/// Text is as tall as in a 720-line picture, in steps: fonts are rasterised anew for each.
-float scale_for(std::uint32_t height) {
-  const float steps = std::round(static_cast<float>(height) / 720.0F * 8.0F);
-  return std::clamp(steps / 8.0F, 0.75F, 4.0F);
-}
-
 }  // namespace
 
 class Overlay::Implementation {
@@ -91,7 +86,7 @@ public:
 
   void prepare(const OverlayState& state, render::Extent picture) {
     ImGui::SetCurrentContext(context_);
-    const float scale = scale_for(picture.height);
+    const float scale = overlay_scale(picture.height);
     if (scale != scale_) {
       start_backend(scale);
     }
@@ -134,6 +129,7 @@ private:
     draw_dials(canvas, state, peaks);
     draw_checkpoints(canvas, state);
     draw_health(canvas, state);
+    draw_cues(canvas, state);
     draw_message(canvas, state);
     draw_keys(canvas, state);
     draw_banner(canvas, state);  // last: nothing hides it

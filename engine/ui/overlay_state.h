@@ -34,6 +34,14 @@ struct KeyLine {
   std::string meaning;  // "stop all force"
 };
 
+/// Something that tells of torque: a switch, a gain and how strongly it tells now.
+struct CueLine {
+  std::string name;    // "Vibration"
+  std::string key;     // that switches it
+  double gain = 0.0;   // 0: off
+  double level = 0.0;  // 0..1
+};
+
 enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength
 
 struct OverlayState {
@@ -42,6 +50,9 @@ struct OverlayState {
   Dial force_N;
   Dial torque_Nm;
   std::vector<CheckpointLine> checkpoints;  // empty: no list
+  std::vector<CueLine> cues;                // empty: no panel
+  std::string variant;                      // of the study that the switches amount to; read with the cues
+  bool torque_bad = false;                  // no force tells of it; likewise
   TickHealth ticks;
   Force force = Force::on;
   std::string stop_reason;  // "Esc pressed"; shown while stopped

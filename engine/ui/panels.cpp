@@ -22,6 +22,9 @@ struct Fact {
   ImU32 colour = theme::kText;
 };
 
+constexpr float kHealthWidth = 214.0F;
+constexpr float kFactRow = 20.0F;
+
 std::vector<Fact> facts_of(const TickHealth& ticks) {
   const auto trouble = [](std::uint64_t count) { return count > 0 ? theme::kWarn : theme::kText; };
   if (ticks.rate_Hz <= 0) return {};  // not by the clock: there is nothing to tell
@@ -54,13 +57,17 @@ float text_width(const Canvas& canvas, const OverlayState& state, float column) 
 
 }  // namespace
 
+float health_height(const OverlayState& state) {
+  return 48.0F + static_cast<float>(facts_of(state.ticks).size()) * kFactRow;
+}
+
 void draw_health(const Canvas& canvas, const OverlayState& state) {
-  constexpr float width = 214.0F;
-  constexpr float row = 20.0F;
+  constexpr float width = kHealthWidth;
+  constexpr float row = kFactRow;
   const std::vector<Fact> facts = facts_of(state.ticks);
   const ImVec2 at{canvas.width() - theme::kMargin - width, theme::kMargin};
   const float right = at.x + width - theme::kPadding;
-  canvas.card(at, {width, 40.0F + static_cast<float>(facts.size()) * row + 8.0F});
+  canvas.card(at, {width, health_height(state)});
 
   const ImU32 light = state.force == Force::on        ? theme::kGood
                       : state.force == Force::stopped ? theme::kBad

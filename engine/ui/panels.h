@@ -12,9 +12,13 @@ struct Peaks {
   double torque_Nm = 0.0;
 };
 
+/// Theme units, of the panel at the top right.
+float health_height(const OverlayState& state);
+
 void draw_dials(const Canvas& canvas, const OverlayState& state, const Peaks& peaks);  // bottom left
 void draw_checkpoints(const Canvas& canvas, const OverlayState& state);                // top left
 void draw_health(const Canvas& canvas, const OverlayState& state);                     // top right
+void draw_cues(const Canvas& canvas, const OverlayState& state);                       // below it
 void draw_message(const Canvas& canvas, const OverlayState& state);                    // bottom middle
 void draw_keys(const Canvas& canvas, const OverlayState& state);                       // middle, when visible
 void draw_banner(const Canvas& canvas, const OverlayState& state);  // across, when force is off

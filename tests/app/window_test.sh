@@ -49,6 +49,11 @@ import -window "$window" "$work/pushed.png"
 xdotool mouseup 1
 xdotool key --window "$window" F1
 sleep 1
+# The mouse as a device has no motors, so the ghost is the one cue: by its key, then by its switch.
+xdotool key --window "$window" g
+sleep 1
+xdotool mousemove --window "$window" 488 149 click 1
+sleep 1
 xdotool windowsize --sync "$window" 800 500
 sleep 1
 xdotool windowminimize --sync "$window"
@@ -76,7 +81,9 @@ column() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == n
 column tool/p/x | awk 'NR == 1 { a = b = $1 } { if ($1 < a) a = $1; if ($1 > b) b = $1 } END { exit !(b - a > 0.01) }' || fail "the drag did not move the tool"
 column contact/depth_max | awk '$1 > m { m = $1 } END { exit !(m > 0) }' || fail "the push touched nothing"
 # The tool's weight is 1.5 N; a push is far more, until Esc.
-column coupling/force/x | awk '{ f = $1 < 0 ? -$1 : $1; if (f > m) m = f } END { exit !(m > 4) }' || fail "the push showed no force"
+paste <(column coupling/force/x) <(column coupling/force/y) <(column coupling/force/z) |
+  awk '{ f = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2); if (f > m) m = f } END { exit !(m > 4) }' || fail "the push showed no force"
+column cue/ghost_gain | uniq | tr '\n' ' ' | grep -q '^1 0 1 $' || fail "the ghost was not switched off and on: $(column cue/ghost_gain | uniq | tr '\n' ' ')"
 column fault | awk '$1 % 2 == 1 { found = 1 } END { exit !found }' || fail "Esc did not stop"
 [ $failures = 0 ] && echo "all good"
 exit $((failures > 0))

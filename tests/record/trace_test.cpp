@@ -50,6 +50,27 @@ TEST(Trace, ADeviceWithoutMotorsHasNoLoads) {
   EXPECT_EQ(TraceColumns(1e-3, {}).header().find("actuator"), std::string::npos);
 }
 
+// What a scene names adds columns, and moves none of the others but for those behind them.
+TEST(Trace, TorqueSubstitutionHasColumnsWhereItIsNamed) {
+  const std::string without = TraceColumns(1e-3, kArm).header();
+  const std::string with =
+      TraceColumns(1e-3, kArm, {.torque_substitution = true, .transients = true}).header();
+  const std::string added =
+      "energy/vibration,torque/bad,torque/magnitude,torque/stiffness,cue/vibration,cue/ghost,"
+      "cue/vibration_gain,cue/ghost_gain,";
+  const std::size_t at = with.find(added);
+  ASSERT_NE(at, std::string::npos) << with;
+  EXPECT_EQ(with.substr(0, at) + with.substr(at + added.size()), without);
+  TickRecord record;
+  record.torque = {.bad = true, .magnitude = 0.125, .vibration = 0.25, .ghost = 0.5, .energy = 1e-6};
+  const TraceColumns columns(1e-3, kArm, {.torque_substitution = true, .transients = true});
+  EXPECT_EQ(cell(columns, "torque/bad", record), "1");
+  EXPECT_EQ(cell(columns, "torque/magnitude", record), "0.125");
+  EXPECT_EQ(cell(columns, "cue/vibration", record), "0.25");
+  EXPECT_EQ(cell(columns, "cue/ghost", record), "0.5");
+  EXPECT_EQ(cell(columns, "energy/vibration", record), "1e-06");
+}
+
 TEST(Trace, TimesAreThoseOnePrints) {
   TickRecord record;
   const TraceColumns kilohertz(0.001, {});

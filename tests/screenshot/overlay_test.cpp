@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/ui/cue_panel.h"
 #include "engine/ui/peak_hold.h"
 #include "image_compare.h"
 #include "test_scene.h"
@@ -83,6 +84,49 @@ TEST_F(OverlayTest, ADeviceWithoutTorqueHasNoTorqueDial) {
   state.torque_Nm = {};
   const float without = test::mean(draw(state), 0.20F, 0.75F, 0.30F, 0.95F).g;
   EXPECT_GT(without, with + 10.0F);
+}
+
+TEST_F(OverlayTest, APressMeansWhatIsDrawnThere) {
+  OverlayState state = full_state();
+  state.keys_visible = false;
+  state.message.clear();
+  state.cues = {{"Vibration", "V", 1.0, 0.0}, {"Ghost", "G", 0.0, 0.0}};
+  const std::vector<double> gains{1.0, 0.6};
+  const render::Picture picture = draw(state);
+  const float unit = overlay_scale(picture.height);
+  const float width = static_cast<float>(picture.width) / unit,
+              height = static_cast<float>(picture.height) / unit;
+  // The switch that is on is drawn in the accent's blue: a press there, and only near it, switches off.
+  std::size_t blue = 0, off = 0;
+  for (float y = 0; y < height; y += 2.0F) {
+    for (float x = 0.75F * width; x < width; x += 2.0F) {
+      const glm::vec3 colour =
+          test::mean(picture, x / width, y / height, (x + 1.5F) / width, (y + 1.5F) / height);
+      const bool is_switch = colour.b > 200.0F && colour.r < 120.0F;
+      const std::optional<CuePress> press = pressed_cue(state, gains, width, x, y);
+      blue += is_switch;
+      off += is_switch && press && press->cue == 0 && press->gain == 0.0;
+    }
+  }
+  EXPECT_GT(blue, 20U);
+  EXPECT_EQ(off, blue);
+}
+
+TEST(CuePanel, SwitchesOnAtTheGainOfBeforeAndTheBarSetsIt) {
+  OverlayState state;
+  state.cues = {{"Vibration", "V", 0.0, 0.0}, {"Ghost", "G", 1.0, 0.0}};
+  const std::vector<double> gains{0.7, 0.6};
+  std::vector<double> set;  // by presses down the middle of the panel, first cue only
+  for (float y = 0; y < 300.0F; y += 1.0F) {
+    if (const auto press = pressed_cue(state, gains, 1280.0F, 1155.0F, y); press && press->cue == 0)
+      set.push_back(press->gain);
+  }
+  ASSERT_FALSE(set.empty());
+  EXPECT_EQ(set.front(), 0.7);
+  EXPECT_NEAR(set.back(), 0.5, 0.01);
+  EXPECT_FALSE(pressed_cue(state, gains, 1280.0F, 600.0F, 120.0F));
+  state.cues.clear();
+  EXPECT_FALSE(pressed_cue(state, {}, 1280.0F, 1155.0F, 120.0F));
 }
 
 TEST_F(OverlayTest, FollowsThePictureToAnotherSize) {

@@ -1,0 +1,27 @@
+#pragma once
+// Where the panel of the cues lies, and what a press on it means: the same figures draw it and read the
+// mouse.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/ui/overlay_state.h"
+
+namespace fulcrum::ui {
+
+/// Theme units from the top left of a picture, of the given height in pixels.
+float overlay_scale(std::uint32_t height);
+
+struct CuePress {
+  std::size_t cue = 0;  // index into OverlayState::cues
+  double gain = 0.0;    // 0..1, what the press sets it to
+};
+
+/// A press at (x, y) of a picture that is `width` wide, all in theme units: on a switch it turns the cue off,
+/// or on at `gains` of it; on the bar below it sets the gain. Elsewhere: nothing.
+std::optional<CuePress> pressed_cue(const OverlayState& state, const std::vector<double>& gains, float width,
+                                    float x, float y);
+
+}  // namespace fulcrum::ui
