@@ -35,7 +35,7 @@ void main() {
   along = len > 1e-3 ? along / len : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
   int corner = int[](0, 1, 2, 2, 1, 3)[gl_VertexIndex];
-  float reach = draw.width.x + draw.width.y + 1.0;
+  float reach = draw.width.x + draw.width.y;
   vec2 at = (corner & 1) == 0 ? ends.xy - along * reach : ends.zw + along * reach;
   at += across * ((corner >> 1) == 0 ? -reach : reach);
   gl_Position = vec4((at / draw.size.xy - 0.5) * vec2(2.0, -2.0), 0.5, 1.0);

@@ -10,7 +10,8 @@
 namespace fulcrum::render {
 namespace {
 
-constexpr float kHaloReach = 1.6F;  // of a line's width
+constexpr float kHaloReach = 1.6F;        // of a line's width
+constexpr float kThinnest_pixels = 1.3F;  // in a small window a line must stay one
 
 /// IEC 61966-2-1.
 float srgb_encoded(float linear) {
@@ -72,7 +73,7 @@ void GhostPass::update(const FrameState& state, const RenderPlan& plan) {
   const auto height = static_cast<float>(plan.picture.height);
   draw_.size = {width, height, static_cast<float>(plan.scene.width) / width,
                 static_cast<float>(plan.scene.height) / height};
-  const float line = std::max(look_.line_width * height, 1.0F);
+  const float line = std::max(look_.line_width * height, kThinnest_pixels);
   draw_.width = {0.5F * line, kHaloReach * line, 0.0F, 0.0F};
 }
 

@@ -78,7 +78,7 @@ struct Marker {
 /// movable instances, in one pose that comes with every FrameState.
 struct Ghost {
   glm::vec3 colour{0.03F, 0.80F, 1.0F};  // linear; shown as it is, whatever the light
-  float line_width = 0.0026F;            // of the picture's height
+  float line_width = 0.0032F;            // of the picture's height; never less than 1.3 pixels
   float crease_rad = 0.6F;               // edges where the surface bends by more than this are always drawn
 };
 

@@ -10,11 +10,11 @@ namespace {
 
 TEST(Picture, Piping) {
   for (const char* view : {"overview", "slot", "behind", "above"})
-    expect_golden(piping(), moment_on_route(piping(), 14.0), view, view);
+    expect_golden(piping(), moment_on_route(piping(), 14.0, 2), view, view);
 }
 
 TEST(Picture, PipingWithGhost) {
-  app::Moment moment = moment_on_route(piping(), 14.0);
+  app::Moment moment = moment_on_route(piping(), 14.0, 2);
   moment.ghost = turned_on(moment.record.X_WT, Vec3::UnitY(), 0.44);
   for (const char* view : {"overview", "slot", "behind"})
     expect_golden(piping(), moment, view, std::string(view) + "_ghost");

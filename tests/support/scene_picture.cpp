@@ -9,13 +9,13 @@
 
 namespace fulcrum::test {
 
-app::Moment moment_on_route(const app::Prepared& prepared, double time) {
+app::Moment moment_on_route(const app::Prepared& prepared, double time, std::size_t step) {
   const auto& hands = prepared.haptic.hands;
   const auto expert = std::ranges::find(hands, "expert", &scenario::HandScript::name);
   if (expert == hands.end()) throw std::runtime_error("the scenario has no expert hand");
   app::Moment moment{};
   moment.task.reached.resize(prepared.haptic.task.checkpoints.size());
-  moment.task.step = 2;
+  moment.task.step = step;
   moment.task.inside = true;
   moment.task.dwell_progress = 0.6;
   TickRecord& record = moment.record;

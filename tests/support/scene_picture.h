@@ -9,9 +9,9 @@
 
 namespace fulcrum::test {
 
-/// The tool where the route of the hand `expert` has it at `time` (s), the task part of the way: it does not
-/// depend on a run.
-app::Moment moment_on_route(const app::Prepared& prepared, double time);
+/// The tool where the route of the hand `expert` has it at `time` (s), dwelling at the checkpoint `step`: it
+/// does not depend on a run.
+app::Moment moment_on_route(const app::Prepared& prepared, double time, std::size_t step);
 
 /// The hand has turned on by `angle_rad` about an axis of T through its origin while the tool stayed.
 app::GhostCue turned_on(const Pose& X_WT, const Vec3& axis_T, double angle_rad);

@@ -15,17 +15,26 @@ const app::Prepared& teeth() {
   return *prepared;
 }
 
-constexpr const char* kViews[] = {"overview", "molars", "front"};
+/// A view, and when the tool is to be seen in it: at the checkpoint `step`.
+struct Shot {
+  const char* view;
+  double time;  // s
+  std::size_t step;
+};
+constexpr Shot kShots[] = {{"overview", 5.0, 0}, {"molars", 5.0, 0}, {"front", 17.5, 2}};
 
 TEST(Picture, Teeth) {
-  for (const char* view : kViews) expect_golden(teeth(), moment_on_route(teeth(), 14.0), view, view);
+  for (const Shot& shot : kShots)
+    expect_golden(teeth(), moment_on_route(teeth(), shot.time, shot.step), shot.view, shot.view);
 }
 
-// The hand has rolled on about the handle while the tip is held between two teeth.
+// The hand has rolled on about the line from the tip, which is held, to the centre of mass.
 TEST(Picture, TeethWithGhost) {
-  app::Moment moment = moment_on_route(teeth(), 14.0);
-  moment.ghost = turned_on(moment.record.X_WT, Vec3(0.4, 1, 0), 0.44);
-  for (const char* view : kViews) expect_golden(teeth(), moment, view, std::string(view) + "_ghost");
+  for (const Shot& shot : kShots) {
+    app::Moment moment = moment_on_route(teeth(), shot.time, shot.step);
+    moment.ghost = turned_on(moment.record.X_WT, teeth().models.p_MT, 0.44);
+    expect_golden(teeth(), moment, shot.view, std::string(shot.view) + "_ghost");
+  }
 }
 
 }  // namespace
