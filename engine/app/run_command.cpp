@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "drivers/mouse/mouse_device.h"
+#include "engine/app/chosen_view.h"
 #include "engine/app/commands.h"
 #include "engine/app/exit_code.h"
 #include "engine/app/headless_run.h"
@@ -12,7 +13,6 @@
 #include "engine/app/terminal.h"
 #include "engine/app/training_window.h"
 #include "engine/record/run_folder.h"
-#include "engine/scenario/words.h"
 
 namespace fulcrum::app {
 namespace {
@@ -38,28 +38,6 @@ Result<std::unique_ptr<Device>> make_device(const Prepared& prepared, const Scen
   return Error{"There is no device '" + options.device +
                "'; there are simulated, mouse and replay:FILE. "
                "`fulcrum devices` says what is there and what is not."};
-}
-
-const scenario::View* find_view(const scenario::Scenario& scenario, const std::string& name) {
-  const auto found = std::find_if(scenario.views.begin(), scenario.views.end(),
-                                  [&name](const scenario::View& view) { return view.name == name; });
-  return found == scenario.views.end() ? nullptr : &*found;
-}
-
-// "; did you mean 'slot'?", or which views there are.
-std::string known_views(const scenario::Scenario& scenario, const std::string& name) {
-  std::vector<std::string_view> names;
-  for (const scenario::View& view : scenario.views) names.push_back(view.name);
-  return scenario::did_you_mean(name, names,
-                                names.empty() ? "leave out --view" : "there is: " + scenario::joined(names));
-}
-
-// What is drawn, its camera in the view that was asked for.
-Result<scenario::VisualAssembly> assemble_look(const Prepared& prepared, const RunOptions& options) {
-  Result<scenario::VisualAssembly> visual = scenario::assemble_visual(prepared.scenario, prepared.models);
-  const scenario::View* view = find_view(prepared.scenario, options.view);
-  if (visual && view != nullptr) visual->desc.camera = view->camera;
-  return visual;
 }
 
 // One attempt, from opened files to closed ones.
@@ -138,7 +116,7 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   // The picture is the last moment. Without Vulkan the run counts all the same.
   render::RenderPlan plan;
   bool drawn = false;
-  const Result<scenario::VisualAssembly> visual = assemble_look(prepared, options);
+  const Result<scenario::VisualAssembly> visual = assemble_view(prepared, options.view);
   if (visual) {
     const Moment moment{attempt->sink().last(), attempt->sink().task(), visual->desc.camera, {}};
     const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, moment, options,
@@ -153,7 +131,7 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
 }
 
 int run_in_window(const Prepared& prepared, const RunOptions& options) {
-  const Result<scenario::VisualAssembly> visual = assemble_look(prepared, options);
+  const Result<scenario::VisualAssembly> visual = assemble_view(prepared, options.view);
   if (!visual) {
     complain(visual.error().sentence);
     return kError;
@@ -189,9 +167,8 @@ int run_command(const RunOptions& given) {
   }
   const std::optional<Prepared> prepared = prepare(options.scenario, options.overrides);
   if (!prepared) return kError;
-  if (!options.view.empty() && find_view(prepared->scenario, options.view) == nullptr) {
-    complain("the scenario '" + prepared->name + "' has no view '" + options.view + "'" +
-             known_views(prepared->scenario, options.view));
+  if (const auto refused = refuse_view(*prepared, options.view)) {
+    complain(refused->sentence);
     return kUsage;
   }
   for (const std::string& note : prepared->haptic.mended) complain(note);
