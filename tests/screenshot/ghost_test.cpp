@@ -170,11 +170,21 @@ TEST_F(GhostTest, IsDrawnTheSameAtEveryQuality) {
   }
 }
 
-TEST_F(GhostTest, ThroughTheEyeAndBehindItIsDrawnWithoutAWord) {
+TEST_F(GhostTest, RunsOutOfThePictureWhereItPassesTheEye) {
   VisualDesc desc = bar_scene();
-  desc.camera.eye = {0.02F, 0.16F, 0.0F};  // just above the bar, which runs past the eye
-  desc.camera.target = {0.02F, 0.15F, -0.3F};
-  EXPECT_GT(lit(draw(desc, 1.0F, 1.57F, {0, 1, 0}), draw(desc, 0.0F, 1.57F, {0, 1, 0})).pixels, 100U);
+  // 8 mm above an edge of the bar, which is turned to run from behind the eye to before it.
+  desc.camera.eye = {0.045F, 0.16F, 0.0F};
+  desc.camera.target = {0.045F, 0.15F, -0.3F};
+  const Picture with = draw(desc, 1.0F, 1.5708F, {0, 1, 0});
+  const Picture without = draw(desc, 0.0F, 1.5708F, {0, 1, 0});
+  const auto differs_in_rows = [&](std::size_t from, std::size_t to) {
+    const std::size_t row = std::size_t{4} * with.width;
+    return !std::equal(with.rgba.begin() + static_cast<std::ptrdiff_t>(from * row),
+                       with.rgba.begin() + static_cast<std::ptrdiff_t>(to * row),
+                       without.rgba.begin() + static_cast<std::ptrdiff_t>(from * row));
+  };
+  EXPECT_FALSE(differs_in_rows(0, 135));  // it lies below the eye: nothing above the middle
+  EXPECT_TRUE(differs_in_rows(260, 270));
   desc.camera.target = {0.02F, 0.9F, 0.0F};  // away from it
   EXPECT_TRUE(draw(desc, 1.0F).rgba == draw(desc, 0.0F).rgba);
 }
