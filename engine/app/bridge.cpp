@@ -58,7 +58,8 @@ glm::mat4 to_glm(const Pose& X) {
   return M;
 }
 
-FrameBridge::FrameBridge(const render::VisualDesc& desc) : markers_(desc.markers.size()) {
+FrameBridge::FrameBridge(const render::VisualDesc& desc)
+    : markers_(desc.markers.size()), ghost_(desc.ghost.has_value()) {
   for (const render::Instance& instance : desc.instances) {
     if (instance.movable) X_WM_.push_back(instance.X_WM);
   }
@@ -66,12 +67,13 @@ FrameBridge::FrameBridge(const render::VisualDesc& desc) : markers_(desc.markers
 }
 
 render::FrameState FrameBridge::frame(const Pose& X_WT, const scenario::TaskState& task,
-                                      const render::Camera& camera, double time) {
+                                      const render::Camera& camera, double time, const GhostCue& ghost) {
   for (glm::mat4& X_WM : X_WM_) X_WM = to_glm(X_WT);
   for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
   render::FrameState state;
   state.X_WM = X_WM_;
   state.markers = marker_states_;
+  if (ghost_) state.ghost = {static_cast<float>(ghost.opacity), to_glm({ghost.q_WG, X_WT.p})};
   state.camera = camera;
   state.time_s = time;
   return state;

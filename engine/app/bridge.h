@@ -17,17 +17,25 @@ namespace fulcrum::app {
 
 glm::mat4 to_glm(const Pose& X);
 
+// The cue that shows where the hand has turned to.
+struct GhostCue {
+  double opacity = 0;            // 0..1; 0: none
+  Quat q_WG = Quat::Identity();  // the tool as the handle would have it: q_WH * q_HT
+};
+
 // The storage that a FrameState looks into.
 class FrameBridge {
 public:
   explicit FrameBridge(const render::VisualDesc& desc);
 
-  // The tool at X_WT, the markers as the task stands.
+  // The tool at X_WT, the markers as the task stands. The ghost, if the scene has one, is put where the tool
+  // is and not where the handle is, so that what is seen between the two is pure rotation.
   render::FrameState frame(const Pose& X_WT, const scenario::TaskState& task, const render::Camera& camera,
-                           double time);
+                           double time, const GhostCue& ghost = {});
 
 private:
   std::size_t markers_;
+  bool ghost_;
   std::vector<glm::mat4> X_WM_;
   std::vector<render::MarkerState> marker_states_;
 };

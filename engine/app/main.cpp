@@ -60,6 +60,9 @@ CLI::App* add_run(CLI::App& program, RunOptions& options, std::string& size) {
   run->add_option("--size", size, "Of the picture or the window, in pixels (default 1280x720)")
       ->type_name("WxH")
       ->check([&options](const std::string& text) { return read_size(text, options.size); });
+  run->add_option("--view", options.view,
+                  "The view of the picture, and where the window starts (default: the scenario's first)")
+      ->type_name("NAME");
   run->add_option("--gpu", options.gpu, "Which GPU draws: its number, a part of its name, or 'list'")
       ->type_name("GPU");
   run->add_flag("--validate", options.validate,

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "drivers/mouse/mouse_device.h"
+#include "engine/app/chosen_view.h"
 #include "engine/app/commands.h"
 #include "engine/app/exit_code.h"
 #include "engine/app/headless_run.h"
@@ -112,13 +113,12 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   else
     run_offline(attempt->world(), attempt->device(), attempt->sink());
 
-  // The picture is the last moment, from the first view. Without Vulkan the run counts all the same.
+  // The picture is the last moment. Without Vulkan the run counts all the same.
   render::RenderPlan plan;
   bool drawn = false;
-  const Result<scenario::VisualAssembly> visual =
-      scenario::assemble_visual(prepared.scenario, prepared.models);
+  const Result<scenario::VisualAssembly> visual = assemble_view(prepared, options.view);
   if (visual) {
-    const Moment moment{attempt->sink().last(), attempt->sink().task(), visual->desc.camera};
+    const Moment moment{attempt->sink().last(), attempt->sink().task(), visual->desc.camera, {}};
     const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, moment, options,
                                       attempt->folder() / record::kPictureName, &plan);
     drawn = static_cast<bool>(picture);
@@ -131,8 +131,7 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
 }
 
 int run_in_window(const Prepared& prepared, const RunOptions& options) {
-  const Result<scenario::VisualAssembly> visual =
-      scenario::assemble_visual(prepared.scenario, prepared.models);
+  const Result<scenario::VisualAssembly> visual = assemble_view(prepared, options.view);
   if (!visual) {
     complain(visual.error().sentence);
     return kError;
@@ -168,6 +167,10 @@ int run_command(const RunOptions& given) {
   }
   const std::optional<Prepared> prepared = prepare(options.scenario, options.overrides);
   if (!prepared) return kError;
+  if (const auto refused = refuse_view(*prepared, options.view)) {
+    complain(refused->sentence);
+    return kUsage;
+  }
   for (const std::string& note : prepared->haptic.mended) complain(note);
   catch_interrupts();
   return options.headless ? run_headless(*prepared, options) : run_in_window(*prepared, options);

@@ -19,10 +19,11 @@ struct RunOptions {
   std::optional<double> seconds;       // s, of simulated time
   std::vector<std::string> overrides;  // KEY=VALUE
   render::Extent size;                 // pixels
-  std::string gpu;                     // empty: the best one
-  bool validate = false;               // Vulkan's validation layers watch; what they say is an error
-  std::filesystem::path out;           // empty: a new folder under the data directory
-  bool force = false;                  // replace results that are in `out`
+  std::string view;           // where the window starts and the picture is drawn from; empty: the first
+  std::string gpu;            // empty: the best one
+  bool validate = false;      // Vulkan's validation layers watch; what they say is an error
+  std::filesystem::path out;  // empty: a new folder under the data directory
+  bool force = false;         // replace results that are in `out`
   bool json = false;
 };
 

@@ -15,9 +15,15 @@ struct MarkerState {
   float progress = 0.0F;  // 0..1, the part of the dwell time that is over; read when dwelling
 };
 
+struct GhostState {
+  float opacity = 0.0F;  // 0..1; 0: not drawn at all
+  glm::mat4 X_WG{1.0F};  // the ghost, a copy of all movable instances, to world
+};
+
 struct FrameState {
   std::span<const glm::mat4> X_WM;  // one for each movable instance, in the order of VisualDesc::instances
   std::span<const MarkerState> markers;  // one for each VisualDesc::markers; empty: all hidden
+  GhostState ghost;
   Camera camera;
   double time_s = 0.0;             // simulated time: markers pulse with it, so that a replay looks the same
   OverlayPass* overlay = nullptr;  // drawn last, over the picture; none: nothing

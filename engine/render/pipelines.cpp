@@ -5,6 +5,7 @@
 
 #include "engine/render/targets.h"
 #include "engine/render/vertex.h"
+#include "shaders/shared/ghost.h"
 
 namespace fulcrum::render {
 namespace {
@@ -79,15 +80,45 @@ PipelineHandle make_markers(vulkan::Device& device, const RenderPlan& plan, cons
   return make_pipeline(device, desc);
 }
 
+void add_ghost(Pipelines& made, vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+               VkDescriptorSetLayout set) {
+  const std::array<VkPushConstantRange, 1> draw = {{{kGhostStages, 0, sizeof(gpu::GhostDraw)}}};
+  made.ghost_layout = vulkan::make_pipeline_layout(device, {&set, 1}, draw);
+  PipelineDesc depth;
+  depth.layout = made.ghost_layout.get();
+  depth.stages = stages(shaders, "ghost_depth.vert", nullptr);
+  read_vertices(depth, false);
+  depth.depth = kDepthFormat;
+  depth.cull = VK_CULL_MODE_BACK_BIT;
+  depth.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, true, false};
+  made.ghost_depth = make_pipeline(device, depth);
+
+  PipelineDesc lines;
+  lines.layout = made.ghost_layout.get();
+  lines.stages = stages(shaders, "ghost_line.vert",
+                        plan.samples > 1 ? "ghost_line_multisampled.frag" : "ghost_line.frag");
+  lines.colour = kGhostLineFormat;
+  lines.blend = vulkan::Blend::largest;
+  made.ghost_lines = make_pipeline(device, lines);
+
+  PipelineDesc over;
+  over.layout = made.ghost_layout.get();
+  over.stages = stages(shaders, "screen.vert", "ghost_over.frag");
+  over.colour = kPictureFormat;
+  over.blend = vulkan::Blend::over;
+  made.ghost_over = make_pipeline(device, over);
+}
+
 }  // namespace
 
 Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
-                         VkDescriptorSetLayout scene_set, VkDescriptorSetLayout tone_set) {
+                         const SetLayouts& sets) {
   const std::array<VkPushConstantRange, 1> visibility = {{{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(float)}}};
   Pipelines made;
   made.scene_layout = vulkan::make_pipeline_layout(
-      device, {&scene_set, 1}, plan.markers ? std::span(visibility) : std::span<const VkPushConstantRange>());
-  made.tone_layout = vulkan::make_pipeline_layout(device, {&tone_set, 1}, {});
+      device, {&sets.scene, 1},
+      plan.markers ? std::span(visibility) : std::span<const VkPushConstantRange>());
+  made.tone_layout = vulkan::make_pipeline_layout(device, {&sets.tone, 1}, {});
   const VkPipelineLayout layout = made.scene_layout.get();
   made.background = make_background(device, plan, shaders, layout);
   if (plan.surfaces) {
@@ -98,6 +129,9 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
   }
   if (plan.markers) {
     made.markers = make_markers(device, plan, shaders, layout);
+  }
+  if (plan.ghost) {
+    add_ghost(made, device, plan, shaders, sets.ghost);
   }
   PipelineDesc tone;
   tone.layout = made.tone_layout.get();

@@ -13,18 +13,36 @@ constexpr std::uint32_t kInstancesBinding = 1;
 constexpr std::uint32_t kMarkersBinding = 2;
 constexpr std::uint32_t kShadowBinding = 3;
 
+// Bindings of the ghost's descriptor set.
+constexpr std::uint32_t kGhostChosenBinding = 0;
+constexpr std::uint32_t kGhostDepthBinding = 1;
+constexpr std::uint32_t kGhostSceneBinding = 2;
+constexpr std::uint32_t kGhostLinesBinding = 3;
+constexpr VkShaderStageFlags kGhostStages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;  // that read its push constants
+
 struct Pipelines {
   vulkan::PipelineLayoutHandle scene_layout;
   vulkan::PipelineLayoutHandle tone_layout;
   vulkan::PipelineHandle background;
   vulkan::PipelineHandle tone;
-  vulkan::PipelineHandle surfaces;  // this and the next two: empty unless planned
+  vulkan::PipelineHandle surfaces;  // this and what follows: empty unless planned
   vulkan::PipelineHandle shadow;
   vulkan::PipelineHandle markers;
+  vulkan::PipelineLayoutHandle ghost_layout;
+  vulkan::PipelineHandle ghost_depth;
+  vulkan::PipelineHandle ghost_lines;
+  vulkan::PipelineHandle ghost_over;
+};
+
+struct SetLayouts {
+  VkDescriptorSetLayout scene = VK_NULL_HANDLE;
+  VkDescriptorSetLayout tone = VK_NULL_HANDLE;
+  VkDescriptorSetLayout ghost = VK_NULL_HANDLE;  // read only if the plan has a ghost
 };
 
 /// Throws vulkan::Failure.
 Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
-                         VkDescriptorSetLayout scene_set, VkDescriptorSetLayout tone_set);
+                         const SetLayouts& sets);
 
 }  // namespace fulcrum::render

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/render/ghost_edges.h"
 #include "engine/render/validate.h"
 #include "engine/render/vertex.h"
 #include "shaders/shared/frame.h"
+#include "shaders/shared/ghost.h"
 #include "shaders/shared/instance.h"
 #include "shaders/shared/marker.h"
 
@@ -15,6 +17,7 @@ namespace {
 constexpr std::uint64_t kSceneTexel = 8;    // R16G16B16A16_SFLOAT
 constexpr std::uint64_t kDepthTexel = 4;    // D32_SFLOAT
 constexpr std::uint64_t kPictureTexel = 4;  // R8G8B8A8_UNORM
+constexpr std::uint64_t kGhostTexel = 2;    // R8G8_UNORM
 
 std::uint64_t texels(Extent extent) {
   return std::uint64_t{extent.width} * extent.height;
@@ -99,6 +102,22 @@ void add_markers(const SceneFacts& facts, RenderPlan& plan) {
   plan.built.push_back({"markers", "pipeline", 0, "glowing spheres"});
 }
 
+void add_ghost(const SceneFacts& facts, RenderPlan& plan) {
+  if (!plan.ghost) {
+    plan.left_out.push_back({"ghost", "buffer", 0, "the scene has no ghost"});
+    plan.left_out.push_back({"ghost", "pipeline", 0, "the scene has no ghost"});
+    return;
+  }
+  const std::string size = size_of(plan.picture);
+  plan.built.push_back({"ghost", "buffer", facts.ghost_edges * sizeof(gpu::GhostLine),
+                        "room for " + std::to_string(facts.ghost_edges) + " edges"});
+  plan.built.push_back({"ghost depth", "image", texels(plan.picture) * kDepthTexel, size});
+  plan.built.push_back({"ghost lines", "image", texels(plan.picture) * kGhostTexel, size});
+  plan.built.push_back({"ghost depth", "pipeline", 0, "its surface, which hides its rear lines"});
+  plan.built.push_back({"ghost lines", "pipeline", 0, "creases and silhouettes, fainter behind the scene"});
+  plan.built.push_back({"ghost", "pipeline", 0, "its lines over the picture"});
+}
+
 void add_targets(RenderPlan& plan) {
   const std::string size = size_of(plan.scene);
   const auto samples = static_cast<std::uint64_t>(plan.samples);
@@ -130,6 +149,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
       std::count_if(desc.instances.begin(), desc.instances.end(),
                     [](const Instance& instance) { return instance.casts_shadow; }));
   facts.markers = desc.markers.size();
+  facts.ghost_edges = desc.ghost ? GhostEdges(desc).size() : 0;
   facts.key_light = desc.key_light.has_value();
   facts.key_light_casts = desc.key_light && desc.key_light->casts_shadow;
   return facts;
@@ -149,9 +169,11 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   plan.samples = options.quality.samples;
   plan.surfaces = facts.instances > 0;
   plan.markers = facts.markers > 0;
+  plan.ghost = facts.ghost_edges > 0;
   add_geometry(facts, plan);
   add_shadow(facts, options.quality, plan);
   add_markers(facts, plan);
+  add_ghost(facts, plan);
   add_targets(plan);
   return plan;
 }

@@ -48,6 +48,7 @@ struct RenderPlan {
   int shadow_size = 0;  // pixels on a side; 0: nothing is built for shadows
   bool surfaces = false;
   bool markers = false;
+  bool ghost = false;
   std::vector<BuildItem> built;
   std::vector<BuildItem> left_out;
 };
@@ -59,6 +60,7 @@ struct SceneFacts {
   std::uint64_t instances = 0;
   std::uint64_t casters = 0;  // instances that throw a shadow
   std::uint64_t markers = 0;
+  std::uint64_t ghost_edges = 0;  // 0: no ghost
   bool key_light = false;
   bool key_light_casts = false;
 };

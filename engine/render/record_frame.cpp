@@ -1,56 +1,13 @@
-// How a frame is recorded: shadow map, scene, tone mapping, overlay.
+// How a frame is recorded: shadow map, scene, ghost, tone mapping, overlay.
 
+#include "engine/render/recording.h"
 #include "engine/render/renderer.h"
 
 namespace fulcrum::render {
 namespace {
 
-/// Y up in clip space, as on paper: the viewport is turned over, so that counter-clockwise stays
-/// counter-clockwise.
-void set_area(VkCommandBuffer commands, VkExtent2D extent) {
-  const auto width = static_cast<float>(extent.width);
-  const auto height = static_cast<float>(extent.height);
-  const VkViewport viewport{0.0F, height, width, -height, 0.0F, 1.0F};
-  const VkRect2D scissor{{0, 0}, extent};
-  vkCmdSetViewport(commands, 0, 1, &viewport);
-  vkCmdSetScissor(commands, 0, 1, &scissor);
-}
-
-VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, VkAttachmentLoadOp load,
-                                     VkAttachmentStoreOp store) {
-  VkRenderingAttachmentInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-  info.imageView = view;
-  info.imageLayout = layout;
-  info.loadOp = load;
-  info.storeOp = store;
-  return info;
-}
-
-void begin(VkCommandBuffer commands, VkExtent2D extent, const VkRenderingAttachmentInfo* colour,
-           const VkRenderingAttachmentInfo* depth) {
-  VkRenderingInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-  info.renderArea = {{0, 0}, extent};
-  info.layerCount = 1;
-  info.colorAttachmentCount = colour == nullptr ? 0 : 1;
-  info.pColorAttachments = colour;
-  info.pDepthAttachment = depth;
-  vkCmdBeginRendering(commands, &info);
-  set_area(commands, extent);
-}
-
-void bind(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set) {
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set, 0, nullptr);
-}
-
-constexpr VkImageAspectFlags kColour = VK_IMAGE_ASPECT_COLOR_BIT;
-constexpr VkImageAspectFlags kDepth = VK_IMAGE_ASPECT_DEPTH_BIT;
-
-/// Content is not kept, but what used it last must be over.
-vulkan::ImageUse discarded_after(const vulkan::ImageUse& last) {
-  return {last.stage, last.access, VK_IMAGE_LAYOUT_UNDEFINED};
+vulkan::ImageUse either(const vulkan::ImageUse& a, const vulkan::ImageUse& b) {
+  return {a.stage | b.stage, a.access | b.access, VK_IMAGE_LAYOUT_UNDEFINED};
 }
 
 }  // namespace
@@ -61,9 +18,14 @@ void Renderer::record(VkCommandBuffer commands, OverlayPass* overlay) {
     record_shadow(commands);
     shadow_stale_ = false;
   }
-  record_scene(commands);
+  const bool ghost = ghost_ && ghost_->shown();
+  record_scene(commands, ghost);
+  if (ghost) {
+    vulkan::barrier(commands, targets_.depth.get(), kDepth, use::kDepthTarget, use::kSampled);
+    ghost_->record_lines(commands, pipelines_, *geometry_);
+  }
   vulkan::barrier(commands, targets_.scene.get(), kColour, use::kColourTarget, use::kSampled);
-  record_tone(commands);
+  record_tone(commands, ghost);
   if (overlay != nullptr) {
     overlay->record(commands, {targets_.picture.view(), targets_.picture.extent(), generation_});
   }
@@ -83,7 +45,7 @@ void Renderer::record_shadow(VkCommandBuffer commands) {
   vulkan::barrier(commands, shadow_map_.get(), kDepth, use::kDepthTarget, use::kSampled);
 }
 
-void Renderer::record_scene(VkCommandBuffer commands) {
+void Renderer::record_scene(VkCommandBuffer commands, bool ghost) {
   namespace use = vulkan::use;
   const bool resolves = static_cast<bool>(targets_.samples);
   const vulkan::Image& drawn = resolves ? targets_.samples : targets_.scene;
@@ -92,8 +54,8 @@ void Renderer::record_scene(VkCommandBuffer commands) {
   if (resolves) {
     vulkan::barrier(commands, drawn.get(), kColour, discarded_after(use::kColourTarget), use::kColourTarget);
   }
-  vulkan::barrier(commands, targets_.depth.get(), kDepth, discarded_after(use::kDepthTarget),
-                  use::kDepthTarget);
+  vulkan::barrier(commands, targets_.depth.get(), kDepth,
+                  discarded_after(either(use::kDepthTarget, use::kSampled)), use::kDepthTarget);
 
   // Every pixel is drawn, by the background if by nothing else: no clear.
   VkRenderingAttachmentInfo colour =
@@ -106,7 +68,7 @@ void Renderer::record_scene(VkCommandBuffer commands) {
   }
   VkRenderingAttachmentInfo depth =
       attachment(targets_.depth.view(), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR,
-                 VK_ATTACHMENT_STORE_OP_DONT_CARE);
+                 ghost ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE);
   depth.clearValue.depthStencil.depth = 0.0F;  // reversed: infinitely far
   begin(commands, targets_.scene.extent(), &colour, &depth);
   if (plan_.surfaces) {
@@ -133,7 +95,7 @@ void Renderer::record_markers(VkCommandBuffer commands) {
   draw(VK_COMPARE_OP_LESS_OR_EQUAL, 0.22F);  // behind something: a trainee must still find the way
 }
 
-void Renderer::record_tone(VkCommandBuffer commands) {
+void Renderer::record_tone(VkCommandBuffer commands, bool ghost) {
   namespace use = vulkan::use;
   vulkan::barrier(commands, targets_.picture.get(), kColour, discarded_after(use::kCopySource),
                   use::kColourTarget);
@@ -143,6 +105,9 @@ void Renderer::record_tone(VkCommandBuffer commands) {
   begin(commands, targets_.picture.extent(), &colour, nullptr);
   bind(commands, pipelines_.tone.get(), pipelines_.tone_layout.get(), tone_set_.get());
   vkCmdDraw(commands, 3, 1, 0, 0);
+  if (ghost) {
+    ghost_->record_over(commands, pipelines_);
+  }
   vkCmdEndRendering(commands);
 }
 

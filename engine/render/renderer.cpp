@@ -64,6 +64,9 @@ Renderer::Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderO
   if (!desc.instances.empty()) {
     geometry_ = std::make_unique<SceneGeometry>(device, desc);
   }
+  if (facts_.ghost_edges > 0) {
+    ghost_ = std::make_unique<GhostPass>(device, desc);
+  }
   if (!markers_.empty()) {
     marker_buffer_ = vulkan::Buffer(device, markers_.size() * sizeof(gpu::MarkerData),
                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Place::upload);
@@ -91,10 +94,18 @@ void Renderer::build(const RenderPlan& plan) {
   if (other_shadow) {
     build_scene_set();
   }
+  if (ghost_) {
+    ghost_->build(plan, targets_.depth.view());
+  }
   if (other_pipelines) {  // not for another size alone: drivers take long to compile them
-    pipelines_ = make_pipelines(device_, plan, shaders_, scene_set_.layout(), tone_set_.layout());
+    build_pipelines();
   }
   ready_ = true;
+}
+
+void Renderer::build_pipelines() {
+  const VkDescriptorSetLayout ghost = ghost_ ? ghost_->layout() : VK_NULL_HANDLE;
+  pipelines_ = make_pipelines(device_, plan_, shaders_, {scene_set_.layout(), tone_set_.layout(), ghost});
 }
 
 void Renderer::build_scene_set() {
@@ -152,7 +163,7 @@ void Renderer::reload_shaders() {
   if (!changed) {
     std::fprintf(stderr, "%s\nThe shaders in use stay as they were.\n", changed.error().c_str());
   } else if (changed.value()) {
-    pipelines_ = make_pipelines(device_, plan_, shaders_, scene_set_.layout(), tone_set_.layout());
+    build_pipelines();
     shadow_stale_ = true;
   }
 }
@@ -172,6 +183,9 @@ Result<void> Renderer::update(const FrameState& state) {
                  " marker states, but the scene has " + std::to_string(markers_.size()) +
                  " markers; give one for each, or none."};
   }
+  if (state.ghost.opacity > 0.0F && !ghost_) {
+    return Error{"A frame came with a ghost, but the scene has none; name it in the scene."};
+  }
   if (geometry_ && geometry_->place(state.X_WM)) {
     shadow_stale_ = true;
   }
@@ -180,6 +194,9 @@ Result<void> Renderer::update(const FrameState& state) {
   }
   const gpu::FrameData data = frame_data(setting_, state, plan_.scene, light_, plan_.shadow_size);
   std::memcpy(frame_buffer_.mapped(), &data, sizeof(data));
+  if (ghost_) {
+    ghost_->update(state, plan_);
+  }
   markers_shown_ = plan_.markers ? write_markers(markers_, state.markers,
                                                  reinterpret_cast<gpu::MarkerData*>(marker_buffer_.mapped()))
                                  : 0;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/render/frame_data.h"
+#include "engine/render/ghost_pass.h"
 #include "engine/render/overlay_pass.h"
 #include "engine/render/picture.h"
 #include "engine/render/pipelines.h"
@@ -49,13 +50,14 @@ private:
   Result<void> rebuild(const RenderOptions& options);
   void build(const RenderPlan& plan);
   void build_scene_set();
+  void build_pipelines();
   void reload_shaders();
   Result<void> update(const FrameState& state);
   void record(VkCommandBuffer commands, OverlayPass* overlay);
   void record_shadow(VkCommandBuffer commands);
-  void record_scene(VkCommandBuffer commands);
+  void record_scene(VkCommandBuffer commands, bool ghost);
   void record_markers(VkCommandBuffer commands);
-  void record_tone(VkCommandBuffer commands);
+  void record_tone(VkCommandBuffer commands, bool ghost);
 
   vulkan::Device& device_;
   RenderOptions options_;
@@ -67,6 +69,7 @@ private:
   vulkan::Commands commands_;
 
   std::unique_ptr<SceneGeometry> geometry_;  // null without instances
+  std::unique_ptr<GhostPass> ghost_;         // null without a ghost
   vulkan::Buffer frame_buffer_;
   vulkan::Buffer marker_buffer_;  // empty without markers
   vulkan::SamplerHandle shadow_sampler_;

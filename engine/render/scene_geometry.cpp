@@ -45,7 +45,7 @@ void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc
   for (const Mesh& mesh : desc.meshes) {
     batches_.push_back({static_cast<std::uint32_t>(indices.size()),
                         static_cast<std::uint32_t>(mesh.indices.size()),
-                        static_cast<std::int32_t>(vertices.size()), 0, 0, 0});
+                        static_cast<std::int32_t>(vertices.size()), 0, 0, 0, false});
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       Vertex vertex{.position = mesh.positions[i], .normal = mesh.normals[i]};
       if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
@@ -80,6 +80,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     batch.first_slot = batch.count == 0 ? slot : batch.first_slot;
     batch.count += 1;
     batch.casters += instance.casts_shadow ? 1 : 0;
+    batch.movable = batch.movable || instance.movable;
   }
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (desc.instances[i].movable) {
@@ -112,14 +113,24 @@ std::vector<Bounds> SceneGeometry::casters() const {
   return boxes;
 }
 
+std::uint32_t SceneGeometry::count_of(const Batch& batch, Which which) {
+  switch (which) {
+    case Which::casters:
+      return batch.casters;
+    case Which::movable:
+      return batch.movable ? 1 : 0;
+    default:
+      return batch.count;
+  }
+}
+
 void SceneGeometry::draw(VkCommandBuffer commands, Which which) const {
   const VkBuffer vertices = vertices_.get();
   const VkDeviceSize offset = 0;
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
   vkCmdBindIndexBuffer(commands, indices_.get(), 0, VK_INDEX_TYPE_UINT32);
   for (const Batch& batch : batches_) {
-    const std::uint32_t count = which == Which::all ? batch.count : batch.casters;
-    if (count > 0) {
+    if (const std::uint32_t count = count_of(batch, which); count > 0) {
       vkCmdDrawIndexed(commands, batch.index_count, count, batch.first_index, batch.first_vertex,
                        batch.first_slot);
     }

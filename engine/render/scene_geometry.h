@@ -26,7 +26,11 @@ public:
 
   VkBuffer instances() const { return instances_.get(); }
 
-  enum class Which { all, casters };
+  enum class Which {
+    all,
+    casters,
+    movable  // each mesh that moves, once: for a pipeline that brings its own pose
+  };
   /// Binds the buffers and draws; pipeline and descriptor sets are bound by the caller.
   void draw(VkCommandBuffer commands, Which which) const;
 
@@ -39,6 +43,7 @@ private:
     std::uint32_t first_slot = 0;
     std::uint32_t count = 0;
     std::uint32_t casters = 0;
+    bool movable = false;
   };
 
   /// A place in the instance buffer.
@@ -48,6 +53,7 @@ private:
     bool casts = false;
   };
 
+  static std::uint32_t count_of(const Batch& batch, Which which);
   void upload_meshes(vulkan::Device& device, const VisualDesc& desc);
   void sort_instances(const VisualDesc& desc);
   gpu::InstanceData* data() { return reinterpret_cast<gpu::InstanceData*>(instances_.mapped()); }

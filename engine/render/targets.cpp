@@ -11,8 +11,9 @@ Targets make_targets(vulkan::Device& device, const RenderPlan& plan) {
   }
   made.scene = vulkan::Image(
       device, {kSceneFormat, scene, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
-  made.depth =
-      vulkan::Image(device, {kDepthFormat, scene, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples});
+  const VkImageUsageFlags read_by_ghost = plan.ghost ? VK_IMAGE_USAGE_SAMPLED_BIT : 0;
+  made.depth = vulkan::Image(
+      device, {kDepthFormat, scene, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | read_by_ghost, samples});
   made.picture =
       vulkan::Image(device, {kPictureFormat,
                              {plan.picture.width, plan.picture.height},

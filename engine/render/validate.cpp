@@ -1,5 +1,6 @@
 #include "engine/render/validate.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fulcrum::render {
@@ -87,6 +88,15 @@ Result<void> validate(const VisualDesc& desc) {
       return Error{"The " + named("marker", marker.name, i) +
                    " needs a finite position and a radius above 0 m."};
     }
+  }
+  if (desc.ghost && std::none_of(desc.instances.begin(), desc.instances.end(),
+                                 [](const Instance& instance) { return instance.movable; })) {
+    return Error{
+        "The scene has a ghost, but nothing movable that it could be a copy of; leave out the ghost."};
+  }
+  if (desc.ghost && !(desc.ghost->line_width > 0.0F && desc.ghost->line_width <= 0.05F)) {
+    return Error{"The ghost's lines are " + std::to_string(desc.ghost->line_width) +
+                 " of the picture's height wide; use more than 0 and at most 0.05."};
   }
   if (desc.key_light && !(glm::length(desc.key_light->direction) > 0.0F)) {
     return Error{"The key light has no direction; give the way its light travels, such as 0 -1 0."};

@@ -74,6 +74,14 @@ struct Marker {
   float radius = 0.01F;      // m
 };
 
+/// The tool once more, as lines: where the hand has turned to while the scene holds the tool. A copy of all
+/// movable instances, in one pose that comes with every FrameState.
+struct Ghost {
+  glm::vec3 colour{0.03F, 0.80F, 1.0F};  // linear; shown as it is, whatever the light
+  float line_width = 0.0032F;            // of the picture's height; never less than 1.3 pixels
+  float crease_rad = 0.6F;               // edges where the surface bends by more than this are always drawn
+};
+
 struct Background {
   glm::vec3 top{0.20F, 0.24F, 0.30F};     // linear
   glm::vec3 bottom{0.06F, 0.07F, 0.08F};  // linear
@@ -88,6 +96,7 @@ struct VisualDesc {
   Ambient ambient;
   Camera camera;                // where a view starts
   std::vector<Marker> markers;  // empty: nothing is built for markers
+  std::optional<Ghost> ghost;   // absent: nothing is built for it
   Background background;
 };
 

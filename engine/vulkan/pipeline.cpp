@@ -51,6 +51,10 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
     state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     state.alphaBlendOp = VK_BLEND_OP_ADD;
+  } else if (blend == Blend::largest) {
+    state.blendEnable = VK_TRUE;
+    state.colorBlendOp = VK_BLEND_OP_MAX;
+    state.alphaBlendOp = VK_BLEND_OP_MAX;
   }
   return state;
 }

@@ -16,7 +16,11 @@ struct Stage {
   std::span<const std::uint32_t> code;
 };
 
-enum class Blend { none, over };  // over: what comes in is premultiplied by its alpha
+enum class Blend {
+  none,
+  over,    // what comes in is premultiplied by its alpha
+  largest  // of each component, whatever the order
+};
 
 struct DepthTest {
   VkCompareOp passes = VK_COMPARE_OP_GREATER;

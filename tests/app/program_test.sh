@@ -58,6 +58,13 @@ expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --second
 expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/tape --seconds 1 --out E
 expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/trace.csv --seconds 1 --out F
 expect 3 'Late ticks: [0-9]+, lost: [0-9]+' "$FULCRUM" run piping --headless --realtime --seconds 2 --out G
+for view in overview slot; do
+  expect 3 'Not completed' "$FULCRUM" run piping --headless --seconds 0.1 --view $view --out V/$view
+done
+cmp -s V/overview/frame.png V/slot/frame.png && fail "--view slot draws the overview"
+cmp -s V/overview/trace.csv V/slot/trace.csv || fail "--view changes the run"
+expect 2 "no view 'slott'; did you mean 'slot'" "$FULCRUM" run piping --headless --view slott --out W
+[ -e W ] && fail "a run with an unknown view left a folder"
 expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H
 
 # --- reports

@@ -29,7 +29,8 @@ std::string complaint(const VisualDesc& desc, const RenderOptions& options = {})
 
 TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   const RenderPlan all = planned(test::make_scene());
-  for (const char* pipeline : {"surfaces", "shadows", "markers", "background", "tone mapping"}) {
+  for (const char* pipeline : {"surfaces", "shadows", "markers", "ghost depth", "ghost lines", "ghost",
+                               "background", "tone mapping"}) {
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
   }
   EXPECT_TRUE(all.left_out.empty());
@@ -44,6 +45,28 @@ TEST(Plan, LeavesOutMarkersWithoutCheckpoints) {
   EXPECT_FALSE(plan.markers);
   EXPECT_EQ(find(plan.built, "markers", "pipeline"), nullptr);
   EXPECT_EQ(find(plan.left_out, "markers", "pipeline")->note, "the scene has no checkpoints");
+}
+
+TEST(Plan, LeavesOutTheGhostWhereTheSceneHasNone) {
+  VisualDesc desc = test::make_scene();
+  desc.ghost.reset();
+  const RenderPlan plan = planned(desc);
+  EXPECT_FALSE(plan.ghost);
+  for (const BuildItem& item : plan.built) {
+    EXPECT_FALSE(item.name.starts_with("ghost")) << item.name;
+  }
+  for (const char* kind : {"buffer", "pipeline"}) {
+    EXPECT_EQ(find(plan.left_out, "ghost", kind)->note, "the scene has no ghost");
+  }
+}
+
+TEST(Plan, RefusesAGhostOfNothingAndLinesOfNoWidth) {
+  VisualDesc desc = test::make_scene();
+  desc.ghost->line_width = 0.0F;
+  EXPECT_NE(complaint(desc).find("more than 0"), std::string::npos);
+  desc = test::make_scene();
+  desc.instances[2].movable = false;
+  EXPECT_NE(complaint(desc).find("nothing movable"), std::string::npos);
 }
 
 TEST(Plan, LeavesOutShadowsForEachOfItsReasons) {

@@ -73,15 +73,16 @@ VisualDesc make_scene() {
   desc.key_light->direction = {0.0F, -1.0F, 0.0F};
   desc.camera = {{0.0F, 0.35F, 0.6F}, {0.0F, 0.05F, 0.0F}, 0.7F};
   desc.markers = {{"above the box", {-0.1F, 0.2F, 0.0F}, 0.02F}};
+  desc.ghost = render::Ghost{};
   return desc;
 }
 
-Gpu make_gpu() {
+Gpu make_gpu(const std::string& name) {
   vulkan::Result<vulkan::Instance> instance = vulkan::Instance::create({true, {}});
   if (!instance) {
     throw std::runtime_error(instance.error());
   }
-  vulkan::Result<std::unique_ptr<vulkan::Device>> device = vulkan::Device::create(instance.value(), "");
+  vulkan::Result<std::unique_ptr<vulkan::Device>> device = vulkan::Device::create(instance.value(), name);
   if (!device) {
     throw std::runtime_error(device.error());
   }

@@ -1,5 +1,6 @@
 #pragma once
-// A small scene for tests of drawing: a floor, a box, a chromed ball that moves, a marker.
+// A small scene for tests of drawing: a floor, a box, a chromed ball that moves, a marker, a ghost of the
+// ball.
 
 #include <memory>
 
@@ -10,7 +11,8 @@ namespace fulcrum::test {
 render::Mesh make_box(const glm::vec3& half_size);
 render::Mesh make_ball(float radius);
 
-/// Instances: 0 the floor, 1 the box, 2 the ball (movable). One marker.
+/// Instances: 0 the floor, 1 the box, 2 the ball (movable). One marker. A ghost, shown only where a frame
+/// says so.
 render::VisualDesc make_scene();
 
 /// A device with the validation layers on.
@@ -20,7 +22,8 @@ struct Gpu {
 };
 
 /// Fails the running test and throws where there is no device: llvmpipe comes with mesa-vulkan-drivers.
-Gpu make_gpu();
+/// `name`: a part of its name; empty: the best one. Goldens are drawn with llvmpipe.
+Gpu make_gpu(const std::string& name = "");
 
 /// The mean of the red, green and blue values, 0..255, of a rectangle given in fractions of the picture.
 glm::vec3 mean(const render::Picture& picture, float left, float top, float right, float bottom);

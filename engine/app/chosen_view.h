@@ -1,0 +1,17 @@
+#pragma once
+// The view that --view names: where a window starts, and where the picture is drawn from.
+
+#include <optional>
+#include <string>
+
+#include "engine/app/prepare.h"
+
+namespace fulcrum::app {
+
+// Why there is no such view; absent: there is, or none was named.
+std::optional<Error> refuse_view(const Prepared& prepared, const std::string& name);
+
+// What is drawn, its camera in the view of that name; empty: in the scenario's first.
+Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const std::string& name);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,48 @@
+#pragma once
+// Draws the ghost: its surface in depth alone, its lines against that and against the scene, and the lines
+// over the finished picture.
+
+#include "engine/render/frame_state.h"
+#include "engine/render/ghost_edges.h"
+#include "engine/render/pipelines.h"
+#include "engine/render/scene_geometry.h"
+#include "engine/vulkan/descriptors.h"
+#include "engine/vulkan/image.h"
+
+namespace fulcrum::render {
+
+class GhostPass {
+public:
+  /// A valid description with a ghost. Throws vulkan::Failure.
+  GhostPass(vulkan::Device& device, const VisualDesc& desc);
+
+  /// Images and descriptors for a plan and its targets. Throws vulkan::Failure.
+  void build(const RenderPlan& plan, VkImageView scene_depth);
+  VkDescriptorSetLayout layout() const { return set_.layout(); }
+
+  /// What of the ghost is to be seen in the next frame.
+  void update(const FrameState& state, const RenderPlan& plan);
+  bool shown() const { return draw_.colour.a > 0.0F; }
+
+  /// Outside any rendering, with the scene's depth ready to be sampled.
+  void record_lines(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry);
+  /// Inside the rendering of the picture.
+  void record_over(VkCommandBuffer commands, const Pipelines& pipelines) const;
+
+private:
+  void use(VkCommandBuffer commands, const Pipelines& pipelines, VkPipeline pipeline) const;
+
+  vulkan::Device& device_;
+  Ghost look_;
+  GhostEdges edges_;
+  vulkan::Buffer chosen_;  // gpu::GhostLine
+  std::uint32_t chosen_count_ = 0;
+  gpu::GhostDraw draw_{};
+
+  vulkan::SamplerHandle sampler_;
+  vulkan::Image depth_;
+  vulkan::Image lines_;
+  vulkan::DescriptorSet set_;
+};
+
+}  // namespace fulcrum::render

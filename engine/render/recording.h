@@ -1,0 +1,25 @@
+#pragma once
+// Words that every pass is recorded with.
+
+#include <vulkan/vulkan_core.h>
+
+#include "engine/vulkan/commands.h"
+
+namespace fulcrum::render {
+
+constexpr VkImageAspectFlags kColour = VK_IMAGE_ASPECT_COLOR_BIT;
+constexpr VkImageAspectFlags kDepth = VK_IMAGE_ASPECT_DEPTH_BIT;
+
+VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, VkAttachmentLoadOp load,
+                                     VkAttachmentStoreOp store);
+
+/// Begins rendering to all of the targets; null: no such target.
+void begin(VkCommandBuffer commands, VkExtent2D extent, const VkRenderingAttachmentInfo* colour,
+           const VkRenderingAttachmentInfo* depth);
+
+void bind(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set);
+
+/// Content is not kept, but what used it last must be over.
+vulkan::ImageUse discarded_after(const vulkan::ImageUse& last);
+
+}  // namespace fulcrum::render

@@ -1,0 +1,60 @@
+#include "scene_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "image_compare.h"
+
+namespace fulcrum::test {
+
+app::Moment moment_on_route(const app::Prepared& prepared, double time, std::size_t step) {
+  const auto& hands = prepared.haptic.hands;
+  const auto expert = std::ranges::find(hands, "expert", &scenario::HandScript::name);
+  if (expert == hands.end()) throw std::runtime_error("the scenario has no expert hand");
+  app::Moment moment{};
+  moment.task.reached.resize(prepared.haptic.task.checkpoints.size());
+  moment.task.step = step;
+  moment.task.inside = true;
+  moment.task.dwell_progress = 0.6;
+  TickRecord& record = moment.record;
+  record.tick = static_cast<std::int64_t>(1000 * time);
+  record.force_gain = 1;
+  record.X_WT = HandPath(expert->waypoints).at(time);
+  record.coupling_F_T_W.torque = Vec3(0.02, 0, 0);
+  record.device_F_H_D.force = Vec3(0.4, 0.3, 0);
+  return moment;
+}
+
+app::GhostCue turned_on(const Pose& X_WT, const Vec3& axis_T, double angle_rad) {
+  return {1.0, X_WT.q * Quat(Eigen::AngleAxisd(angle_rad, axis_T.normalized()))};
+}
+
+void expect_golden(const app::Prepared& prepared, app::Moment moment, const std::string& view,
+                   const std::string& golden) {
+  Result<scenario::VisualAssembly> visual = scenario::assemble_visual(prepared.scenario, prepared.models);
+  ASSERT_TRUE(visual) << visual.error().sentence;
+  const auto found = std::ranges::find(visual->views, view, &scenario::View::name);
+  ASSERT_NE(found, visual->views.end()) << view;
+  moment.camera = found->camera;
+  if (moment.ghost.opacity > 0) visual->desc.ghost = render::Ghost{};
+  app::RunOptions options;
+  options.size = {640, 360};
+  options.gpu = "llvmpipe";
+  options.validate = true;
+  const std::filesystem::path folder = FULCRUM_FAILURES;
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path file = folder / (golden + ".png");
+  const auto drawn =
+      app::draw_picture(prepared, prepared.haptic.scene, *visual, moment, options, file, nullptr);
+  ASSERT_TRUE(drawn) << drawn.error().sentence;
+  const auto picture = read_png(file);
+  ASSERT_TRUE(picture) << picture.error();
+  const Comparison comparison =
+      compare(picture.value(), std::filesystem::path(FULCRUM_GOLDENS) / (golden + ".png"),
+              {.failure_folder = folder});
+  EXPECT_TRUE(comparison.passed) << comparison.sentence;
+}
+
+}  // namespace fulcrum::test

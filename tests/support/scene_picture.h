@@ -1,0 +1,23 @@
+#pragma once
+// Moments of a scenario, drawn as the program draws them, against goldens. To look at new ones: run, open
+// tests/failures in the build folder, and copy *.actual.png over the golden if that is what the change was
+// for; say why in the commit.
+
+#include <string>
+
+#include "engine/app/picture.h"
+
+namespace fulcrum::test {
+
+/// The tool where the route of the hand `expert` has it at `time` (s), dwelling at the checkpoint `step`: it
+/// does not depend on a run.
+app::Moment moment_on_route(const app::Prepared& prepared, double time, std::size_t step);
+
+/// The hand has turned on by `angle_rad` about an axis of T through its origin while the tool stayed.
+app::GhostCue turned_on(const Pose& X_WT, const Vec3& axis_T, double angle_rad);
+
+/// The moment from a view of that name, against FULCRUM_GOLDENS/`golden`.png. With a ghost if it shows one.
+void expect_golden(const app::Prepared& prepared, app::Moment moment, const std::string& view,
+                   const std::string& golden);
+
+}  // namespace fulcrum::test
