@@ -58,22 +58,24 @@ glm::mat4 to_glm(const Pose& X) {
   return M;
 }
 
-FrameBridge::FrameBridge(const render::VisualDesc& desc)
-    : markers_(desc.markers.size()), ghost_(desc.ghost.has_value()) {
+FrameBridge::FrameBridge(const render::VisualDesc& desc, const Quat& q_HT) : markers_(desc.markers.size()) {
+  if (desc.ghost) ghost_q_HT_ = q_HT;
   for (const render::Instance& instance : desc.instances) {
     if (instance.movable) X_WM_.push_back(instance.X_WM);
   }
   marker_states_.resize(markers_);
 }
 
-render::FrameState FrameBridge::frame(const Pose& X_WT, const scenario::TaskState& task,
-                                      const render::Camera& camera, double time, const GhostCue& ghost) {
-  for (glm::mat4& X_WM : X_WM_) X_WM = to_glm(X_WT);
+render::FrameState FrameBridge::frame(const TickRecord& record, const scenario::TaskState& task,
+                                      const render::Camera& camera, double time) {
+  for (glm::mat4& X_WM : X_WM_) X_WM = to_glm(record.X_WT);
   for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
   render::FrameState state;
   state.X_WM = X_WM_;
   state.markers = marker_states_;
-  if (ghost_) state.ghost = {static_cast<float>(ghost.opacity), to_glm({ghost.q_WG, X_WT.p})};
+  if (ghost_q_HT_)
+    state.ghost = {static_cast<float>(record.torque.ghost),
+                   to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
   state.camera = camera;
   state.time_s = time;
   return state;
@@ -92,9 +94,8 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
 
 std::vector<Command::Kind> cue_commands(const SceneDesc& scene) {
   std::vector<Command::Kind> kinds;
-  if (!substitutes_torque(scene)) return kinds;
-  if (scene.device.renders_force) kinds.push_back(Command::Kind::vibration_gain);
-  if (scene.device.senses_rotation) kinds.push_back(Command::Kind::ghost_gain);
+  if (has_transients(scene)) kinds.push_back(Command::Kind::vibration_gain);
+  if (shows_ghost(scene)) kinds.push_back(Command::Kind::ghost_gain);
   return kinds;
 }
 

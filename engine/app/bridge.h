@@ -2,6 +2,7 @@
 // From what ticks to what is drawn: the only place where both are seen. Eigen's types become GLM's here.
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,25 +18,20 @@ namespace fulcrum::app {
 
 glm::mat4 to_glm(const Pose& X);
 
-// The cue that shows where the hand has turned to.
-struct GhostCue {
-  double opacity = 0;            // 0..1; 0: none
-  Quat q_WG = Quat::Identity();  // the tool as the handle would have it: q_WH * q_HT
-};
-
 // The storage that a FrameState looks into.
 class FrameBridge {
 public:
-  explicit FrameBridge(const render::VisualDesc& desc);
+  // q_HT: the tool in the handle, when nothing touches it.
+  FrameBridge(const render::VisualDesc& desc, const Quat& q_HT);
 
-  // The tool at X_WT, the markers as the task stands. The ghost, if the scene has one, is put where the tool
-  // is and not where the handle is, so that what is seen between the two is pure rotation.
-  render::FrameState frame(const Pose& X_WT, const scenario::TaskState& task, const render::Camera& camera,
-                           double time, const GhostCue& ghost = {});
+  // The tool as it was in that tick, the markers as the task stands. The ghost, if the scene has one, is put
+  // where the tool is and not where the handle is, so that what is seen between the two is pure rotation.
+  render::FrameState frame(const TickRecord& record, const scenario::TaskState& task,
+                           const render::Camera& camera, double time);
 
 private:
   std::size_t markers_;
-  bool ghost_;
+  std::optional<Quat> ghost_q_HT_;  // where there is a ghost
   std::vector<glm::mat4> X_WM_;
   std::vector<render::MarkerState> marker_states_;
 };

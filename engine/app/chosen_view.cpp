@@ -15,8 +15,10 @@ std::optional<Error> refuse_view(const Prepared& prepared, const std::string& na
                scenario::did_you_mean(name, known, otherwise)};
 }
 
-Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const std::string& name) {
-  Result<scenario::VisualAssembly> visual = scenario::assemble_visual(prepared.scenario, prepared.models);
+Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const SceneDesc& scene,
+                                               const std::string& name) {
+  Result<scenario::VisualAssembly> visual =
+      scenario::assemble_visual(prepared.scenario, prepared.models, scene);
   if (!visual) return visual;
   const auto named = std::ranges::find(visual->views, name, &scenario::View::name);
   if (named != visual->views.end()) visual->desc.camera = named->camera;

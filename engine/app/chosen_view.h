@@ -12,6 +12,7 @@ namespace fulcrum::app {
 std::optional<Error> refuse_view(const Prepared& prepared, const std::string& name);
 
 // What is drawn, its camera in the view of that name; empty: in the scenario's first.
-Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const std::string& name);
+Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const SceneDesc& scene,
+                                               const std::string& name);
 
 }  // namespace fulcrum::app

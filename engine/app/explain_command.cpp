@@ -63,7 +63,7 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
     return kError;
   }
   const Result<scenario::VisualAssembly> visual =
-      scenario::assemble_visual(prepared->scenario, prepared->models);
+      scenario::assemble_visual(prepared->scenario, prepared->models, prepared->haptic.scene);
   if (!visual) {
     complain(visual.error().sentence);
     return kError;

@@ -14,7 +14,6 @@ struct Moment {
   TickRecord record;
   scenario::TaskState task;
   render::Camera camera;
-  GhostCue ghost;
 };
 
 // Draws one moment into a PNG. `plan`, if given, receives what was built. Errors: no Vulkan, no such GPU, a

@@ -116,9 +116,10 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   // The picture is the last moment. Without Vulkan the run counts all the same.
   render::RenderPlan plan;
   bool drawn = false;
-  const Result<scenario::VisualAssembly> visual = assemble_view(prepared, options.view);
+  const Result<scenario::VisualAssembly> visual =
+      assemble_view(prepared, attempt->world().desc(), options.view);
   if (visual) {
-    const Moment moment{attempt->sink().last(), attempt->sink().task(), visual->desc.camera, {}};
+    const Moment moment{attempt->sink().last(), attempt->sink().task(), visual->desc.camera};
     const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, moment, options,
                                       attempt->folder() / record::kPictureName, &plan);
     drawn = static_cast<bool>(picture);
@@ -131,7 +132,8 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
 }
 
 int run_in_window(const Prepared& prepared, const RunOptions& options) {
-  const Result<scenario::VisualAssembly> visual = assemble_view(prepared, options.view);
+  const Result<scenario::VisualAssembly> visual =
+      assemble_view(prepared, scene_for_device(prepared, options.device), options.view);
   if (!visual) {
     complain(visual.error().sentence);
     return kError;

@@ -35,7 +35,10 @@ std::vector<ui::KeyLine> key_lines(const std::vector<ui::CueLine>& cues) {
 }  // namespace
 
 TrainingWindow::TrainingWindow(const Prepared& prepared, const scenario::VisualAssembly& visual)
-    : prepared_(prepared), visual_(visual), camera_(visual.desc.camera), bridge_(visual.desc) {}
+    : prepared_(prepared),
+      visual_(visual),
+      camera_(visual.desc.camera),
+      bridge_(visual.desc, prepared.haptic.scene.tool.X_HT.q) {}
 
 Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(const Prepared& prepared,
                                                                const scenario::VisualAssembly& visual,
@@ -267,7 +270,7 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
     error_ = laid_out.error();
     return;
   }
-  render::FrameState frame = bridge_.frame(record.X_WT, sink.task(), camera_.camera(), shown_.time_s);
+  render::FrameState frame = bridge_.frame(record, sink.task(), camera_.camera(), shown_.time_s);
   frame.overlay = overlay_.get();
   const auto drawn = renderer_->frame(frame, *swapchain_, size);
   if (!drawn) {

@@ -59,6 +59,8 @@ struct VisualAssembly {
   std::vector<View> views;  // the first is desc.camera
 };
 
-Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models);
+// scene: what ticks; cues that it does not show are not drawn.
+Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,
+                                       const SceneDesc& scene);
 
 }  // namespace fulcrum::scenario

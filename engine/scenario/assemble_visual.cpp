@@ -77,7 +77,8 @@ void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& m
 
 }  // namespace
 
-Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models) {
+Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,
+                                       const SceneDesc& scene) {
   VisualAssembly result;
   render::VisualDesc& desc = result.desc;
   const Pose X_WT_start = scenario.tool.X_WM_start * Pose{Quat::Identity(), models.p_MT};
@@ -94,6 +95,7 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   desc.key_light = scenario.light;
   desc.ambient = scenario.ambient;
   desc.background = scenario.background;
+  if (shows_ghost(scene)) desc.ghost = render::Ghost{};
   result.views = scenario.views;
   if (!result.views.empty()) desc.camera = result.views.front().camera;
   return result;

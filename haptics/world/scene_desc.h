@@ -54,6 +54,11 @@ inline bool substitutes_torque(const SceneDesc& desc) {
   return desc.torque_substitution && !desc.device.renders_torque;
 }
 
+// It shows the turn between hand and tool, where the device senses one.
+inline bool shows_ghost(const SceneDesc& desc) {
+  return substitutes_torque(desc) && desc.device.senses_rotation;
+}
+
 // Something in the scene asks for forces that no slew limit slows down.
 inline bool has_transients(const SceneDesc& desc) {
   return substitutes_torque(desc) && desc.device.renders_force;

@@ -15,7 +15,7 @@ TEST(Picture, Piping) {
 
 TEST(Picture, PipingWithGhost) {
   app::Moment moment = moment_on_route(piping(), 14.0, 2);
-  moment.ghost = turned_on(moment.record.X_WT, Vec3::UnitY(), 0.44);
+  turn_on(piping(), Vec3::UnitY(), 0.44, moment.record);
   for (const char* view : {"overview", "slot", "behind"})
     expect_golden(piping(), moment, view, std::string(view) + "_ghost");
 }

@@ -167,7 +167,7 @@ TEST_F(Assemble, DrawsTheToolAboutItsCentreOfMass) {
   const Scenario scenario = read({}, "materials: {steel: {base_colour: [1, 0, 0], roughness: 0.25}}\n");
   const auto models = load_models(scenario);
   ASSERT_TRUE(models) << models.error().sentence;
-  const auto visual = assemble_visual(scenario, *models);
+  const auto visual = assemble_visual(scenario, *models, {});
   ASSERT_TRUE(visual) << visual.error().sentence;
   const render::VisualDesc& desc = visual->desc;
   ASSERT_EQ(desc.instances.size(), 2u);
@@ -187,11 +187,26 @@ TEST_F(Assemble, DrawsTheToolAboutItsCentreOfMass) {
   EXPECT_EQ(visual->views.size(), 1u);
 }
 
+TEST_F(Assemble, AGhostIsThereWhereTheSceneShowsOne) {
+  const Scenario scenario = read({"variant=B"});
+  const auto models = load_models(scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(scenario.torque_substitution);
+  EXPECT_EQ(scenario.torque_substitution->variant, TorqueVariant::B);
+  SceneDesc scene;
+  EXPECT_FALSE(assemble_visual(scenario, *models, scene)->desc.ghost);
+  scene.torque_substitution = scenario.torque_substitution;
+  EXPECT_TRUE(assemble_visual(scenario, *models, scene)->desc.ghost);  // off, and a key away
+  scene.device.senses_rotation = false;
+  EXPECT_FALSE(assemble_visual(scenario, *models, scene)->desc.ghost);
+  EXPECT_FALSE(read({}).torque_substitution);
+}
+
 TEST_F(Assemble, NamesThePlaceOfWhatIsWrong) {
   const auto wrong_material = read({}, "materials: {stel: {roughness: 0.25}}\n");
   const auto models = load_models(wrong_material);
   ASSERT_TRUE(models) << models.error().sentence;
-  EXPECT_EQ(assemble_visual(wrong_material, *models).error().sentence,
+  EXPECT_EQ(assemble_visual(wrong_material, *models, {}).error().sentence,
             "scenario.yaml:20:19: no model has a material 'stel'; did you mean 'steel'?");
 
   const auto missing = load_models(read({"models.peg.file=none.glb"}));

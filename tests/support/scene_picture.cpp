@@ -24,21 +24,26 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
   record.X_WT = HandPath(expert->waypoints).at(time);
   record.coupling_F_T_W.torque = Vec3(0.02, 0, 0);
   record.device_F_H_D.force = Vec3(0.4, 0.3, 0);
+  record.torque.vibration_gain = record.torque.ghost_gain = 1;
   return moment;
 }
 
-app::GhostCue turned_on(const Pose& X_WT, const Vec3& axis_T, double angle_rad) {
-  return {1.0, X_WT.q * Quat(Eigen::AngleAxisd(angle_rad, axis_T.normalized()))};
+void turn_on(const app::Prepared& prepared, const Vec3& axis_T, double angle_rad, TickRecord& record) {
+  const Quat q_WG = record.X_WT.q * Quat(Eigen::AngleAxisd(angle_rad, axis_T.normalized()));
+  record.X_WH.q = q_WG * prepared.haptic.scene.tool.X_HT.q.conjugate();
+  record.torque.bad = true;
+  record.torque.vibration = 0.3;
+  record.torque.ghost = 1;
 }
 
 void expect_golden(const app::Prepared& prepared, app::Moment moment, const std::string& view,
                    const std::string& golden) {
-  Result<scenario::VisualAssembly> visual = scenario::assemble_visual(prepared.scenario, prepared.models);
+  Result<scenario::VisualAssembly> visual =
+      scenario::assemble_visual(prepared.scenario, prepared.models, prepared.haptic.scene);
   ASSERT_TRUE(visual) << visual.error().sentence;
   const auto found = std::ranges::find(visual->views, view, &scenario::View::name);
   ASSERT_NE(found, visual->views.end()) << view;
   moment.camera = found->camera;
-  if (moment.ghost.opacity > 0) visual->desc.ghost = render::Ghost{};
   app::RunOptions options;
   options.size = {640, 360};
   options.gpu = "llvmpipe";

@@ -13,10 +13,11 @@ namespace fulcrum::test {
 /// does not depend on a run.
 app::Moment moment_on_route(const app::Prepared& prepared, double time, std::size_t step);
 
-/// The hand has turned on by `angle_rad` about an axis of T through its origin while the tool stayed.
-app::GhostCue turned_on(const Pose& X_WT, const Vec3& axis_T, double angle_rad);
+/// The hand has turned on by `angle_rad` about an axis of T through its origin while the tool stayed, and the
+/// ghost is there.
+void turn_on(const app::Prepared& prepared, const Vec3& axis_T, double angle_rad, TickRecord& record);
 
-/// The moment from a view of that name, against FULCRUM_GOLDENS/`golden`.png. With a ghost if it shows one.
+/// The moment from a view of that name, against FULCRUM_GOLDENS/`golden`.png.
 void expect_golden(const app::Prepared& prepared, app::Moment moment, const std::string& view,
                    const std::string& golden);
 

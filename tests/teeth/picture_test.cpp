@@ -32,7 +32,7 @@ TEST(Picture, Teeth) {
 TEST(Picture, TeethWithGhost) {
   for (const Shot& shot : kShots) {
     app::Moment moment = moment_on_route(teeth(), shot.time, shot.step);
-    moment.ghost = turned_on(moment.record.X_WT, teeth().models.p_MT, 0.44);
+    turn_on(teeth(), teeth().models.p_MT, 0.44, moment.record);
     expect_golden(teeth(), moment, shot.view, std::string(shot.view) + "_ghost");
   }
 }
