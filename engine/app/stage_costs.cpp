@@ -7,6 +7,7 @@
 #include "haptics/loop/run_tick.h"
 #include "haptics/motion/build_motion.h"
 #include "haptics/tool/virtual_coupling.h"
+#include "haptics/world/build_effects.h"
 
 namespace fulcrum::app {
 namespace {
@@ -65,7 +66,8 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
   VirtualCoupling coupling(scene.coupling, body);
   VelocityEstimator velocity(scene.velocity, scene.tick_s);
   const DeviceArm arm(scene.device);
-  Guard guard(scene.device, scene.tick_s, false);
+  Guard guard(scene.device, scene.tick_s, has_transients(scene));
+  std::optional<TorqueSubstitution> torque = build_torque_substitution(scene);
   ContactSet set;
   double unused = 0;  // summed up so that no call is optimised away
 
@@ -103,6 +105,20 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
     std::uint32_t faults = guard.watch(m.sample, {});
     unused += guard.limit(m.coupling_F_T_W, faults).force.x();
   });
+  if (torque) {
+    us["torque substitution"] = mean_us(moments, [&](const Moment& m) {
+      TorqueSubstitution::Tick tick;
+      tick.contact_torque = -m.coupling_F_T_W.torque;
+      tick.coupling_F_T_W = m.coupling_F_T_W;
+      unused += torque->process(tick).vibration_D.x();
+    });
+  }
+  if (guard.transients()) {
+    us["transient budget"] = mean_us(moments, [&](const Moment& m) {
+      std::uint32_t faults = 0;
+      unused += guard.limit_transient(0.01 * m.coupling_F_T_W.force, Vec3::Zero(), Vec3::Zero(), faults).x();
+    });
+  }
   volatile double kept = unused;
   static_cast<void>(kept);
   return us;

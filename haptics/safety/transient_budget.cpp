@@ -12,6 +12,8 @@ TransientBudget::TransientBudget(const DeviceDesc& device, double tick_s)
       spent_(static_cast<std::size_t>(std::ceil(kWindow / tick_s))) {}
 
 Vec3 TransientBudget::allow(const Vec3& wanted, const Vec3& moved) noexcept {
+  quiet_ = last_.isZero(0) ? quiet_ + 1 : 0;
+  if (quiet_ > spent_.size() && wanted.isZero(0)) return Vec3::Zero();
   const double given = last_.dot(moved);
   energy_ += given;
   spent_[at_] = {tick_s_ * last_, tick_s_ * last_.norm(), given};

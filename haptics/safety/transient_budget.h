@@ -46,6 +46,7 @@ private:
   double tick_s_, peak_;
   std::vector<Spent> spent_;  // of the last kWindow, one a tick
   std::size_t at_ = 0;        // the oldest of them
+  std::size_t quiet_ = 0;  // ticks since the last transient: from the window's length on it holds zeros alone
   Vec3 last_ = Vec3::Zero();
   double energy_ = 0;
 };

@@ -5,6 +5,7 @@
 
 #include "haptics/math/rotation.h"
 #include "haptics/motion/build_motion.h"
+#include "haptics/world/build_effects.h"
 
 namespace fulcrum {
 namespace {
@@ -15,18 +16,6 @@ Vec6 encoder_steps(const SceneDesc& desc) {
   step.head<3>().setConstant(desc.mapping.position_scale * desc.device.encoder_step);
   step.tail<3>().setConstant(desc.device.encoder_step_rad);
   return step;
-}
-
-std::optional<TorqueSubstitution> torque_substitution(const SceneDesc& desc) {
-  if (!substitutes_torque(desc)) return std::nullopt;
-  return TorqueSubstitution(*desc.torque_substitution,
-                            {.tick_s = desc.tick_s,
-                             .tool_reach = desc.tool_shell->max_radius_m,
-                             .max_force = desc.coupling.max_force,
-                             .max_torque = desc.coupling.max_torque,
-                             .renders_force = desc.device.renders_force,
-                             .senses_rotation = desc.device.senses_rotation,
-                             .springs = desc.contact.response != ContactResponse::constraint});
 }
 
 }  // namespace
@@ -41,7 +30,7 @@ World::World(SceneDesc desc)
       ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale, desc_.device.renders_force,
               desc_.device.renders_torque),
       passivity_(desc_.device, desc_.tick_s),
-      torque_substitution_(torque_substitution(desc_)) {
+      torque_substitution_(build_torque_substitution(desc_)) {
   X_WH_ = desc_.tool.X_WT_start * desc_.tool.X_HT.inverse();
   X_DH_good_ = desc_.mapping.handle_in_device(X_WH_);
 }
