@@ -57,6 +57,7 @@ std::vector<WorkStudy> study_piping(const PipingParts& piping, bool quick);  // 
 WorkStudy study_tick(bool quick);
 WorkStudy study_oscillator(bool quick);
 WorkStudy study_tumbling(bool quick);
+WorkStudy study_tone(bool quick);
 
 // Fills in the orders from neighbouring settings of each method.
 void measure_orders(WorkStudy& study);

@@ -26,7 +26,18 @@ TEST_P(Orders, AreWithinATenthOfTheory) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Orders,
-                         testing::Values(study_field, study_tick, study_oscillator, study_tumbling));
+                         testing::Values(study_field, study_tick, study_oscillator, study_tumbling,
+                                         study_tone));
+
+TEST(WorkPrecision, AHeldToneKeepsItsAmplitude) {
+  for (const WorkPoint& point : study_tone(true).points) {
+    if (point.method == "held") {
+      EXPECT_LT(point.error, 1e-9) << point.value;
+    } else {
+      EXPECT_GT(point.error, 1e-3) << point.value;
+    }
+  }
+}
 
 // At the same voxel, where both look up the same points: what that costs is for the report, no test.
 TEST(WorkPrecision, TheFieldBeatsTheClassicMethodTwentyfold) {
