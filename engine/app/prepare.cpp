@@ -76,7 +76,8 @@ SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) 
   return scene;
 }
 
-Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand) {
+Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand,
+                                                          std::uint64_t trial) {
   const SceneDesc& scene = prepared.haptic.scene;
   const auto found =
       std::find_if(prepared.haptic.hands.begin(), prepared.haptic.hands.end(),
@@ -91,6 +92,7 @@ Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepar
   } else if (hand != "still") {
     return no_hand(prepared, hand);
   }
+  task.hand.seed += trial;
   task.sag_W = Vec3(0, sag(scene), 0);
   if (scene.tool.weight) {
     const Vec3 felt_W(0, -scene.tool.mass * kGravity, 0);

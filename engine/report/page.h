@@ -21,6 +21,7 @@ public:
 
   void heading(std::string_view text);
   void paragraph(std::string_view text);
+  void note(std::string_view text);     // a paragraph that nobody is to miss
   void command(std::string_view text);  // a line for a terminal
   void table(const Table& table);
   void plot(const Plot& plot, std::string_view caption);

@@ -1,0 +1,108 @@
+#include "engine/analysis/compare_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum::analysis {
+namespace {
+
+using report::Line;
+using report::Marker;
+using report::Plot;
+using report::Series;
+
+constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();  // lifts the pen
+constexpr double kBesideTrials = 0.16;                                 // of the way to the next variant
+
+double largest_torque(const Comparison& comparison) {
+  double largest = comparison.bad_above_Nm;
+  for (const VariantRuns& runs : comparison.variants) {
+    for (const Moment& moment : runs.course) largest = std::max(largest, moment.torque);
+  }
+  return largest;
+}
+
+// 0 to kDeepestShade.
+int shade_of(double fraction) {
+  return std::clamp(static_cast<int>(std::ceil(fraction * report::kDeepestShade)), 0, report::kDeepestShade);
+}
+
+}  // namespace
+
+Plot metric_plot(const Comparison& comparison, Metric metric) {
+  const MetricName name = name_of(metric);
+  Plot plot;
+  plot.title = std::string(name.symbol) + ": " + name.title;
+  plot.height = 260;
+  for (const VariantRuns& runs : comparison.variants) plot.x.names.push_back(runs.name);
+  plot.x.title = "variant";
+  plot.y = {name.symbol, name.unit, report::Scale::linear, {}, {}};
+  if (metric != Metric::completion_time) plot.y.low = 0;
+  Series trials{"a trial", {}, Line::solid, Marker::circle, 6, false, true};
+  Series interval{"", {}, Line::solid, Marker::none, 0, true};
+  Series mean{"mean and 95 % interval", {}, Line::none, Marker::diamond, 0, true};
+  for (std::size_t i = 0; i < comparison.variants.front().trials.size(); ++i) {
+    for (std::size_t v = 0; v < comparison.variants.size(); ++v)
+      trials.points.push_back(
+          {static_cast<double>(v), comparison.variants[v].trials[i].value(metric).value_or(kNowhere)});
+    trials.points.push_back({0, kNowhere});
+  }
+  for (std::size_t v = 0; v < comparison.variants.size(); ++v) {
+    const Estimate estimate = estimate_of(comparison.variants[v], metric);
+    if (!estimate.interval) continue;
+    const double x = static_cast<double>(v) + kBesideTrials;
+    mean.points.push_back({x, estimate.mean});
+    interval.points.insert(interval.points.end(),
+                           {{x, estimate.interval->low}, {x, estimate.interval->high}, {x, kNowhere}});
+    plot.labels.push_back({{x, estimate.mean}, report::short_number(estimate.mean, 3), report::Side::right});
+  }
+  plot.series = {trials};
+  if (!mean.points.empty()) plot.series.insert(plot.series.end(), {interval, mean});
+  return plot;
+}
+
+Plot course_plot(const Comparison& comparison, std::size_t variant) {
+  const VariantRuns& runs = comparison.variants[variant];
+  Plot plot;
+  plot.title = "Variant " + runs.name;
+  plot.height = 190;
+  plot.x = {"time", "s", report::Scale::linear, 0.0, {}};
+  for (const VariantRuns& each : comparison.variants) {
+    if (!each.course.empty()) plot.x.high = std::max(plot.x.high.value_or(0), each.course.back().time);
+  }
+  // Torque below, then a strip for each cue: rows of cells with gaps between them.
+  const double top = 1.05 * largest_torque(comparison), strip = 0.09 * top;
+  const double rows[] = {0, top, top + strip, top + 2 * strip, top + 2.5 * strip, top + 3.5 * strip};
+  plot.y = {"|τ|", "N m", report::Scale::linear, 0.0, rows[5]};
+  plot.cells.y_edges.assign(std::begin(rows), std::end(rows));
+  plot.cells.bands = {{"bad torque", 1}, {"cue, weak", -1}, {"", -2}, {"", -3}, {"cue, full", -4}};
+  double loudest = 0;
+  for (const VariantRuns& each : comparison.variants) {
+    for (const Moment& moment : each.course) loudest = std::max(loudest, moment.vibration);
+  }
+  const auto cue_band = [](double fraction) { return fraction > 0 ? shade_of(fraction) : -1; };
+  Series torque{"|τ|", {}, Line::solid, Marker::none, report::kInk, false};
+  Series bound{"bad from here on, where no force explains it", {}, Line::dashed, Marker::none, 6, false};
+  std::vector<int> bad, vibration, ghost;
+  for (const Moment& moment : runs.course) {
+    plot.cells.x_edges.push_back(moment.time);
+    bad.push_back(moment.bad ? 0 : -1);
+    vibration.push_back(loudest > 0 ? cue_band(moment.vibration / loudest) : -1);
+    ghost.push_back(cue_band(moment.ghost));
+    torque.points.push_back({moment.time, moment.torque});
+  }
+  if (!runs.course.empty()) {
+    plot.cells.x_edges.push_back(*plot.x.high);
+    bound.points = {{0, comparison.bad_above_Nm}, {*plot.x.high, comparison.bad_above_Nm}};
+  }
+  std::vector<int> empty(bad.size(), -1);
+  for (const std::vector<int>* row : {&bad, &empty, &vibration, &empty, &ghost})
+    plot.cells.band.insert(plot.cells.band.end(), row->begin(), row->end());
+  plot.series = {bound, torque};
+  plot.labels = {{{0, 0.5 * (rows[2] + rows[3])}, "vibration", report::Side::right},
+                 {{0, 0.5 * (rows[4] + rows[5])}, "ghost", report::Side::right}};
+  return plot;
+}
+
+}  // namespace fulcrum::analysis

@@ -1,0 +1,234 @@
+#include "engine/analysis/compare_report.h"
+
+#include <algorithm>
+
+#include "engine/analysis/compare_figures.h"
+
+namespace fulcrum::analysis {
+namespace {
+
+using report::short_number;
+
+std::string number(double value) {
+  return short_number(value, 4);
+}
+
+std::string text_of(const Estimate& estimate) {
+  if (estimate.n == 0) return "—";
+  if (!estimate.interval) return number(estimate.mean);
+  return number(estimate.mean) + " [" + number(estimate.interval->low) + ", " +
+         number(estimate.interval->high) + "]";
+}
+
+std::string titled(const MetricName& name) {
+  return std::string(name.symbol) + ", " + name.title + " (" + name.unit + ")";
+}
+
+bool recorded(const Comparison& comparison) {
+  return comparison.hand.empty();
+}
+
+std::size_t trial_count(const Comparison& comparison) {
+  return comparison.variants.front().trials.size();
+}
+
+// Where the variants' intervals part, in words.
+std::string verdict(const Comparison& comparison, Metric metric) {
+  const VariantRuns& reference = comparison.variants.front();
+  const Estimate base = estimate_of(reference, metric);
+  std::string text;
+  for (std::size_t v = 1; v < comparison.variants.size(); ++v) {
+    const Estimate other = estimate_of(comparison.variants[v], metric);
+    if (base.n == 0 || other.n == 0) continue;
+    text += (text.empty() ? "" : " ") + comparison.variants[v].name + " against " + reference.name + ": " +
+            number(base.mean) + " becomes " + number(other.mean);
+    if (base.interval && other.interval)
+      text += apart(base, other) ? "; the intervals are apart." : "; the intervals overlap.";
+    else
+      text += ".";
+  }
+  return std::string(name_of(metric).symbol) + ", " + name_of(metric).unit + ". " + text;
+}
+
+void say_what(report::Page& page, const Comparison& comparison) {
+  page.command(comparison.command);
+  page.note(reservation(comparison));
+  page.paragraph(
+      "A device that senses six axes and pushes in three cannot push back when the tool is turned against "
+      "what holds it. Torque substitution tells of it by other means. Variant A: nothing is told. B: the "
+      "handle vibrates while the torque is bad, that is, while no force that the hand feels explains it. "
+      "C: B, and while the torque is large a ghost of the tool shows where the hand has turned to.");
+}
+
+void say_result(report::Page& page, const Comparison& comparison) {
+  page.heading("What came of it");
+  if (comparison.variants.size() > 1) {
+    for (const Metric metric : kMetrics) page.paragraph(verdict(comparison, metric));
+  }
+  page.table(compare_table(comparison));
+  page.paragraph(
+      "E_τ = ∫|τ_v| dt and E_F = ∫|F_v| dt: the coupling's torque and force on the tool, over the run. t_c: "
+      "when the last checkpoint counted." +
+      std::string(trial_count(comparison) > 1
+                      ? " In brackets: 95 % confidence interval of the mean over the trials, by Student's t."
+                      : " One trial has no interval."));
+  if (comparison.variants.size() > 1) {
+    page.table(difference_table(comparison));
+    page.paragraph(
+        "Differences are taken trial by trial: a trial has the same seed, and with it the same tremor, in "
+        "every variant. An interval without 0 in it is a difference that the tremor does not explain.");
+  }
+  for (const Metric metric : kMetrics)
+    page.plot(metric_plot(comparison, metric), "Grey: each trial, joined over the variants.");
+}
+
+void say_course(report::Page& page, const Comparison& comparison) {
+  page.heading("One trial over time");
+  page.paragraph(
+      "The coupling's torque in the first trial of each variant, with the strength of the cues above it.");
+  for (std::size_t v = 0; v < comparison.variants.size(); ++v) page.plot(course_plot(comparison, v), "");
+}
+
+report::Table hand_table(const YieldingDesc& yields) {
+  return {{"figure of the hand", "value", "unit"},
+          {{"reaction time, from a cue to the first motion by it", number(yields.reaction), "s"},
+           {"gain, how fast it turns back at a full cue", number(yields.gain), "rad/s"},
+           {"vibration that is a full cue", number(yields.full_vibration), "N"},
+           {"vibration below which nothing is felt", number(yields.least_vibration), "N"},
+           {"error of the way back under vibration alone, rms", number(yields.felt_error_rad), "rad"},
+           {"error of the way back where the ghost is seen, rms", number(yields.seen_error_rad), "rad"},
+           {"time constant of going on as before, without a cue", number(yields.recovery), "s"}}};
+}
+
+void say_setting(report::Page& page, const Comparison& comparison) {
+  page.heading("What was run");
+  report::Table run{
+      {"", ""},
+      {{"scenario", comparison.title + " (" + comparison.scenario + ")"},
+       {"device", comparison.device + ", simulated"},
+       {recorded(comparison) ? "motion" : "hand", recorded(comparison) ? comparison.tape : comparison.hand},
+       {"trials of each variant", std::to_string(trial_count(comparison))},
+       {"time limit (s)", number(comparison.time_limit_s)}}};
+  for (const auto& [part, what] : comparison.built) run.rows.push_back({part, what});
+  page.table(run);
+  std::size_t unfinished = 0, stopped = 0;
+  for (const VariantRuns& runs : comparison.variants) {
+    for (const Trial& trial : runs.trials) {
+      stopped += trial.fault.empty() ? 0 : 1;
+      unfinished += trial.completion_time_s ? 0 : 1;
+    }
+  }
+  if (unfinished > 0)
+    page.paragraph("Trials that did not complete: " + std::to_string(unfinished) +
+                   "; they have no t_c. Of them " + std::to_string(stopped) +
+                   " were ended by a fault, and count for nothing.");
+  if (comparison.yields) page.table(hand_table(*comparison.yields));
+}
+
+void say_simulated(report::Page& page, const Comparison& comparison) {
+  page.heading("What is simulated, and what is not");
+  page.paragraph(
+      "Not simulated: the haptic tick. Contact, coupling, the classifier of torque, the cues and the safety "
+      "after them are the code that runs in a person's hand, at its own rate.");
+  if (recorded(comparison)) {
+    page.paragraph(
+        "The motion is a recording: it is the same whatever it is told, and cannot yield. Between variants "
+        "only that can differ which a cue itself does to tool and coupling, and a cue is kept out of both; "
+        "variants that agree to the last digit are what should come of it.");
+    return;
+  }
+  page.paragraph(
+      "Simulated: the device, with the mass, friction and encoder steps of its description, and the hand, a "
+      "spring and damper about a written path, with tremor. The path turns the tool wrongly where it is held "
+      "on both sides, so that there is something to tell of.");
+  if (!comparison.yields) {
+    page.paragraph("This hand does not yield: it does what it meant to do, whatever it is told.");
+    return;
+  }
+  page.paragraph(
+      "Simulated, and assumed: that the hand yields. It turns the handle back where it perceives a cue, one "
+      "reaction time late, as fast as the cue is strong. Vibration does not say which way; the ghost does: "
+      "two figures in the table stand for that, and nobody has measured them here. Without a cue the hand "
+      "goes back to what it meant to do.");
+  page.paragraph(
+      "So the order of the variants is built into the hand. What the page shows is that the chain from "
+      "contact "
+      "to cue to hand works, how large the effect is for a hand of these figures, and how it changes with "
+      "them (--set hands.NAME.yields.gain=...). It does not show that people turn back when a handle "
+      "vibrates, "
+      "how many do, how soon, or what they learn: that takes people. Not in the model at all: attention, "
+      "grip, getting used to a cue, hands that differ. The intervals count the seeded tremor and errors of "
+      "one hand; they are no spread over people. t_c follows the path's timetable.");
+}
+
+}  // namespace
+
+std::string reservation(const Comparison& comparison) {
+  return recorded(comparison)
+             ? "One recorded motion of a handle, run again under each variant. It cannot yield to a cue: "
+               "what "
+               "follows says nothing about how people answer one."
+             : "The hand on this page is a program. Nothing here is a finding about people: the hand yields "
+               "to cues because it was written to, by figures that were chosen and are listed below.";
+}
+
+report::Csv compare_csv(const Comparison& comparison) {
+  report::Csv csv({"metric", "variant", "n", "mean", "low", "high"});
+  for (const Metric metric : kMetrics) {
+    for (const VariantRuns& runs : comparison.variants) {
+      const Estimate estimate = estimate_of(runs, metric);
+      using Cell = report::Csv::Cell;
+      const auto given = [](bool there, double value) { return there ? Cell(value) : Cell(""); };
+      const Interval interval = estimate.interval.value_or(Interval{});
+      csv.row({name_of(metric).csv, runs.name, static_cast<double>(estimate.n),
+               given(estimate.n > 0, estimate.mean), given(estimate.interval.has_value(), interval.low),
+               given(estimate.interval.has_value(), interval.high)});
+    }
+  }
+  return csv;
+}
+
+report::Table compare_table(const Comparison& comparison) {
+  report::Table table{{"metric"}, {}};
+  for (const VariantRuns& runs : comparison.variants) table.head.push_back(runs.name);
+  table.head.push_back("n");
+  for (const Metric metric : kMetrics) {
+    std::vector<std::string> row{titled(name_of(metric))};
+    std::string counts;
+    for (const VariantRuns& runs : comparison.variants) {
+      const Estimate estimate = estimate_of(runs, metric);
+      row.push_back(text_of(estimate));
+      counts += (counts.empty() ? "" : ", ") + std::to_string(estimate.n);
+    }
+    row.push_back(counts);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+report::Table difference_table(const Comparison& comparison) {
+  report::Table table{{"difference", "of", "mean", "n"}, {}};
+  const VariantRuns& reference = comparison.variants.front();
+  for (const Metric metric : kMetrics) {
+    for (std::size_t v = 1; v < comparison.variants.size(); ++v) {
+      const Estimate estimate = difference_of(comparison.variants[v], reference, metric);
+      table.rows.push_back({comparison.variants[v].name + " − " + reference.name, titled(name_of(metric)),
+                            text_of(estimate), std::to_string(estimate.n)});
+    }
+  }
+  return table;
+}
+
+report::Page compare_page(const Comparison& comparison) {
+  std::string names;
+  for (const VariantRuns& runs : comparison.variants) names += (names.empty() ? "" : ", ") + runs.name;
+  report::Page page(comparison.title + ": torque substitution in variants " + names);
+  say_what(page, comparison);
+  say_result(page, comparison);
+  say_course(page, comparison);
+  say_setting(page, comparison);
+  say_simulated(page, comparison);
+  return page;
+}
+
+}  // namespace fulcrum::analysis
