@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "engine/report/page.h"
 #include "haptics/device/yielding.h"
 
 namespace fulcrum::analysis {
@@ -60,8 +60,8 @@ struct Comparison {
   std::string tape;
   double time_limit_s = 0;
   double bad_above_Nm = 0;
-  std::vector<std::pair<std::string, std::string>> built;  // what of the effect is, and its figures
-  std::vector<VariantRuns> variants;                       // the first is what the others are compared with
+  report::Facts built;                // what of the effect is, and its figures
+  std::vector<VariantRuns> variants;  // the first is what the others are compared with
 };
 
 struct Interval {

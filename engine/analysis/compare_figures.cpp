@@ -76,14 +76,18 @@ Plot course_plot(const Comparison& comparison, std::size_t variant) {
   const double rows[] = {0, top, top + strip, top + 2 * strip, top + 2.5 * strip, top + 3.5 * strip};
   plot.y = {"|τ|", "N m", report::Scale::linear, 0.0, rows[5]};
   plot.cells.y_edges.assign(std::begin(rows), std::end(rows));
-  plot.cells.bands = {{"bad torque", 1}, {"cue, weak", -1}, {"", -2}, {"", -3}, {"cue, full", -4}};
+  const bool legend = variant == 0;
+  const auto named = [legend](const char* name) { return legend ? name : ""; };
+  plot.cells.bands = {
+      {named("bad torque"), 1}, {named("cue, weak"), -1}, {"", -2}, {"", -3}, {named("cue, full"), -4}};
   double loudest = 0;
   for (const VariantRuns& each : comparison.variants) {
     for (const Moment& moment : each.course) loudest = std::max(loudest, moment.vibration);
   }
   const auto cue_band = [](double fraction) { return fraction > 0 ? shade_of(fraction) : -1; };
-  Series torque{"|τ|", {}, Line::solid, Marker::none, report::kInk, false};
-  Series bound{"bad from here on, where no force explains it", {}, Line::dashed, Marker::none, 6, false};
+  Series torque{named("|τ|"), {}, Line::solid, Marker::none, report::kInk, false};
+  Series bound{
+      named("bad from here on, where no force explains it"), {}, Line::dashed, Marker::none, 6, false};
   std::vector<int> bad, vibration, ghost;
   for (const Moment& moment : runs.course) {
     plot.cells.x_edges.push_back(moment.time);

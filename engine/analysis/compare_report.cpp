@@ -13,11 +13,11 @@ std::string number(double value) {
   return short_number(value, 4);
 }
 
+// The interval by its half: by Student's t it lies evenly about the mean.
 std::string text_of(const Estimate& estimate) {
   if (estimate.n == 0) return "—";
-  if (!estimate.interval) return number(estimate.mean);
-  return number(estimate.mean) + " [" + number(estimate.interval->low) + ", " +
-         number(estimate.interval->high) + "]";
+  const std::string mean = number(estimate.mean);
+  return estimate.interval ? mean + " ± " + short_number(estimate.interval->high - estimate.mean, 2) : mean;
 }
 
 std::string titled(const MetricName& name) {
@@ -69,9 +69,10 @@ void say_result(report::Page& page, const Comparison& comparison) {
   page.paragraph(
       "E_τ = ∫|τ_v| dt and E_F = ∫|F_v| dt: the coupling's torque and force on the tool, over the run. t_c: "
       "when the last checkpoint counted." +
-      std::string(trial_count(comparison) > 1
-                      ? " In brackets: 95 % confidence interval of the mean over the trials, by Student's t."
-                      : " One trial has no interval."));
+      std::string(
+          trial_count(comparison) > 1
+              ? " After ±: half of the mean's 95 % confidence interval over the trials, by Student's t."
+              : " One trial has no interval."));
   if (comparison.variants.size() > 1) {
     page.table(difference_table(comparison));
     page.paragraph(
@@ -89,28 +90,28 @@ void say_course(report::Page& page, const Comparison& comparison) {
   for (std::size_t v = 0; v < comparison.variants.size(); ++v) page.plot(course_plot(comparison, v), "");
 }
 
-report::Table hand_table(const YieldingDesc& yields) {
-  return {{"figure of the hand", "value", "unit"},
-          {{"reaction time, from a cue to the first motion by it", number(yields.reaction), "s"},
-           {"gain, how fast it turns back at a full cue", number(yields.gain), "rad/s"},
-           {"vibration that is a full cue", number(yields.full_vibration), "N"},
-           {"vibration below which nothing is felt", number(yields.least_vibration), "N"},
-           {"error of the way back under vibration alone, rms", number(yields.felt_error_rad), "rad"},
-           {"error of the way back where the ghost is seen, rms", number(yields.seen_error_rad), "rad"},
-           {"time constant of going on as before, without a cue", number(yields.recovery), "s"}}};
+report::Facts hand_facts(const YieldingDesc& yields) {
+  const auto rms = [](double rad) { return number(rad) + " rad rms"; };
+  return {{"reaction", number(yields.reaction) + " s from a cue to the first motion by it"},
+          {"gain", number(yields.gain) + " rad/s of turning back at a full cue"},
+          {"full cue", number(yields.full_vibration) + " N of vibration, or an opaque ghost; below " +
+                           number(yields.least_vibration) + " N nothing is felt"},
+          {"error of the way", rms(yields.felt_error_rad) + " under vibration alone, " +
+                                   rms(yields.seen_error_rad) + " where the ghost is seen"},
+          {"recovery",
+           "goes on as before without a cue, with a time constant of " + number(yields.recovery) + " s"}};
 }
 
 void say_setting(report::Page& page, const Comparison& comparison) {
   page.heading("What was run");
-  report::Table run{
-      {"", ""},
-      {{"scenario", comparison.title + " (" + comparison.scenario + ")"},
-       {"device", comparison.device + ", simulated"},
-       {recorded(comparison) ? "motion" : "hand", recorded(comparison) ? comparison.tape : comparison.hand},
-       {"trials of each variant", std::to_string(trial_count(comparison))},
-       {"time limit (s)", number(comparison.time_limit_s)}}};
-  for (const auto& [part, what] : comparison.built) run.rows.push_back({part, what});
-  page.table(run);
+  report::Facts facts{
+      {"scenario", comparison.title + " (" + comparison.scenario + ")"},
+      {"device", comparison.device + (recorded(comparison) ? ", recorded" : ", simulated")},
+      recorded(comparison) ? std::pair{"motion", comparison.tape} : std::pair{"hand", comparison.hand},
+      {"trials", std::to_string(trial_count(comparison)) + " of each variant, up to " +
+                     number(comparison.time_limit_s) + " s of simulated time"}};
+  facts.insert(facts.end(), comparison.built.begin(), comparison.built.end());
+  page.facts(facts);
   std::size_t unfinished = 0, stopped = 0;
   for (const VariantRuns& runs : comparison.variants) {
     for (const Trial& trial : runs.trials) {
@@ -122,7 +123,9 @@ void say_setting(report::Page& page, const Comparison& comparison) {
     page.paragraph("Trials that did not complete: " + std::to_string(unfinished) +
                    "; they have no t_c. Of them " + std::to_string(stopped) +
                    " were ended by a fault, and count for nothing.");
-  if (comparison.yields) page.table(hand_table(*comparison.yields));
+  if (!comparison.yields) return;
+  page.paragraph("The hand's figures. They are chosen, not measured:");
+  page.facts(hand_facts(*comparison.yields));
 }
 
 void say_simulated(report::Page& page, const Comparison& comparison) {
@@ -194,13 +197,17 @@ report::Table compare_table(const Comparison& comparison) {
   table.head.push_back("n");
   for (const Metric metric : kMetrics) {
     std::vector<std::string> row{titled(name_of(metric))};
-    std::string counts;
+    std::vector<std::string> counts;
     for (const VariantRuns& runs : comparison.variants) {
       const Estimate estimate = estimate_of(runs, metric);
       row.push_back(text_of(estimate));
-      counts += (counts.empty() ? "" : ", ") + std::to_string(estimate.n);
+      counts.push_back(std::to_string(estimate.n));
     }
-    row.push_back(counts);
+    const bool alike = std::count(counts.begin(), counts.end(), counts.front()) == std::ssize(counts);
+    if (alike) counts.resize(1);
+    std::string n;
+    for (const std::string& count : counts) n += (n.empty() ? "" : ", ") + count;
+    row.push_back(n);
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -95,7 +95,7 @@ std::string command_line(const CompareOptions& options) {
   for (const TorqueVariant variant : options.variants)
     text += (variant == options.variants.front() ? "" : ",") + variant_name(variant);
   if (options.tape.empty())
-    text += " --hand " + options.run.hand + " --trials " + std::to_string(options.trials);
+    text += " --hand " + options.hand + " --trials " + std::to_string(options.trials);
   else
     text += " --tape " + options.tape;
   for (const std::string& change : options.run.overrides) text += " --set " + change;

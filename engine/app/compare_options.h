@@ -9,10 +9,11 @@
 
 namespace fulcrum::app {
 
-// The command line of `fulcrum compare`. Of `run` count scenario, hand, overrides, out, force and json.
+// The command line of `fulcrum compare`. Of `run` count scenario, overrides, out, force and json.
 struct CompareOptions {
-  RunOptions run{.hand = "yielding"};
+  RunOptions run;
   std::vector<TorqueVariant> variants{TorqueVariant::A, TorqueVariant::B, TorqueVariant::C};
+  std::string hand = "yielding";
   std::string tape;  // a recorded motion instead of the hand: one trial
   std::uint64_t trials = 20;
 };

@@ -49,7 +49,7 @@ public:
       if (!replay) return replay.error();
       return std::unique_ptr<Device>(std::move(*replay));
     }
-    auto simulated = simulated_device(prepared_, options_.run.hand, trial);
+    auto simulated = simulated_device(prepared_, options_.hand, trial);
     if (!simulated) return simulated.error();
     return std::unique_ptr<Device>(std::move(*simulated));
   }
@@ -96,9 +96,9 @@ analysis::Comparison described(const Prepared& prepared, const CompareOptions& o
   comparison.time_limit_s = prepared.scenario.time_limit;
   comparison.bad_above_Nm = world.substitution()->bounds().torque;
   comparison.tape = options.tape;
-  if (options.tape.empty()) comparison.hand = options.run.hand;
+  if (options.tape.empty()) comparison.hand = options.hand;
   for (const scenario::HandScript& hand : prepared.haptic.hands) {
-    if (options.tape.empty() && hand.name == options.run.hand) comparison.yields = hand.desc.yields;
+    if (options.tape.empty() && hand.name == options.hand) comparison.yields = hand.desc.yields;
   }
   for (const BuiltPart& part : world.parts()) {
     if (part.name == "torque substitution" || part.name == "coupling" || part.name == "transient budget")

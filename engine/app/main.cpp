@@ -81,7 +81,7 @@ CLI::App* add_compare(CLI::App& program, CompareOptions& options, std::string& v
       ->type_name("A,B,C")
       ->check([&options](const std::string& text) { return read_variants(text, options.variants); });
   CLI::Option* hand = compare
-                          ->add_option("--hand", options.run.hand,
+                          ->add_option("--hand", options.hand,
                                        "The simulated hand (default: yielding, where the scenario has it)")
                           ->type_name("HAND");
   CLI::Option* trials = compare->add_option("--trials", options.trials, "Of each variant (default 20)")

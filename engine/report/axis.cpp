@@ -59,6 +59,8 @@ Axis::Axis(const AxisDesc& desc, std::span<const double> values) : scale_(desc.s
     most = std::max(most, value);
   }
   if (!(least <= most)) least = most = 1;
+  least = std::min(least, desc.low.value_or(least));
+  most = std::max(most, desc.high.value_or(most));
   if (scale_ == Scale::linear) {
     const double span = most > least ? most - least : std::max(std::abs(most), 1.0);
     const double step = round_step(span / kWantedTicks);

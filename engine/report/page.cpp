@@ -27,6 +27,8 @@ p { margin: .6rem 0; }
 pre { background: var(--wash); border: 1px solid var(--rule); border-radius: 6px; padding: .6rem .8rem;
   overflow-x: auto; font: 14px/1.4 ui-monospace, "DejaVu Sans Mono", monospace; }
 .note { border-left: 4px solid var(--h1); background: var(--wash); padding: .6rem .9rem; border-radius: 0 6px 6px 0; }
+dl { display: grid; grid-template-columns: minmax(9rem, max-content) 1fr; gap: .3rem 1.2rem; font-size: .95rem; }
+dt { color: var(--soft); } dd { margin: 0; }
 figure { margin: 1.2rem 0; break-inside: avoid; }
 figure > b { display: block; margin-bottom: .4rem; }
 figcaption { color: var(--soft); font-size: .9rem; margin-top: .3rem; }
@@ -77,6 +79,13 @@ void Page::note(std::string_view text) {
 
 void Page::command(std::string_view text) {
   body_ += "<pre>" + escaped(text) + "</pre>\n";
+}
+
+void Page::facts(const Facts& facts) {
+  body_ += "<dl>\n";
+  for (const auto& [name, what] : facts)
+    body_ += "<dt>" + escaped(name) + "</dt><dd>" + escaped(what) + "</dd>\n";
+  body_ += "</dl>\n";
 }
 
 void Page::table(const Table& table) {

@@ -153,7 +153,7 @@ TEST(YieldingDevice, TurnsTheHandleAboutItselfTowardsTheTool) {
   for (int i = 0; i < 1500; ++i) {
     const Vec3 back = -rotation_vector(yielding.X_DH().q);  // the tool is held unturned
     plain.write({});
-    yielding.write({.cues = {0.4, 1, back}});
+    yielding.write({.F_H_D = {}, .cues = {0.4, 1, back}});
   }
   EXPECT_NEAR(rotation_vector(plain.X_DH().q).norm(), 0.5, 0.02);
   EXPECT_LT(rotation_vector(yielding.X_DH().q).norm(), 0.02);
