@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fulcrum::analysis {
 namespace {
@@ -13,7 +14,8 @@ using report::Plot;
 using report::Series;
 
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();  // lifts the pen
-constexpr double kBesideTrials = 0.16;                                 // of the way to the next variant
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kBesideTrials = 0.16;  // of the way to the next variant
 
 double largest_torque(const Comparison& comparison) {
   double largest = comparison.bad_above_Nm;
@@ -21,6 +23,21 @@ double largest_torque(const Comparison& comparison) {
     for (const Moment& moment : runs.course) largest = std::max(largest, moment.torque);
   }
   return largest;
+}
+
+// s, from the first moment of any variant that could be bad to the last; the whole where there is none.
+std::pair<double, double> stretch_with_torque(const Comparison& comparison) {
+  double begin = kNever, end = -kNever, whole = 0;
+  for (const VariantRuns& runs : comparison.variants) {
+    for (const Moment& moment : runs.course) {
+      whole = std::max(whole, moment.time);
+      if (moment.torque <= comparison.bad_above_Nm) continue;
+      begin = std::min(begin, moment.time);
+      end = std::max(end, moment.time);
+    }
+  }
+  if (begin > end) return {0.0, whole};
+  return {std::max(0.0, std::floor(begin - 1)), std::min(whole, std::ceil(end + 1))};
 }
 
 // 0 to kDeepestShade.
@@ -34,11 +51,10 @@ Plot metric_plot(const Comparison& comparison, Metric metric) {
   const MetricName name = name_of(metric);
   Plot plot;
   plot.title = std::string(name.symbol) + ": " + name.title;
-  plot.height = 260;
+  plot.height = metric == Metric::torque_error ? 260 : 150;
   for (const VariantRuns& runs : comparison.variants) plot.x.names.push_back(runs.name);
   plot.x.title = "variant";
-  plot.y = {name.symbol, name.unit, report::Scale::linear, {}, {}};
-  if (metric != Metric::completion_time) plot.y.low = 0;
+  plot.y = {name.symbol, name.unit, report::Scale::linear, 0.0, {}};
   Series trials{"a trial", {}, Line::solid, Marker::circle, 6, false, true};
   Series interval{"", {}, Line::solid, Marker::none, 0, true};
   Series mean{"mean and 95 % interval", {}, Line::none, Marker::diamond, 0, true};
@@ -67,10 +83,8 @@ Plot course_plot(const Comparison& comparison, std::size_t variant) {
   Plot plot;
   plot.title = "Variant " + runs.name;
   plot.height = 190;
-  plot.x = {"time", "s", report::Scale::linear, 0.0, {}};
-  for (const VariantRuns& each : comparison.variants) {
-    if (!each.course.empty()) plot.x.high = std::max(plot.x.high.value_or(0), each.course.back().time);
-  }
+  const auto [begin, end] = stretch_with_torque(comparison);
+  plot.x = {"time", "s", report::Scale::linear, begin, end};
   // Torque below, then a strip for each cue: rows of cells with gaps between them.
   const double top = 1.05 * largest_torque(comparison), strip = 0.09 * top;
   const double rows[] = {0, top, top + strip, top + 2 * strip, top + 2.5 * strip, top + 3.5 * strip};
@@ -96,16 +110,14 @@ Plot course_plot(const Comparison& comparison, std::size_t variant) {
     ghost.push_back(cue_band(moment.ghost));
     torque.points.push_back({moment.time, moment.torque});
   }
-  if (!runs.course.empty()) {
-    plot.cells.x_edges.push_back(*plot.x.high);
-    bound.points = {{0, comparison.bad_above_Nm}, {*plot.x.high, comparison.bad_above_Nm}};
-  }
+  if (!runs.course.empty()) plot.cells.x_edges.push_back(runs.course.back().time);
+  bound.points = {{begin, comparison.bad_above_Nm}, {end, comparison.bad_above_Nm}};
   std::vector<int> empty(bad.size(), -1);
   for (const std::vector<int>* row : {&bad, &empty, &vibration, &empty, &ghost})
     plot.cells.band.insert(plot.cells.band.end(), row->begin(), row->end());
   plot.series = {bound, torque};
-  plot.labels = {{{0, 0.5 * (rows[2] + rows[3])}, "vibration", report::Side::right},
-                 {{0, 0.5 * (rows[4] + rows[5])}, "ghost", report::Side::right}};
+  plot.labels = {{{begin, 0.5 * (rows[2] + rows[3])}, "vibration", report::Side::right},
+                 {{begin, 0.5 * (rows[4] + rows[5])}, "ghost", report::Side::right}};
   return plot;
 }
 

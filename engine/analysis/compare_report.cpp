@@ -1,6 +1,8 @@
 #include "engine/analysis/compare_report.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "engine/analysis/compare_figures.h"
 
@@ -13,11 +15,21 @@ std::string number(double value) {
   return short_number(value, 4);
 }
 
+// With so many digits after the point that `shown` has two that count.
+std::string to_digits_of(double value, double shown) {
+  constexpr int most = 6;
+  const int digits = shown > 0 ? 1 - static_cast<int>(std::floor(std::log10(shown))) : most;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", std::clamp(digits, 0, most), std::abs(value));
+  return std::string(value < 0 ? "−" : "").append(text);
+}
+
 // The interval by its half: by Student's t it lies evenly about the mean.
 std::string text_of(const Estimate& estimate) {
   if (estimate.n == 0) return "—";
-  const std::string mean = number(estimate.mean);
-  return estimate.interval ? mean + " ± " + short_number(estimate.interval->high - estimate.mean, 2) : mean;
+  const double half = estimate.interval ? estimate.interval->high - estimate.mean : 0;
+  if (half == 0) return number(estimate.mean) + (estimate.interval ? " ± 0" : "");
+  return to_digits_of(estimate.mean, half) + " ± " + to_digits_of(half, half);
 }
 
 std::string titled(const MetricName& name) {
@@ -32,27 +44,34 @@ std::size_t trial_count(const Comparison& comparison) {
   return comparison.variants.front().trials.size();
 }
 
-// Where the variants' intervals part, in words.
-std::string verdict(const Comparison& comparison, Metric metric) {
-  const VariantRuns& reference = comparison.variants.front();
-  const Estimate base = estimate_of(reference, metric);
-  std::string text;
-  for (std::size_t v = 1; v < comparison.variants.size(); ++v) {
-    const Estimate other = estimate_of(comparison.variants[v], metric);
-    if (base.n == 0 || other.n == 0) continue;
-    text += (text.empty() ? "" : " ") + comparison.variants[v].name + " against " + reference.name + ": " +
-            number(base.mean) + " becomes " + number(other.mean);
-    if (base.interval && other.interval)
-      text += apart(base, other) ? "; the intervals are apart." : "; the intervals overlap.";
-    else
-      text += ".";
+// "E_τ falls from 2.25 to 0.872 N m s, the intervals apart"
+std::string change(const Estimate& from, const Estimate& to, const MetricName& name) {
+  const std::string symbol = name.symbol, unit = std::string(" ") + name.unit;
+  if (from.n == 0 || to.n == 0) return symbol + " has no values to compare";
+  const std::string before = number(from.mean), after = number(to.mean);
+  const std::string moved = before == after ? " stays at " + after
+                                            : (to.mean < from.mean ? " falls" : " rises") +
+                                                  std::string(" from ") + before + " to " + after;
+  const std::string how = !from.interval || !to.interval ? ""
+                          : apart(from, to)              ? ", the intervals apart"
+                                                         : ", the intervals overlap";
+  return symbol + moved + unit + how;
+}
+
+std::string verdict(const VariantRuns& runs, const VariantRuns& reference) {
+  std::string text = "From " + reference.name + " to " + runs.name;
+  for (const Metric metric : kMetrics) {
+    text.append(metric == kMetrics.front() ? ": " : "; ");
+    text += change(estimate_of(reference, metric), estimate_of(runs, metric), name_of(metric));
   }
-  return std::string(name_of(metric).symbol) + ", " + name_of(metric).unit + ". " + text;
+  return text.append(".");
 }
 
 void say_what(report::Page& page, const Comparison& comparison) {
   page.command(comparison.command);
-  page.note(reservation(comparison));
+  std::string note = reservation(comparison);
+  if (comparison.yields) note += " They are listed below.";
+  page.note(note);
   page.paragraph(
       "A device that senses six axes and pushes in three cannot push back when the tool is turned against "
       "what holds it. Torque substitution tells of it by other means. Variant A: nothing is told. B: the "
@@ -62,17 +81,16 @@ void say_what(report::Page& page, const Comparison& comparison) {
 
 void say_result(report::Page& page, const Comparison& comparison) {
   page.heading("What came of it");
-  if (comparison.variants.size() > 1) {
-    for (const Metric metric : kMetrics) page.paragraph(verdict(comparison, metric));
-  }
+  for (std::size_t v = 1; v < comparison.variants.size(); ++v)
+    page.paragraph(verdict(comparison.variants[v], comparison.variants.front()));
   page.table(compare_table(comparison));
   page.paragraph(
-      "E_τ = ∫|τ_v| dt and E_F = ∫|F_v| dt: the coupling's torque and force on the tool, over the run. t_c: "
-      "when the last checkpoint counted." +
+      "E_τ = ∫|τ_v| dt and E_F = ∫|F_v| dt: the coupling's torque and force on the tool, over the run; E_F "
+      "counts what carries the tool's weight. t_c: when the last checkpoint counted. " +
       std::string(
           trial_count(comparison) > 1
-              ? " After ±: half of the mean's 95 % confidence interval over the trials, by Student's t."
-              : " One trial has no interval."));
+              ? "After ±: half of the mean's 95 % confidence interval over the trials, by Student's t."
+              : "One trial has no interval."));
   if (comparison.variants.size() > 1) {
     page.table(difference_table(comparison));
     page.paragraph(
@@ -86,7 +104,8 @@ void say_result(report::Page& page, const Comparison& comparison) {
 void say_course(report::Page& page, const Comparison& comparison) {
   page.heading("One trial over time");
   page.paragraph(
-      "The coupling's torque in the first trial of each variant, with the strength of the cues above it.");
+      "The coupling's torque in the first trial of each variant, as long as there is any, and above it how "
+      "strong the cues are: vibration against the strongest of these trials, the ghost by its opacity.");
   for (std::size_t v = 0; v < comparison.variants.size(); ++v) page.plot(course_plot(comparison, v), "");
 }
 
@@ -151,7 +170,7 @@ void say_simulated(report::Page& page, const Comparison& comparison) {
   page.paragraph(
       "Simulated, and assumed: that the hand yields. It turns the handle back where it perceives a cue, one "
       "reaction time late, as fast as the cue is strong. Vibration does not say which way; the ghost does: "
-      "two figures in the table stand for that, and nobody has measured them here. Without a cue the hand "
+      "two of the figures above stand for that, and nobody has measured them here. Without a cue the hand "
       "goes back to what it meant to do.");
   page.paragraph(
       "So the order of the variants is built into the hand. What the page shows is that the chain from "
@@ -166,13 +185,15 @@ void say_simulated(report::Page& page, const Comparison& comparison) {
 
 }  // namespace
 
-std::string reservation(const Comparison& comparison) {
-  return recorded(comparison)
-             ? "One recorded motion of a handle, run again under each variant. It cannot yield to a cue: "
-               "what "
-               "follows says nothing about how people answer one."
-             : "The hand on this page is a program. Nothing here is a finding about people: the hand yields "
-               "to cues because it was written to, by figures that were chosen and are listed below.";
+const char* reservation(const Comparison& comparison) {
+  if (recorded(comparison))
+    return "One recorded motion of a handle, run again under each variant. It cannot yield to a cue: what "
+           "follows says nothing about how people answer one.";
+  if (!comparison.yields)
+    return "The hand is a program, and one that does not yield to cues. Nothing here is a finding about "
+           "people.";
+  return "The hand is a program. Nothing here is a finding about people: it yields to cues because it was "
+         "written to, by figures that were chosen.";
 }
 
 report::Csv compare_csv(const Comparison& comparison) {
@@ -229,7 +250,7 @@ report::Table difference_table(const Comparison& comparison) {
 report::Page compare_page(const Comparison& comparison) {
   std::string names;
   for (const VariantRuns& runs : comparison.variants) names += (names.empty() ? "" : ", ") + runs.name;
-  report::Page page(comparison.title + ": torque substitution in variants " + names);
+  report::Page page("Torque substitution, variants " + names + ": " + comparison.title);
   say_what(page, comparison);
   say_result(page, comparison);
   say_course(page, comparison);

@@ -23,6 +23,6 @@ report::Table compare_table(const Comparison& comparison);
 report::Table difference_table(const Comparison& comparison);
 
 // What the numbers are of, and what they are not.
-std::string reservation(const Comparison& comparison);
+const char* reservation(const Comparison& comparison);
 
 }  // namespace fulcrum::analysis

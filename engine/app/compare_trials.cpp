@@ -8,6 +8,7 @@
 #include "engine/scenario/task_judge.h"
 #include "haptics/bake/parallel.h"
 #include "haptics/loop/run_tick.h"
+#include "haptics/math/number_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -100,9 +101,13 @@ analysis::Comparison described(const Prepared& prepared, const CompareOptions& o
   for (const scenario::HandScript& hand : prepared.haptic.hands) {
     if (options.tape.empty() && hand.name == options.hand) comparison.yields = hand.desc.yields;
   }
+  const CouplingDesc& coupling = prepared.haptic.scene.coupling;
+  comparison.built = {{"coupling", number_text(coupling.stiffness) + " N/m up to " +
+                                       number_text(coupling.max_force) + " N, " +
+                                       number_text(coupling.angular_stiffness) + " N m/rad up to " +
+                                       number_text(coupling.max_torque) + " N m"}};
   for (const BuiltPart& part : world.parts()) {
-    if (part.name == "torque substitution" || part.name == "coupling" || part.name == "transient budget")
-      comparison.built.push_back({part.name, part.what});
+    if (part.name == "torque substitution") comparison.built.push_back({part.name, part.what});
   }
   return comparison;
 }
