@@ -15,6 +15,7 @@ using report::Series;
 
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();  // lifts the pen
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kRoomForWords = 0.12;  // of the stretch
 constexpr double kBesideTrials = 0.16;  // of the way to the next variant
 
 double largest_torque(const Comparison& comparison) {
@@ -25,7 +26,8 @@ double largest_torque(const Comparison& comparison) {
   return largest;
 }
 
-// s, from the first moment of any variant that could be bad to the last; the whole where there is none.
+// s, from the first moment of any variant that could be bad to the last, with room before it for the strips'
+// names; the whole where there is none.
 std::pair<double, double> stretch_with_torque(const Comparison& comparison) {
   double begin = kNever, end = -kNever, whole = 0;
   for (const VariantRuns& runs : comparison.variants) {
@@ -37,7 +39,8 @@ std::pair<double, double> stretch_with_torque(const Comparison& comparison) {
     }
   }
   if (begin > end) return {0.0, whole};
-  return {std::max(0.0, std::floor(begin - 1)), std::min(whole, std::ceil(end + 1))};
+  const double room = 1 + kRoomForWords * (end - begin);
+  return {std::max(0.0, std::floor(begin - room)), std::min(whole, std::ceil(end + 1))};
 }
 
 // 0 to kDeepestShade.
@@ -71,7 +74,7 @@ Plot metric_plot(const Comparison& comparison, Metric metric) {
     mean.points.push_back({x, estimate.mean});
     interval.points.insert(interval.points.end(),
                            {{x, estimate.interval->low}, {x, estimate.interval->high}, {x, kNowhere}});
-    plot.labels.push_back({{x, estimate.mean}, report::short_number(estimate.mean, 3), report::Side::right});
+    plot.labels.push_back({{x, estimate.mean}, report::short_number(estimate.mean, 3), report::Side::above});
   }
   plot.series = {trials};
   if (!mean.points.empty()) plot.series.insert(plot.series.end(), {interval, mean});

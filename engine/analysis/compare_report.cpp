@@ -44,17 +44,19 @@ std::size_t trial_count(const Comparison& comparison) {
   return comparison.variants.front().trials.size();
 }
 
-// "E_τ falls from 2.25 to 0.872 N m s, the intervals apart"
+// "E_τ falls from 2.25 to 0.872 N m s (intervals apart)"
 std::string change(const Estimate& from, const Estimate& to, const MetricName& name) {
-  const std::string symbol = name.symbol, unit = std::string(" ") + name.unit;
+  const std::string symbol = name.symbol;
+  std::string unit;  // no line breaks in it
+  for (const char c : " " + std::string(name.unit)) c == ' ' ? unit.append("\u00a0") : unit.append(1, c);
   if (from.n == 0 || to.n == 0) return symbol + " has no values to compare";
   const std::string before = number(from.mean), after = number(to.mean);
   const std::string moved = before == after ? " stays at " + after
                                             : (to.mean < from.mean ? " falls" : " rises") +
                                                   std::string(" from ") + before + " to " + after;
   const std::string how = !from.interval || !to.interval ? ""
-                          : apart(from, to)              ? ", the intervals apart"
-                                                         : ", the intervals overlap";
+                          : apart(from, to)              ? " (intervals apart)"
+                                                         : " (intervals overlap)";
   return symbol + moved + unit + how;
 }
 
@@ -113,6 +115,8 @@ report::Facts hand_facts(const YieldingDesc& yields) {
   const auto rms = [](double rad) { return number(rad) + " rad rms"; };
   return {{"reaction", number(yields.reaction) + " s from a cue to the first motion by it"},
           {"gain", number(yields.gain) + " rad/s of turning back at a full cue"},
+          {"spread", number(100 * yields.spread) +
+                         " % of both from trial to trial: log-normal, the figures above their medians"},
           {"full cue", number(yields.full_vibration) + " N of vibration, or an opaque ghost; below " +
                            number(yields.least_vibration) + " N nothing is felt"},
           {"error of the way", rms(yields.felt_error_rad) + " under vibration alone, " +
@@ -177,10 +181,10 @@ void say_simulated(report::Page& page, const Comparison& comparison) {
       "contact "
       "to cue to hand works, how large the effect is for a hand of these figures, and how it changes with "
       "them (--set hands.NAME.yields.gain=...). It does not show that people turn back when a handle "
-      "vibrates, "
-      "how many do, how soon, or what they learn: that takes people. Not in the model at all: attention, "
-      "grip, getting used to a cue, hands that differ. The intervals count the seeded tremor and errors of "
-      "one hand; they are no spread over people. t_c follows the path's timetable.");
+      "vibrates, how many do, how soon, or what they learn: that takes people. Not in the model at all: "
+      "attention, grip, getting used to a cue. The intervals are over what the seed decides: tremor, errors "
+      "of the way, and a reaction and a gain for each trial; they are no spread over people. t_c follows the "
+      "path's timetable.");
 }
 
 }  // namespace

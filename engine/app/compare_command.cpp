@@ -26,6 +26,7 @@ Json to_json(const analysis::Estimate& estimate) {
 Json to_json(const YieldingDesc& yields) {
   return {{"reaction_s", yields.reaction},
           {"gain_rad_per_s", yields.gain},
+          {"spread", yields.spread},
           {"full_vibration_N", yields.full_vibration},
           {"least_vibration_N", yields.least_vibration},
           {"felt_error_rad", yields.felt_error_rad},

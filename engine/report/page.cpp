@@ -45,7 +45,7 @@ svg.plot { width: 100%; height: auto; display: block; font: 12.5px system-ui, "D
 .frame { stroke: var(--soft); fill: none; }
 .line { fill: none; stroke: var(--hue); stroke-width: 2px; stroke-linejoin: round; }
 .strong { stroke-width: 3.5px; } .dashed { stroke-dasharray: 8 5; } .dotted { stroke-dasharray: 2 4; }
-.line.faint { stroke-width: 1px; stroke-opacity: .45; } .fill.faint { fill-opacity: .6; stroke-width: .6px; }
+.line.faint { stroke-width: 1px; stroke-opacity: .45; } .fill.faint { fill-opacity: .6; stroke: none; }
 .fill { fill: var(--hue); stroke: var(--paper); stroke-width: 1.2px; }
 .stroke { fill: none; stroke: var(--hue); stroke-width: 2.2px; }
 .h0 { --hue: var(--h0); } .h1 { --hue: var(--h1); } .h2 { --hue: var(--h2); } .h3 { --hue: var(--h3); }

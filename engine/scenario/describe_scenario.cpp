@@ -61,6 +61,8 @@ void describe_yielding(KeyVisitor& visitor, YieldingDesc& yields) {
   visitor.number({"reaction", "s", "from a cue to the hand's first motion by it"}, yields.reaction,
                  from_to(0, 2));
   visitor.number({"gain", "rad/s", "how fast it turns back at a full cue"}, yields.gain, above_to(0, 20));
+  visitor.number({"spread", "", "of reaction and gain from seed to seed: log-normal, those two the medians"},
+                 yields.spread, from_to(0, 1));
   visitor.number({"full_vibration", "N", "the amplitude that is a full cue"}, yields.full_vibration,
                  above_to(0, 100));
   visitor.number({"least_vibration", "N", "the amplitude below which nothing is felt"},

@@ -19,7 +19,10 @@ Yielding::Yielding(const YieldingDesc& desc, double tick_s, std::uint64_t seed)
       tick_s_(tick_s),
       kept_(std::exp(-tick_s / desc.recovery)),
       random_(seed ^ kStream),
-      percepts_(static_cast<std::size_t>(std::lround(desc.reaction / tick_s)) + 1) {}
+      gain_(desc.gain * std::exp(desc.spread * random_.normal())) {
+  const double reaction = desc.reaction * std::exp(desc.spread * random_.normal());
+  percepts_.resize(static_cast<std::size_t>(std::lround(reaction / tick_s)) + 1);
+}
 
 void Yielding::advance(const DeviceCommand::Cues& cues) noexcept {
   turn_before_ = turn_;
@@ -58,7 +61,7 @@ void Yielding::turn_back(const Percept& percept) noexcept {
   }
   const double error_rad = error_ * (percept.seen > 0 ? desc_.seen_error_rad : desc_.felt_error_rad);
   const Vec3 way = quaternion_exp(error_rad * error_axis_) * right_way;
-  const double reach = desc_.gain * std::max(percept.felt, percept.seen) * tick_s_;
+  const double reach = gain_ * std::max(percept.felt, percept.seen) * tick_s_;
   const double step = std::min(reach, left.dot(way));
   if (step > 0) turn_ = (quaternion_exp(step * way) * turn_).normalized();
 }

@@ -24,6 +24,7 @@ struct YieldingDesc {
   double reaction = 0.25;       // s. Simple reactions to touch and sight take 0.15 to 0.25 s (R. Kosinski, "A
                                 // literature review on reaction time")
   double gain = 1;              // rad/s, how fast the hand turns back at a full cue
+  double spread = 0.2;          // of reaction and gain from seed to seed: log-normal, those two the medians
   double full_vibration = 0.4;  // N, the amplitude that is a full cue; a ghost is one when it is opaque
   double least_vibration = 0.02;  // N, the amplitude below which nothing is felt
   double felt_error_rad = 0.5;    // rms, of the way under vibration alone
@@ -55,6 +56,7 @@ private:
   double tick_s_;
   double kept_;  // of the turn, each tick without a cue
   SplitMix random_;
+  double gain_;                    // rad/s, this hand's
   std::vector<Percept> percepts_;  // a ring: the newest to the one that is `reaction` old
   std::size_t at_ = 0;
   bool told_ = false;               // a cue is being perceived

@@ -34,7 +34,7 @@ private:
 
 TEST(Yielding, ReactionIsExactInTicks) {
   for (const double reaction : {0.0, 0.05, 0.25}) {
-    Wrong hand({.reaction = reaction}, {0.4, 0, 0});
+    Wrong hand({.reaction = reaction, .spread = 0}, {0.4, 0, 0});
     const auto ticks = std::lround(reaction / kTick);
     for (long i = 0; i < ticks; ++i) {
       hand.told(0.4, 0);
@@ -46,7 +46,7 @@ TEST(Yielding, ReactionIsExactInTicks) {
 }
 
 TEST(Yielding, GoesOnForAReactionAfterTheCueEnds) {
-  Wrong hand({.reaction = 0.1, .felt_error_rad = 0}, {0, 0.5, 0});
+  Wrong hand({.reaction = 0.1, .spread = 0, .felt_error_rad = 0}, {0, 0.5, 0});
   for (int i = 0; i < 150; ++i) hand.told(0.4, 0);
   const double before = hand.turned();
   for (int i = 0; i < 100; ++i) hand.untold();
@@ -57,7 +57,7 @@ TEST(Yielding, GoesOnForAReactionAfterTheCueEnds) {
 }
 
 TEST(Yielding, SpeedIsGainTimesTheCue) {
-  const YieldingDesc desc{.reaction = 0, .gain = 2, .full_vibration = 0.5, .felt_error_rad = 0};
+  const YieldingDesc desc{.reaction = 0, .gain = 2, .spread = 0, .full_vibration = 0.5, .felt_error_rad = 0};
   const auto speed = [&desc](double vibration, double ghost) {
     Wrong hand(desc, {0.9, 0, 0});
     for (int i = 0; i < 100; ++i) hand.told(vibration, ghost);
@@ -114,6 +114,21 @@ TEST(Yielding, GoesBackToWhatItMeant) {
   EXPECT_NEAR(hand.turned(), turned * std::exp(-1.0), 1e-9);
   for (int i = 0; i < 20000; ++i) hand.untold();
   EXPECT_EQ(hand.turned(), 0);
+}
+
+// ln(turned at once) is normal about ln(gain tick): its spread is the stated one.
+TEST(Yielding, GainsSpreadAsStated) {
+  double sum = 0, squares = 0;
+  constexpr int seeds = 2000;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    Wrong hand({.reaction = 0, .gain = 1.5, .spread = 0.3, .felt_error_rad = 0}, {0.5, 0, 0}, seed);
+    hand.told(0.4, 0);
+    const double log_of_median = std::log(hand.turned() / (1.5 * kTick));
+    sum += log_of_median / seeds;
+    squares += log_of_median * log_of_median / seeds;
+  }
+  EXPECT_NEAR(sum, 0, 0.02);
+  EXPECT_NEAR(std::sqrt(squares), 0.3, 0.02);
 }
 
 TEST(Yielding, TheSeedDecides) {
