@@ -60,7 +60,7 @@ Plot metric_plot(const Comparison& comparison, Metric metric) {
   plot.y = {name.symbol, name.unit, report::Scale::linear, 0.0, {}};
   Series trials{"a trial", {}, Line::solid, Marker::circle, 6, false, true};
   Series interval{"", {}, Line::solid, Marker::none, 0, true};
-  Series mean{"mean and 95 % interval", {}, Line::none, Marker::diamond, 0, true};
+  Series mean{"mean and 95 % interval", {}, Line::none, Marker::diamond, 0};
   for (std::size_t i = 0; i < comparison.variants.front().trials.size(); ++i) {
     for (std::size_t v = 0; v < comparison.variants.size(); ++v)
       trials.points.push_back(

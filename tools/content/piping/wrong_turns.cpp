@@ -20,7 +20,6 @@ constexpr double at_checkpoint = 3.5;      // s, a little longer than the scenar
 
 constexpr double held_wrong = 2.0;  // s
 constexpr std::array between_pipes{25.0 * degree, -35.0 * degree, 15.0 * degree, -20.0 * degree};
-constexpr double on_the_way_out = 20.0 * degree;  // as long as the ring is between the pipes
 
 struct Stay {
   std::string comment;
@@ -33,19 +32,12 @@ Eigen::Isometry3d turned(const Eigen::Isometry3d& X_WT, double angle) {
   return X_WT * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX());
 }
 
-double ring_behind_slot(const Eigen::Isometry3d& X_WT) {
-  return Layout::slot_z - (X_WT * touch_point_T()).z();
-}
-
 std::vector<Stay> way() {
   std::vector<Stay> stays;
-  bool inside = false;
   for (const RoutePose& pose : route()) {
-    const bool turn_out = inside && ring_behind_slot(pose.X_WT) < SpannerDesign::large.radius;
     const double dwell = pose.name.empty() ? 0.0 : pose.name == "start" ? rest : at_checkpoint;
-    stays.push_back({pose.name, turn_out ? turned(pose.X_WT, on_the_way_out) : pose.X_WT, dwell});
+    stays.push_back({pose.name, pose.X_WT, dwell});
     if (pose.name != "between the pipes") continue;
-    inside = true;
     stays.back().dwell = rest;
     for (const double angle : between_pipes) {
       stays.push_back({"turned wrongly", turned(pose.X_WT, angle), held_wrong});
