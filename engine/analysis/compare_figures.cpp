@@ -15,8 +15,12 @@ using report::Series;
 
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();  // lifts the pen
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kRoomForWords = 0.12;  // of the stretch
-constexpr double kBesideTrials = 0.16;  // of the way to the next variant
+
+// Of the way from one variant to the next: where an interval stands beside its trials, and half of the bars
+// at its ends.
+constexpr double kBeside = 0.16, kBar = 0.025;
+
+constexpr double kRoomForWords = 0.12;  // of the time that is shown
 
 double largest_torque(const Comparison& comparison) {
   double largest = comparison.bad_above_Nm;
@@ -59,8 +63,8 @@ Plot metric_plot(const Comparison& comparison, Metric metric) {
   plot.x.title = "variant";
   plot.y = {name.symbol, name.unit, report::Scale::linear, 0.0, {}};
   Series trials{"a trial", {}, Line::solid, Marker::circle, 6, false, true};
-  Series interval{"", {}, Line::solid, Marker::none, 0, true};
-  Series mean{"mean and 95 % interval", {}, Line::none, Marker::diamond, 0};
+  Series interval{"95 % interval of the mean", {}, Line::solid, Marker::none, 0};
+  Series mean{"mean", {}, Line::none, Marker::diamond, 0, false, true};
   for (std::size_t i = 0; i < comparison.variants.front().trials.size(); ++i) {
     for (std::size_t v = 0; v < comparison.variants.size(); ++v)
       trials.points.push_back(
@@ -70,10 +74,18 @@ Plot metric_plot(const Comparison& comparison, Metric metric) {
   for (std::size_t v = 0; v < comparison.variants.size(); ++v) {
     const Estimate estimate = estimate_of(comparison.variants[v], metric);
     if (!estimate.interval) continue;
-    const double x = static_cast<double>(v) + kBesideTrials;
+    const double x = static_cast<double>(v) + kBeside;
     mean.points.push_back({x, estimate.mean});
-    interval.points.insert(interval.points.end(),
-                           {{x, estimate.interval->low}, {x, estimate.interval->high}, {x, kNowhere}});
+    const double low = estimate.interval->low, high = estimate.interval->high;
+    interval.points.insert(interval.points.end(), {{x - kBar, low},
+                                                   {x + kBar, low},
+                                                   {x, kNowhere},
+                                                   {x, low},
+                                                   {x, high},
+                                                   {x, kNowhere},
+                                                   {x - kBar, high},
+                                                   {x + kBar, high},
+                                                   {x, kNowhere}});
     plot.labels.push_back({{x, estimate.mean}, report::short_number(estimate.mean, 3), report::Side::above});
   }
   plot.series = {trials};

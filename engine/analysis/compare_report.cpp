@@ -93,14 +93,18 @@ void say_result(report::Page& page, const Comparison& comparison) {
           trial_count(comparison) > 1
               ? "After ±: half of the mean's 95 % confidence interval over the trials, by Student's t."
               : "One trial has no interval."));
+  if (trial_count(comparison) == 1) return;
   if (comparison.variants.size() > 1) {
     page.table(difference_table(comparison));
     page.paragraph(
-        "Differences are taken trial by trial: a trial has the same seed, and with it the same tremor, in "
-        "every variant. An interval without 0 in it is a difference that the tremor does not explain.");
+        "Differences are taken trial by trial: a trial has the same seed, and with it the same hand and "
+        "tremor, "
+        "in every variant. An interval without 0 in it is a difference that the seeds do not explain.");
   }
-  for (const Metric metric : kMetrics)
-    page.plot(metric_plot(comparison, metric), "Grey: each trial, joined over the variants.");
+  for (const Metric metric : kMetrics) {
+    if (estimate_of(comparison.variants.front(), metric).n > 0)
+      page.plot(metric_plot(comparison, metric), "Grey: each trial, joined over the variants.");
+  }
 }
 
 void say_course(report::Page& page, const Comparison& comparison) {
@@ -143,9 +147,9 @@ void say_setting(report::Page& page, const Comparison& comparison) {
     }
   }
   if (unfinished > 0)
-    page.paragraph("Trials that did not complete: " + std::to_string(unfinished) +
-                   "; they have no t_c. Of them " + std::to_string(stopped) +
-                   " were ended by a fault, and count for nothing.");
+    page.paragraph("Trials that did not complete, and have no t_c: " + std::to_string(unfinished) + ".");
+  if (stopped > 0)
+    page.paragraph("Trials that a fault ended, and that count for nothing: " + std::to_string(stopped) + ".");
   if (!comparison.yields) return;
   page.paragraph("The hand's figures. They are chosen, not measured:");
   page.facts(hand_facts(*comparison.yields));

@@ -132,7 +132,8 @@ int compare_command(const CompareOptions& options) {
   }
   std::printf("%s\n", analysis::reservation(comparison));
   print_table(analysis::compare_table(comparison));
-  if (comparison.variants.size() > 1) print_table(analysis::difference_table(comparison));
+  if (comparison.variants.size() > 1 && comparison.variants.front().trials.size() > 1)
+    print_table(analysis::difference_table(comparison));
   std::printf("Plots and every trial lie in %s\n", bold(folder->string()).c_str());
   return kCompleted;
 }

@@ -9,6 +9,7 @@
 #include "engine/record/motion.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "engine/scenario/words.h"
 
 namespace fulcrum::app {
 namespace {
@@ -16,11 +17,12 @@ namespace {
 constexpr double kGravity = 9.80665;  // m/s^2
 
 Error no_hand(const Prepared& prepared, const std::string& hand) {
-  std::string known = "still";
+  std::vector<std::string_view> known{"still"};
   for (const scenario::HandScript& script : prepared.haptic.hands) {
-    if (script.name != "still") known += ", " + script.name;
+    if (script.name != "still") known.push_back(script.name);
   }
-  return {"The scenario '" + prepared.name + "' has no hand '" + hand + "'; it has " + known + "."};
+  return {"The scenario '" + prepared.name + "' has no hand " + scenario::in_quotes(hand) +
+          scenario::did_you_mean(hand, known, "it has " + scenario::joined(known) + ".")};
 }
 
 // How far the coupling yields under the tool's weight: a person aims so much higher.

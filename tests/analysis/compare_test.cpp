@@ -115,7 +115,7 @@ TEST(CompareReport, CsvHasItsColumnsAndLeavesEmptyWhatIsNotKnown) {
 TEST(CompareReport, PageSaysWhatIsSimulated) {
   const std::string html = compare_page(example()).html();
   for (const char* text : {"Nothing here is a finding about people", "0.31", "1.7", "A &lt;slot&gt;", "<svg",
-                           "B − A", "did not complete: 2"})
+                           "B − A", "did not complete, and have no t_c: 2."})
     EXPECT_NE(html.find(text), std::string::npos) << text;
   Comparison recorded = example();
   recorded.hand.clear();

@@ -68,6 +68,7 @@ expect 0 '"yields": null' "$FULCRUM" compare piping --variants A --hand expert -
 
 # --- what it refuses
 expect 1 "no hand 'nobody'.*yielding" "$FULCRUM" compare piping --hand nobody --out X
+expect 1 "no hand 'yeilding'; did you mean 'yielding'" "$FULCRUM" compare piping --hand yeilding --out X
 expect 1 'nothing.tape' "$FULCRUM" compare piping --tape nothing.tape --out X
 [ ! -e X ] || fail "a refused comparison leaves a folder"
 expect 2 "no variant 'D'" "$FULCRUM" compare piping --variants A,D
