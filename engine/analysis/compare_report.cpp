@@ -1,10 +1,7 @@
 #include "engine/analysis/compare_report.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include "engine/analysis/compare_figures.h"
+#include "engine/analysis/compare_tables.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -13,27 +10,6 @@ using report::short_number;
 
 std::string number(double value) {
   return short_number(value, 4);
-}
-
-// With so many digits after the point that `shown` has two that count.
-std::string to_digits_of(double value, double shown) {
-  constexpr int most = 6;
-  const int digits = shown > 0 ? 1 - static_cast<int>(std::floor(std::log10(shown))) : most;
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", std::clamp(digits, 0, most), std::abs(value));
-  return std::string(value < 0 ? "−" : "").append(text);
-}
-
-// The interval by its half: by Student's t it lies evenly about the mean.
-std::string text_of(const Estimate& estimate) {
-  if (estimate.n == 0) return "—";
-  const double half = estimate.interval ? estimate.interval->high - estimate.mean : 0;
-  if (half == 0) return number(estimate.mean) + (estimate.interval ? " ± 0" : "");
-  return to_digits_of(estimate.mean, half) + " ± " + to_digits_of(half, half);
-}
-
-std::string titled(const MetricName& name) {
-  return std::string(name.symbol) + ", " + name.title + " (" + name.unit + ")";
 }
 
 bool recorded(const Comparison& comparison) {
@@ -97,9 +73,8 @@ void say_result(report::Page& page, const Comparison& comparison) {
   if (comparison.variants.size() > 1) {
     page.table(difference_table(comparison));
     page.paragraph(
-        "Differences are taken trial by trial: a trial has the same seed, and with it the same hand and "
-        "tremor, "
-        "in every variant. An interval without 0 in it is a difference that the seeds do not explain.");
+        "Differences are taken trial by trial: a trial has the same seed, and with it the same hand, in "
+        "every variant. An interval without 0 in it is a difference that the seeds do not explain.");
   }
   for (const Metric metric : kMetrics) {
     if (estimate_of(comparison.variants.front(), metric).n > 0)
@@ -169,8 +144,8 @@ void say_simulated(report::Page& page, const Comparison& comparison) {
   }
   page.paragraph(
       "Simulated: the device, with the mass, friction and encoder steps of its description, and the hand, a "
-      "spring and damper about a written path, with tremor. The path turns the tool wrongly where it is held "
-      "on both sides, so that there is something to tell of.");
+      "spring and damper about a written path, with tremor. Where it turns the tool against what holds it, "
+      "it does so because its path was written that way.");
   if (!comparison.yields) {
     page.paragraph("This hand does not yield: it does what it meant to do, whatever it is told.");
     return;
@@ -182,13 +157,12 @@ void say_simulated(report::Page& page, const Comparison& comparison) {
       "goes back to what it meant to do.");
   page.paragraph(
       "So the order of the variants is built into the hand. What the page shows is that the chain from "
-      "contact "
-      "to cue to hand works, how large the effect is for a hand of these figures, and how it changes with "
-      "them (--set hands.NAME.yields.gain=...). It does not show that people turn back when a handle "
-      "vibrates, how many do, how soon, or what they learn: that takes people. Not in the model at all: "
-      "attention, grip, getting used to a cue. The intervals are over what the seed decides: tremor, errors "
-      "of the way, and a reaction and a gain for each trial; they are no spread over people. t_c follows the "
-      "path's timetable.");
+      "contact to cue to hand works, how large the effect is for a hand of these figures, and, run again "
+      "with --set hands.NAME.yields.gain=..., how it changes with them. It does not show that people turn "
+      "back when a handle vibrates, how many do, how soon, or what they learn: that takes people. Not in "
+      "the model at all: attention, grip, getting used to a cue. The intervals are over what the seed "
+      "decides: tremor, errors of the way, and a reaction and a gain for each trial; they are no spread "
+      "over people. t_c follows the path's timetable.");
 }
 
 }  // namespace
@@ -202,57 +176,6 @@ const char* reservation(const Comparison& comparison) {
            "people.";
   return "The hand is a program. Nothing here is a finding about people: it yields to cues because it was "
          "written to, by figures that were chosen.";
-}
-
-report::Csv compare_csv(const Comparison& comparison) {
-  report::Csv csv({"metric", "variant", "n", "mean", "low", "high"});
-  for (const Metric metric : kMetrics) {
-    for (const VariantRuns& runs : comparison.variants) {
-      const Estimate estimate = estimate_of(runs, metric);
-      using Cell = report::Csv::Cell;
-      const auto given = [](bool there, double value) { return there ? Cell(value) : Cell(""); };
-      const Interval interval = estimate.interval.value_or(Interval{});
-      csv.row({name_of(metric).csv, runs.name, static_cast<double>(estimate.n),
-               given(estimate.n > 0, estimate.mean), given(estimate.interval.has_value(), interval.low),
-               given(estimate.interval.has_value(), interval.high)});
-    }
-  }
-  return csv;
-}
-
-report::Table compare_table(const Comparison& comparison) {
-  report::Table table{{"metric"}, {}};
-  for (const VariantRuns& runs : comparison.variants) table.head.push_back(runs.name);
-  table.head.push_back("n");
-  for (const Metric metric : kMetrics) {
-    std::vector<std::string> row{titled(name_of(metric))};
-    std::vector<std::string> counts;
-    for (const VariantRuns& runs : comparison.variants) {
-      const Estimate estimate = estimate_of(runs, metric);
-      row.push_back(text_of(estimate));
-      counts.push_back(std::to_string(estimate.n));
-    }
-    const bool alike = std::count(counts.begin(), counts.end(), counts.front()) == std::ssize(counts);
-    if (alike) counts.resize(1);
-    std::string n;
-    for (const std::string& count : counts) n += (n.empty() ? "" : ", ") + count;
-    row.push_back(n);
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
-report::Table difference_table(const Comparison& comparison) {
-  report::Table table{{"difference", "of", "mean", "n"}, {}};
-  const VariantRuns& reference = comparison.variants.front();
-  for (const Metric metric : kMetrics) {
-    for (std::size_t v = 1; v < comparison.variants.size(); ++v) {
-      const Estimate estimate = difference_of(comparison.variants[v], reference, metric);
-      table.rows.push_back({comparison.variants[v].name + " − " + reference.name, titled(name_of(metric)),
-                            text_of(estimate), std::to_string(estimate.n)});
-    }
-  }
-  return table;
 }
 
 report::Page compare_page(const Comparison& comparison) {

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/compare_report.h"
+#include "engine/analysis/compare_tables.h"
 #include "engine/app/commands.h"
 #include "engine/app/compare_trials.h"
 #include "engine/app/exit_code.h"

@@ -8,6 +8,7 @@
 
 #include "engine/analysis/compare_figures.h"
 #include "engine/analysis/compare_report.h"
+#include "engine/analysis/compare_tables.h"
 #include "engine/analysis/student.h"
 
 namespace fulcrum::analysis {
