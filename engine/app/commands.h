@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/compare_options.h"
 #include "engine/app/run_options.h"
 
 namespace fulcrum::app {
@@ -15,6 +16,7 @@ int replay_command(const std::filesystem::path& tape, const RunOptions& options)
 int check_command(const std::vector<std::string>& files, bool json);
 int explain_command(const std::string& scenario, const std::vector<std::string>& overrides, bool json);
 int devices_command(bool json);
+int compare_command(const CompareOptions& options);
 int stability_command(const RunOptions& options);      // its out, force and json
 int workprecision_command(const RunOptions& options);  // likewise
 int schema_command(const std::string& of);             // scenario, hand or device

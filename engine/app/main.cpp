@@ -72,13 +72,44 @@ CLI::App* add_run(CLI::App& program, RunOptions& options, std::string& size) {
   return run;
 }
 
+CLI::App* add_compare(CLI::App& program, CompareOptions& options, std::string& variants) {
+  CLI::App* compare = program.add_subcommand(
+      "compare", "Variants of torque substitution over the same trials: torque, force and time");
+  compare->add_option("scenario", options.run.scenario, "Its name (fulcrum list) or file")
+      ->required()
+      ->type_name("NAME|FILE");
+  compare
+      ->add_option("--variants", variants,
+                   "Of A (no cue), B (vibration), C (vibration and ghost); default A,B,C")
+      ->type_name("A,B,C")
+      ->check([&options](const std::string& text) { return read_variants(text, options.variants); });
+  CLI::Option* hand = compare
+                          ->add_option("--hand", options.hand,
+                                       "The simulated hand (default: yielding, where the scenario has it)")
+                          ->type_name("HAND");
+  CLI::Option* trials = compare->add_option("--trials", options.trials, "Of each variant (default 20)")
+                            ->type_name("N")
+                            ->check(CLI::Range(1, 10000));
+  compare
+      ->add_option("--tape", options.tape,
+                   "A recorded motion, tape or trace.csv, instead of the hand: one trial")
+      ->type_name("FILE")
+      ->excludes(hand)
+      ->excludes(trials);
+  add_set(compare, options.run.overrides);
+  add_out(compare, options.run);
+  compare->add_flag("--json", options.run.json, "Print compare.json");
+  return compare;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App program("Fulcrum, a haptic training simulator.", "fulcrum");
   program.set_version_flag("--version", std::string("fulcrum ") + kVersion);
   program.require_subcommand(1);
   bool json = false;
   RunOptions options;
-  std::string size, tape, scenario, schema_of = "scenario";
+  CompareOptions compare_options;
+  std::string size, variants, tape, scenario, schema_of = "scenario";
   std::vector<std::string> files;
 
   CLI::App* list = program.add_subcommand("list", "The scenarios, a line each");
@@ -97,6 +128,7 @@ int dispatch(int argc, char** argv) {
   explain->add_flag("--json", json, "As JSON");
   CLI::App* devices = program.add_subcommand("devices", "Which devices are there, and why others are not");
   devices->add_flag("--json", json, "As JSON");
+  CLI::App* compare = add_compare(program, compare_options, variants);
   CLI::App* stability =
       program.add_subcommand("stability", "How stiff a wall each device can hold: simulated, and by theory");
   add_out(stability, options);
@@ -120,6 +152,7 @@ int dispatch(int argc, char** argv) {
   if (*check) return check_command(files, json);
   if (*explain) return explain_command(scenario, options.overrides, json);
   if (*devices) return devices_command(json);
+  if (*compare) return compare_command(compare_options);
   if (*stability) return stability_command(options);
   if (*workprecision) return workprecision_command(options);
   return schema_command(schema_of);

@@ -9,6 +9,7 @@
 #include "engine/record/motion.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "engine/scenario/words.h"
 
 namespace fulcrum::app {
 namespace {
@@ -16,11 +17,12 @@ namespace {
 constexpr double kGravity = 9.80665;  // m/s^2
 
 Error no_hand(const Prepared& prepared, const std::string& hand) {
-  std::string known = "still";
+  std::vector<std::string_view> known{"still"};
   for (const scenario::HandScript& script : prepared.haptic.hands) {
-    if (script.name != "still") known += ", " + script.name;
+    if (script.name != "still") known.push_back(script.name);
   }
-  return {"The scenario '" + prepared.name + "' has no hand '" + hand + "'; it has " + known + "."};
+  return {"The scenario '" + prepared.name + "' has no hand " + scenario::in_quotes(hand) +
+          scenario::did_you_mean(hand, known, "it has " + scenario::joined(known) + ".")};
 }
 
 // How far the coupling yields under the tool's weight: a person aims so much higher.
@@ -76,7 +78,8 @@ SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) 
   return scene;
 }
 
-Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand) {
+Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand,
+                                                          std::uint64_t trial) {
   const SceneDesc& scene = prepared.haptic.scene;
   const auto found =
       std::find_if(prepared.haptic.hands.begin(), prepared.haptic.hands.end(),
@@ -91,6 +94,7 @@ Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepar
   } else if (hand != "still") {
     return no_hand(prepared, hand);
   }
+  task.hand.seed += trial;
   task.sag_W = Vec3(0, sag(scene), 0);
   if (scene.tool.weight) {
     const Vec3 felt_W(0, -scene.tool.mass * kGravity, 0);

@@ -29,8 +29,10 @@ std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scen
 // The scene as this device runs it: a mouse moves the handle itself and renders nothing.
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device);
 
-// The scenario's hand of that name; `still` is always there. The error names those that are.
-Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand);
+// The scenario's hand of that name; `still` is always there. The error names those that are. trial: added to
+// the scenario's seed, for the same hand on another day.
+Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand,
+                                                          std::uint64_t trial = 0);
 
 // A tape's or a trace's handle motion, for --device replay:FILE.
 Result<std::unique_ptr<ReplayDevice>> replay_device(const Prepared& prepared, const std::string& file);

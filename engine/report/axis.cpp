@@ -46,7 +46,12 @@ std::string short_number(double value, int digits) {
   return sign + (mantissa == "1" ? "" : mantissa + "·") + "10" + superscript(exponent);
 }
 
-Axis::Axis(const AxisDesc& desc, std::span<const double> values) : scale_(desc.scale) {
+Axis::Axis(const AxisDesc& desc, std::span<const double> values) : scale_(desc.scale), names_(desc.names) {
+  if (!names_.empty()) {  // half a place of room on either side
+    low_ = -0.5;
+    high_ = static_cast<double>(names_.size()) - 0.5;
+    return;
+  }
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double value : values) {
     if (!shows(value)) continue;
@@ -54,6 +59,8 @@ Axis::Axis(const AxisDesc& desc, std::span<const double> values) : scale_(desc.s
     most = std::max(most, value);
   }
   if (!(least <= most)) least = most = 1;
+  least = std::min(least, desc.low.value_or(least));
+  most = std::max(most, desc.high.value_or(most));
   if (scale_ == Scale::linear) {
     const double span = most > least ? most - least : std::max(std::abs(most), 1.0);
     const double step = round_step(span / kWantedTicks);
@@ -78,6 +85,11 @@ double Axis::place(double value) const {
 }
 
 std::vector<Tick> Axis::ticks() const {
+  if (!names_.empty()) {
+    std::vector<Tick> ticks;
+    for (const std::string& name : names_) ticks.push_back({static_cast<double>(ticks.size()), name});
+    return ticks;
+  }
   return scale_ == Scale::linear ? linear_ticks() : logarithmic_ticks();
 }
 

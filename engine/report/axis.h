@@ -14,7 +14,8 @@ struct AxisDesc {
   std::string title;
   std::string unit;  // shown in brackets after the title; empty: none
   Scale scale = Scale::linear;
-  std::optional<double> low, high;  // what is not given follows from the values
+  std::optional<double> low, high;   // what is not given follows from the values
+  std::vector<std::string> names{};  // of the places 0, 1, 2, ...: words instead of numbers; linear alone
 };
 
 struct Tick {
@@ -42,6 +43,7 @@ private:
   std::vector<Tick> logarithmic_ticks() const;
 
   Scale scale_;
+  std::vector<std::string> names_;
   double low_ = 0, high_ = 1;
 };
 

@@ -26,11 +26,13 @@ std::string line_class(const Series& series) {
   if (series.line == Line::dashed) name += " dashed";
   if (series.line == Line::dotted) name += " dotted";
   if (series.strong) name += " strong";
+  if (series.faint) name += " faint";
   return name;
 }
 
 std::string marker_class(const Series& series) {
-  return (series.marker == Marker::cross ? "stroke " : "fill ") + hue_class(series.hue);
+  return (series.marker == Marker::cross ? "stroke " : "fill ") + hue_class(series.hue) +
+         (series.faint ? " faint" : "");
 }
 
 std::string marker_path(Marker marker, double x, double y, double r) {
@@ -69,7 +71,9 @@ Legend::Legend(const Plot& plot, double left, double right) : left_(left), next_
     if (!series.name.empty()) place({series.name, &series, 0, 0, 0}, right);
   }
   next_ = right + 1;  // bands on rows of their own
-  for (const Band& band : plot.cells.bands) place({band.name, nullptr, band.shade, 0, 0}, right);
+  for (const Band& band : plot.cells.bands) {
+    if (!band.name.empty()) place({band.name, nullptr, band.shade, 0, 0}, right);
+  }
 }
 
 void Legend::place(Entry entry, double right) {

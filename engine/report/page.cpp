@@ -26,6 +26,9 @@ h2 { font-size: 1.2rem; margin: 2.4rem 0 .6rem; }
 p { margin: .6rem 0; }
 pre { background: var(--wash); border: 1px solid var(--rule); border-radius: 6px; padding: .6rem .8rem;
   overflow-x: auto; font: 14px/1.4 ui-monospace, "DejaVu Sans Mono", monospace; }
+.note { border-left: 4px solid var(--h1); background: var(--wash); padding: .6rem .9rem; border-radius: 0 6px 6px 0; }
+dl { display: grid; grid-template-columns: minmax(9rem, max-content) 1fr; gap: .3rem 1.2rem; font-size: .95rem; }
+dt { color: var(--soft); } dd { margin: 0; }
 figure { margin: 1.2rem 0; break-inside: avoid; }
 figure > b { display: block; margin-bottom: .4rem; }
 figcaption { color: var(--soft); font-size: .9rem; margin-top: .3rem; }
@@ -42,6 +45,7 @@ svg.plot { width: 100%; height: auto; display: block; font: 12.5px system-ui, "D
 .frame { stroke: var(--soft); fill: none; }
 .line { fill: none; stroke: var(--hue); stroke-width: 2px; stroke-linejoin: round; }
 .strong { stroke-width: 3.5px; } .dashed { stroke-dasharray: 8 5; } .dotted { stroke-dasharray: 2 4; }
+.line.faint { stroke-width: 1px; stroke-opacity: .45; } .fill.faint { fill-opacity: .6; stroke: none; }
 .fill { fill: var(--hue); stroke: var(--paper); stroke-width: 1.2px; }
 .stroke { fill: none; stroke: var(--hue); stroke-width: 2.2px; }
 .h0 { --hue: var(--h0); } .h1 { --hue: var(--h1); } .h2 { --hue: var(--h2); } .h3 { --hue: var(--h3); }
@@ -69,8 +73,19 @@ void Page::paragraph(std::string_view text) {
   body_ += "<p>" + escaped(text) + "</p>\n";
 }
 
+void Page::note(std::string_view text) {
+  body_ += "<p class=\"note\">" + escaped(text) + "</p>\n";
+}
+
 void Page::command(std::string_view text) {
   body_ += "<pre>" + escaped(text) + "</pre>\n";
+}
+
+void Page::facts(const Facts& facts) {
+  body_ += "<dl>\n";
+  for (const auto& [name, what] : facts)
+    body_ += "<dt>" + escaped(name) + "</dt><dd>" + escaped(what) + "</dd>\n";
+  body_ += "</dl>\n";
 }
 
 void Page::table(const Table& table) {

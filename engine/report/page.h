@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/report/plot.h"
@@ -15,13 +16,18 @@ struct Table {
   std::vector<std::vector<std::string>> rows;  // as many cells as head; columns but the first are set right
 };
 
+// Names, and what there is to say of each.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
 class Page {
 public:
   explicit Page(std::string title) : title_(std::move(title)) {}
 
   void heading(std::string_view text);
   void paragraph(std::string_view text);
+  void note(std::string_view text);     // a paragraph that nobody is to miss
   void command(std::string_view text);  // a line for a terminal
+  void facts(const Facts& facts);
   void table(const Table& table);
   void plot(const Plot& plot, std::string_view caption);
 

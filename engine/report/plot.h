@@ -27,13 +27,14 @@ struct Series {
   Marker marker = Marker::none;
   int hue = 0;          // 0 to kHues - 1, or kInk
   bool strong = false;  // drawn wider: a front, a limit
+  bool faint = false;   // drawn thin and pale: one of many
 };
 
 // Of a filled cell: -4 (cool, deep) over 0 (neutral) to 4 (warm, deep).
 inline constexpr int kDeepestShade = 4;
 
 struct Band {
-  std::string name;  // what the cells of this shade have in common
+  std::string name;  // what the cells of this shade have in common; empty: not in the legend
   int shade = 0;
 };
 
@@ -59,6 +60,7 @@ struct Plot {
   Cells cells;
   std::vector<Series> series;
   std::vector<Label> labels;
+  double height = 360;  // px, between the axes; it is 658 px wide there
 };
 
 // An SVG element. Colours are the page's: report/page.h.

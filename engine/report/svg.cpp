@@ -11,7 +11,7 @@
 namespace fulcrum::report {
 namespace {
 
-constexpr double kWidth = 760, kPlotHeight = 360;  // px
+constexpr double kWidth = 760;  // px
 constexpr double kLeft = 78, kRight = 24, kBottom = 56, kTop = 12;
 
 class Drawing {
@@ -24,8 +24,8 @@ public:
     out += cells();
     out += grid();
     out += "<svg x=\"" + pixels(kLeft) + "\" y=\"" + pixels(top_) + "\" width=\"" + pixels(width()) +
-           "\" height=\"" + pixels(kPlotHeight) + "\" viewBox=\"" + pixels(kLeft) + " " + pixels(top_) + " " +
-           pixels(width()) + " " + pixels(kPlotHeight) + "\">";  // clips what lies beyond the axes
+           "\" height=\"" + pixels(plot_.height) + "\" viewBox=\"" + pixels(kLeft) + " " + pixels(top_) +
+           " " + pixels(width()) + " " + pixels(plot_.height) + "\">";  // clips what lies beyond the axes
     for (const Series& series : plot_.series) out += line(series);
     out += "</svg>";
     for (const Series& series : plot_.series) out += markers(series);
@@ -36,7 +36,7 @@ public:
 private:
   static double width() { return kWidth - kLeft - kRight; }
   double px(double x) const { return kLeft + width() * x_.place(x); }
-  double py(double y) const { return top_ + kPlotHeight * (1 - y_.place(y)); }
+  double py(double y) const { return top_ + plot_.height * (1 - y_.place(y)); }
   bool shows(const Point& p) const { return x_.shows(p.x) && y_.shows(p.y); }
   bool holds(const Point& p) const {
     constexpr double slack = 1e-9;
@@ -52,8 +52,8 @@ private:
     const std::size_t n = c.x_edges.size() - 1;
     const auto clamped = [](double v, double low, double high) { return std::clamp(v, low, high); };
     for (std::size_t j = 0; j + 1 < c.y_edges.size(); ++j) {
-      const double bottom = clamped(py(c.y_edges[j]), top_, top_ + kPlotHeight);
-      const double upper = clamped(py(c.y_edges[j + 1]), top_, top_ + kPlotHeight);
+      const double bottom = clamped(py(c.y_edges[j]), top_, top_ + plot_.height);
+      const double upper = clamped(py(c.y_edges[j + 1]), top_, top_ + plot_.height);
       for (std::size_t i = 0; i < n;) {
         std::size_t end = i + 1;
         const int band = c.band[j * n + i];
@@ -73,12 +73,12 @@ private:
 
   std::string grid() const {
     std::string lines, marks, words;
-    const std::string bottom = pixels(top_ + kPlotHeight), right = pixels(kWidth - kRight);
+    const std::string bottom = pixels(top_ + plot_.height), right = pixels(kWidth - kRight);
     for (const Tick& tick : x_.ticks()) {
       const std::string at = pixels(px(tick.value));
       if (!tick.label.empty()) {
         lines += "<path d=\"M" + at + " " + pixels(top_) + "V" + bottom + "\"/>";
-        words += "<text x=\"" + at + "\" y=\"" + pixels(top_ + kPlotHeight + 20) +
+        words += "<text x=\"" + at + "\" y=\"" + pixels(top_ + plot_.height + 20) +
                  "\" text-anchor=\"middle\">" + escaped(tick.label) + "</text>";
       }
       marks += "M" + at + " " + bottom + "v" + (tick.label.empty() ? "3" : "6");
@@ -92,8 +92,8 @@ private:
       }
       marks += "M" + pixels(kLeft) + " " + pixels(at) + (tick.label.empty() ? "h-3" : "h-6");
     }
-    const std::string middle = pixels(kLeft + width() / 2), centre = pixels(top_ + kPlotHeight / 2);
-    words += "<text class=\"axis\" x=\"" + middle + "\" y=\"" + pixels(top_ + kPlotHeight + 44) +
+    const std::string middle = pixels(kLeft + width() / 2), centre = pixels(top_ + plot_.height / 2);
+    words += "<text class=\"axis\" x=\"" + middle + "\" y=\"" + pixels(top_ + plot_.height + 44) +
              "\" text-anchor=\"middle\">" + titled(plot_.x) + "</text>";
     words += "<text class=\"axis\" transform=\"translate(18 " + centre +
              ") rotate(-90)\" text-anchor=\"middle\">" + titled(plot_.y) + "</text>";
@@ -127,7 +127,8 @@ private:
     std::string out;
     if (series.marker == Marker::none) return out;
     for (const Point& p : series.points) {
-      if (holds(p)) out += marker_path(series.marker, px(p.x), py(p.y), series.strong ? 5.5 : 4);
+      if (holds(p))
+        out += marker_path(series.marker, px(p.x), py(p.y), series.strong ? 5.5 : series.faint ? 2.5 : 4);
     }
     return "<path class=\"" + marker_class(series) + "\" d=\"" + out + "\"/>";
   }
@@ -175,7 +176,7 @@ std::string svg(const Plot& plot) {
   }
   const Legend legend(plot, kLeft, kWidth - kRight);
   const double top = kTop + legend.height();
-  const std::string size = pixels(kWidth) + " " + pixels(top + kPlotHeight + kBottom);
+  const std::string size = pixels(kWidth) + " " + pixels(top + plot.height + kBottom);
   return "<svg class=\"plot\" role=\"img\" aria-label=\"" + escaped(plot.title) +
          "\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\">" + legend.body(kTop) +
          Drawing(plot, Axis(plot.x, xs), Axis(plot.y, ys), top).body() + "</svg>";

@@ -57,6 +57,24 @@ void describe_task(KeyVisitor& visitor, Scenario& scenario) {
                  scenario.dwell, from_to(0, 600));
 }
 
+void describe_yielding(KeyVisitor& visitor, YieldingDesc& yields) {
+  visitor.number({"reaction", "s", "from a cue to the hand's first motion by it"}, yields.reaction,
+                 from_to(0, 2));
+  visitor.number({"gain", "rad/s", "how fast it turns back at a full cue"}, yields.gain, above_to(0, 20));
+  visitor.number({"spread", "", "of reaction and gain from seed to seed: log-normal, those two the medians"},
+                 yields.spread, from_to(0, 1));
+  visitor.number({"full_vibration", "N", "the amplitude that is a full cue"}, yields.full_vibration,
+                 above_to(0, 100));
+  visitor.number({"least_vibration", "N", "the amplitude below which nothing is felt"},
+                 yields.least_vibration, above_to(0, 100));
+  visitor.number({"felt_error_rad", "", "rms, of the way back under vibration alone"}, yields.felt_error_rad,
+                 from_to(0, 1.5));
+  visitor.number({"seen_error_rad", "", "rms, of the way back where the ghost is seen"},
+                 yields.seen_error_rad, from_to(0, 1.5));
+  visitor.number({"recovery", "s", "time constant of going on with what it meant to do"}, yields.recovery,
+                 above_to(0, 100));
+}
+
 void describe_hands(KeyVisitor& visitor, std::vector<HandEntry>& hands) {
   visitor.named(
       {"hands", "", "simulated hands for runs without a person, by name"}, 0,
@@ -79,6 +97,8 @@ void describe_hands(KeyVisitor& visitor, std::vector<HandEntry>& hands) {
                     above_to(0, 100));
         each.rule("tremor_high_Hz", hand.tremor_high_Hz > hand.tremor_low_Hz,
                   "must be above 'tremor_low_Hz'");
+        each.mapping({"yields", "", "the hand turns back where it is told of torque: a model of no person"},
+                     [&](KeyVisitor& inner) { describe_yielding(inner, hand.yields.emplace()); });
       });
 }
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "haptics/math/split_mix.h"
+
 namespace fulcrum {
 
 HandPath::HandPath(std::vector<Waypoint> waypoints) : waypoints_(std::move(waypoints)) {
@@ -26,18 +28,12 @@ Pose HandPath::at(double time) const {
 }
 
 Tremor::Tremor(const HandDesc& desc) {
-  std::uint64_t state = desc.seed;
-  const auto uniform = [&state] {  // splitmix64, to [0, 1)
-    std::uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  };
+  SplitMix random(desc.seed);
   const double per_tone = std::sqrt(2.0 / kTones);
   for (std::size_t axis = 0; axis < 6; ++axis) {
     for (Tone& tone : tones_[axis]) {
-      tone.w = 2 * std::numbers::pi * std::lerp(desc.tremor_low_Hz, desc.tremor_high_Hz, uniform());
-      tone.phase = 2 * std::numbers::pi * uniform();
+      tone.w = 2 * std::numbers::pi * std::lerp(desc.tremor_low_Hz, desc.tremor_high_Hz, random.uniform());
+      tone.phase = 2 * std::numbers::pi * random.uniform();
       tone.amplitude = per_tone * (axis < 3 ? desc.tremor : desc.tremor_rad);
     }
   }

@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "haptics/device/yielding.h"
 #include "haptics/math/pose.h"
 
 namespace fulcrum {
@@ -25,6 +27,7 @@ struct HandDesc {
   double tremor_low_Hz = 8;
   double tremor_high_Hz = 12;
   std::uint64_t seed = 1;
+  std::optional<YieldingDesc> yields{};  // without it the hand does what it meant to do, whatever it is told
 };
 
 // Where the hand wants the tool, and when. Between two waypoints the hand moves on a minimum-jerk profile

@@ -34,6 +34,7 @@ SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, HandTask task)
     : SimulatedDevice(desc, task.mapping.handle_in_device(task.path.at(0) * task.X_HT.inverse())) {
   task_ = std::move(task);
   tremor_.emplace(task_->hand);
+  if (task_->hand.yields) yielding_.emplace(*task_->hand.yields, desc_.tick_s, task_->hand.seed);
 }
 
 void SimulatedDevice::push(const Vec3& v_D) noexcept {
@@ -51,15 +52,17 @@ DeviceSample SimulatedDevice::read() noexcept {
 void SimulatedDevice::write(const DeviceCommand& command) noexcept {
   sent_[at_] = command;
   const auto delay = static_cast<std::size_t>(desc_.bus_delay_ticks);
-  const Wrench& F = sent_[(at_ + kDelay - delay) % kDelay].F_H_D;
-  advance({shortened(F.force, desc_.device.max_force), shortened(F.torque, desc_.device.max_torque)});
+  const DeviceCommand& due = sent_[(at_ + kDelay - delay) % kDelay];
+  const Wrench& F = due.F_H_D;
+  advance({shortened(F.force, desc_.device.max_force), shortened(F.torque, desc_.device.max_torque)},
+          due.cues);
   at_ = (at_ + 1) % kDelay;
   measure();
 }
 
 void SimulatedDevice::miss(int ticks) noexcept {
-  const Wrench held = sent_[(at_ + kDelay - 1) % kDelay].F_H_D;
-  for (int n = 1; n <= ticks; ++n) advance(held * held_fraction(n * desc_.tick_s));
+  const DeviceCommand& held = sent_[(at_ + kDelay - 1) % kDelay];
+  for (int n = 1; n <= ticks; ++n) advance(held.F_H_D * held_fraction(n * desc_.tick_s), held.cues);
   measure();
 }
 
@@ -73,30 +76,33 @@ void SimulatedDevice::measure() noexcept {
 }
 
 SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time) const noexcept {
-  const auto pose = [this](double t) {
+  const auto pose = [this](double t, const Quat& turn) {
     Pose X_WT = task_->path.at(t);
     X_WT.p += task_->sag_W;
     Pose X_DH = task_->mapping.handle_in_device(X_WT * task_->X_HT.inverse());
     const Vec6 shake = tremor_->at(t);
     X_DH.p += shake.head<3>();
     X_DH.q = quaternion_exp(shake.tail<3>()) * X_DH.q;
+    if (yielding_) X_DH.q = turn * X_DH.q;
     return X_DH;
   };
   HandTarget target;
-  target.X_DH = pose(time);
-  const Pose next = pose(time + desc_.tick_s);
+  const Quat still = Quat::Identity();
+  target.X_DH = pose(time, yielding_ ? yielding_->turn_before() : still);
+  const Pose next = pose(time + desc_.tick_s, yielding_ ? yielding_->turn() : still);
   target.rate.head<3>() = (next.p - target.X_DH.p) / desc_.tick_s;
   target.rate.tail<3>() = rotation_vector(next.q * target.X_DH.q.conjugate()) / desc_.tick_s;
   return target;
 }
 
-void SimulatedDevice::advance(const Wrench& F_H_D) noexcept {
+void SimulatedDevice::advance(const Wrench& F_H_D, const DeviceCommand::Cues& cues) noexcept {
   Vec6 force;
   force << F_H_D.force, F_H_D.torque;
   Vec6 hand_x = Vec6::Zero(), hand_v = Vec6::Zero();
   if (task_) {
     const Vec3 up_D = task_->mapping.X_WD.q.conjugate() * Vec3::UnitY();
     force.head<3>() += task_->carried_D - desc_.device.handle_weight * up_D;
+    if (yielding_) yielding_->advance(cues);
     const HandTarget target = hand_target(time_);
     hand_x << target.X_DH.p, rotation_vector(target.X_DH.q * X_DH_.q.conjugate());
     hand_v = target.rate;

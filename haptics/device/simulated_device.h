@@ -52,12 +52,13 @@ private:
     Vec6 rate = Vec6::Zero();  // (6) m/s; rad/s
   };
   HandTarget hand_target(double time) const noexcept;
-  void advance(const Wrench& F_H_D) noexcept;
+  void advance(const Wrench& F_H_D, const DeviceCommand::Cues& cues) noexcept;
   void measure() noexcept;
 
   SimulatedDeviceDesc desc_;
   std::optional<HandTask> task_;
   std::optional<Tremor> tremor_;
+  std::optional<Yielding> yielding_;
   double time_ = 0;
   Pose X_DH_;
   Pose measured_;

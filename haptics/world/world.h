@@ -41,6 +41,10 @@ public:
   const SceneDesc& desc() const { return desc_; }
   std::span<const ContactRegion> regions() const { return motion_->regions(); }
   std::vector<BuiltPart> parts() const;
+  // Of torque; null: not built.
+  const TorqueSubstitution* substitution() const {
+    return torque_substitution_ ? &*torque_substitution_ : nullptr;
+  }
 
 private:
   explicit World(SceneDesc desc);

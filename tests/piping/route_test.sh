@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # The expert's way in the scenario is the one that the models' program proves passable: every waypoint within 0.1 mm.
+# The yielding hand's way is the one that the same program writes.
 # $MAKE_PIPING is that program, $SCENARIO the scenario's folder.
 set -euo pipefail
 triples() { # KEY: the numbers of each "KEY: [x, y, z...]" line
@@ -14,4 +15,8 @@ for pair in p_WT:position q_WT:orientation; do
           print "FAILED: " key " of waypoint " NR " differs by " d; exit 1 } } }
       END { if (NR < 10) { print "FAILED: only " NR " waypoints"; exit 1 } }'
 done
+diff <("$MAKE_PIPING" --wrong-turns) "$SCENARIO/yielding.yaml" || {
+  echo "FAILED: yielding.yaml is not what make_piping --wrong-turns writes"
+  exit 1
+}
 echo "all good"

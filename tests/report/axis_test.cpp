@@ -29,6 +29,22 @@ TEST(Axis, LinearTicksAreRoundAndHoldTheValues) {
             (std::vector<std::string>{"−0.3", "−0.2", "−0.1", "0", "0.1", "0.2", "0.3"}));
 }
 
+TEST(Axis, AGivenEndIsPartOfWhatItHolds) {
+  const Axis axis({.title = "x", .unit = "m", .low = 0.0, .high = {}}, std::vector<double>{61.9, 62.1});
+  EXPECT_EQ(axis.low(), 0);
+  EXPECT_EQ(labels(axis), (std::vector<std::string>{"0", "20", "40", "60", "80"})) << "not steps of 0.05";
+}
+
+TEST(Axis, NamesStandAtTheirPlaces) {
+  AxisDesc desc;
+  desc.names = {"A", "B", "C"};
+  const Axis axis(desc, std::vector<double>{0, 2.2});
+  EXPECT_EQ(labels(axis), desc.names);
+  EXPECT_NEAR(axis.place(0), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(axis.place(1), 0.5, 1e-12);
+  EXPECT_EQ(axis.ticks()[2].value, 2);
+}
+
 TEST(Axis, LogarithmicTicksArePowersOfTenWithTheirMultiplesBetween) {
   const Axis axis = over(Scale::logarithmic, {1e-3, 1e3});
   EXPECT_EQ(labels(axis), (std::vector<std::string>{"0.001", "0.01", "0.1", "1", "10", "100", "1000"}));

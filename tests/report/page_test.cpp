@@ -61,7 +61,9 @@ std::string busy_page() {
   Page page("Work & precision <1>");
   page.heading("A \"heading\"");
   page.paragraph("K < 2 b / T & so on\x01");
+  page.note("not < to be missed");
   page.command("fulcrum stability --out 'A'");
+  page.facts({{"a & b", "<1"}, {"c", "2"}});
   page.table({{"method", "error"}, {{"a & b", "<1"}, {"c", "2"}}});
   page.plot(busy_plot(), "What is > nothing");
   return page.html();
@@ -97,6 +99,10 @@ TEST(Plot, AxisTitlesCarryUnits) {
   EXPECT_NE(picture.find(">error (m)</text>"), picture.npos);
 }
 
+TEST(Page, FactsAreNamesWithWhatThereIsToSay) {
+  EXPECT_NE(busy_page().find("<dt>a &amp; b</dt><dd>&lt;1</dd>"), std::string::npos);
+}
+
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t found = 0;
   for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
@@ -116,6 +122,24 @@ TEST(Plot, APointThatAnAxisCannotShowInterruptsTheLine) {
   EXPECT_EQ(count(path, "L"), 1u);
   EXPECT_EQ(picture.find("nan"), picture.npos);
   EXPECT_EQ(picture.find("inf"), picture.npos);
+}
+
+TEST(Plot, IsAsHighAsItSays) {
+  Plot low = busy_plot(), high = busy_plot();
+  low.height = 150;
+  high.height = 260;
+  const auto height = [](const std::string& picture) {
+    const std::string box = "viewBox=\"0 0 760 ";
+    return std::stod(picture.substr(picture.find(box) + box.size()));
+  };
+  EXPECT_EQ(height(svg(high)) - height(svg(low)), 110);
+}
+
+TEST(Plot, BandsWithoutANameAreNotInTheLegend) {
+  Plot plot = busy_plot();
+  const std::size_t all = count(svg(plot), "<rect");
+  plot.cells.bands[1].name.clear();
+  EXPECT_EQ(count(svg(plot), "<rect"), all - 1);
 }
 
 TEST(Plot, NothingStandsOutsideThePicture) {

@@ -75,6 +75,26 @@ TEST(Load, ReadsTheOtherForms) {
   EXPECT_FALSE(material.metallic);
 }
 
+// Presence is construction: a hand that does not say so does not yield.
+TEST(Load, HandsYieldWhereTheySaySo) {
+  const Folder folder;
+  const auto yields = [&](const std::string& hand, const std::vector<std::string>& overrides) {
+    const auto scenario =
+        load_scenario_text(replaced(kScenario, "{path: sure.yaml}", hand), folder.peg(), overrides);
+    if (!scenario) ADD_FAILURE() << to_text(scenario.faults());
+    return scenario ? scenario->hands.at(0).desc.yields : std::nullopt;
+  };
+  EXPECT_FALSE(yields("{path: sure.yaml}", {}));
+  const auto defaults = yields("{path: sure.yaml, yields: {}}", {});
+  ASSERT_TRUE(defaults);
+  EXPECT_EQ(defaults->reaction, YieldingDesc{}.reaction);
+  EXPECT_EQ(defaults->recovery, YieldingDesc{}.recovery);
+  const auto given = yields("{path: sure.yaml, yields: {reaction: 0.4}}", {"hands.sure.yields.gain=2"});
+  ASSERT_TRUE(given);
+  EXPECT_EQ(given->reaction, 0.4);
+  EXPECT_EQ(given->gain, 2);
+}
+
 TEST(Load, MakesNearlyUnitRotationsUnit) {
   const Folder folder;
   const auto scenario = load_scenario_text(
@@ -163,7 +183,7 @@ TEST(Content, ThatComesWithTheProgramReads) {
   ASSERT_GE(piping->hands.size(), 2u);
   for (const HandEntry& hand : piping->hands) {
     const Pose& first = hand.waypoints.front().X_WT;
-    EXPECT_LT((first.p - piping->tool.X_WM_start.p).norm(), 1e-6)
+    EXPECT_LT((first.p - piping->tool.X_WM_start.p).norm(), 1e-5)
         << hand.name << " does not begin at the start pose";
     EXPECT_LT(first.q.angularDistance(piping->tool.X_WM_start.q), 1e-5) << hand.name;
     EXPECT_LT(HandPath(hand.waypoints).duration(), piping->time_limit) << hand.name;

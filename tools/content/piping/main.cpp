@@ -1,4 +1,5 @@
-// make_piping: writes the models of the piping scene, prints the route through it, and checks both.
+// make_piping: writes the models of the piping scene, prints the route through it and the way of a hand that
+// turns the spanner wrongly, and checks models and route.
 
 #include <algorithm>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "tools/content/piping/route.h"
 #include "tools/content/piping/route_check.h"
 #include "tools/content/piping/spanner.h"
+#include "tools/content/piping/wrong_turns.h"
 
 namespace fulcrum::content {
 namespace {
@@ -74,9 +76,13 @@ int run(std::span<char*> arguments) {
     std::cout << route_yaml();
     return 0;
   }
+  if (what == "--wrong-turns") {
+    std::cout << wrong_turns_yaml();
+    return 0;
+  }
   if (what == "--check") return check();
   if (what.empty() || what.starts_with("-")) {
-    std::cerr << "usage: make_piping OUTDIR | --route | --check\n";
+    std::cerr << "usage: make_piping OUTDIR | --route | --wrong-turns | --check\n";
     return 2;
   }
   const Model spanner = make_spanner();

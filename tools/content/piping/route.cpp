@@ -44,16 +44,6 @@ std::string number(double value) {
   return text.data();
 }
 
-std::string vector(const Vector3d& v) {
-  return "[" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + "]";
-}
-
-std::string quaternion(const Matrix3d& R) {
-  Eigen::Quaterniond q(R);
-  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  return "[" + number(q.w()) + ", " + number(q.x()) + ", " + number(q.y()) + ", " + number(q.z()) + "]";
-}
-
 }  // namespace
 
 Vector3d touch_point_T() {
@@ -96,19 +86,29 @@ Eigen::Isometry3d between(const Eigen::Isometry3d& from, const Eigen::Isometry3d
   return X;
 }
 
+std::string yaml_position(const Vector3d& v) {
+  return "[" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + "]";
+}
+
+std::string yaml_orientation(const Matrix3d& R) {
+  Eigen::Quaterniond q(R);
+  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
+  return "[" + number(q.w()) + ", " + number(q.x()) + ", " + number(q.y()) + ", " + number(q.z()) + "]";
+}
+
 std::string route_yaml() {
   std::string text =
       "# Poses of the spanner in the plant: metres; quaternions (w, x, y, z), body to world.\n"
       "# Named poses are the start and the checkpoints; touch_W is where the large ring's centre has to "
       "be.\n";
-  text += "touch_point_T: " + vector(touch_point_T()) + "\n";
+  text += "touch_point_T: " + yaml_position(touch_point_T()) + "\n";
   text += "route:\n";
   for (const RoutePose& pose : route()) {
-    text += "  - p_WT: " + vector(pose.X_WT.translation()) + "\n";
-    text += "    q_WT: " + quaternion(pose.X_WT.linear()) + "\n";
+    text += "  - p_WT: " + yaml_position(pose.X_WT.translation()) + "\n";
+    text += "    q_WT: " + yaml_orientation(pose.X_WT.linear()) + "\n";
     if (pose.name.empty()) continue;
     text += "    name: " + pose.name + "\n";
-    text += "    touch_W: " + vector(pose.X_WT * touch_point_T()) + "\n";
+    text += "    touch_W: " + yaml_position(pose.X_WT * touch_point_T()) + "\n";
   }
   return text;
 }

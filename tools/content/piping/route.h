@@ -48,6 +48,10 @@ std::vector<RoutePose> route();
 // The pose between two poses: straight line of T's origin, shortest turn at constant rate; u in 0..1.
 Eigen::Isometry3d between(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, double u);
 
+// Lists of numbers in YAML: m; (w, x, y, z), body to world.
+std::string yaml_position(const Eigen::Vector3d& p);
+std::string yaml_orientation(const Eigen::Matrix3d& R);
+
 // The route as YAML.
 std::string route_yaml();
 
