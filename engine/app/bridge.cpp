@@ -84,6 +84,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.torque_Nm = {record.force_gain * record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
+  if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
   if (record.stopped)
     state.force = ui::Force::stopped;
   else if (record.force_gain < 1)

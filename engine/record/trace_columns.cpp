@@ -54,7 +54,8 @@ void add_wrench(Columns& columns, const What& what, Read read) {
 
 }  // namespace
 
-TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors) : tick_s_(tick_s) {
+TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, bool hard_touches)
+    : tick_s_(tick_s) {
   Columns& c = columns_;
   add(c, {"timestamp", "s", "", "Simulated time, counted in ticks."},
       [tick_s, rate = whole_rate(tick_s)](const TickRecord& record) {
@@ -86,6 +87,10 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors) :
   c.push_back({"task/step", "1", "",
                "The checkpoint that is next, from 0; the number of them once all are done.",
                [](const TraceRow& row) { return TraceValue(std::int64_t{row.task_step}); }});
+  if (hard_touches) {
+    c.push_back({"task/hard_touches", "1", "", "Touches so far that were harder than the task allows.",
+                 [](const TraceRow& row) { return TraceValue(row.hard_touches); }});
+  }
   add(c, {"energy/port", "J", "", "Passivity observer: below zero the loop has given out energy."},
       [](const TickRecord& record) { return record.energy_port; });
   add(c,

@@ -15,7 +15,8 @@ namespace fulcrum::record {
 // What one row is made of.
 struct TraceRow {
   const TickRecord& record;
-  std::int32_t task_step = 0;  // the checkpoint that is next; the number of them once completed
+  std::int32_t task_step = 0;     // the checkpoint that is next; the number of them once completed
+  std::int64_t hard_touches = 0;  // so far
 };
 
 using TraceValue = std::variant<double, std::int64_t>;
@@ -31,7 +32,8 @@ struct TraceColumn {
 class TraceColumns {
 public:
   // motors: their names, in the order of TickRecord::actuator_load; empty for a device without motors.
-  TraceColumns(double tick_s, std::span<const std::string> motors);
+  // hard_touches: whether the task counts them.
+  TraceColumns(double tick_s, std::span<const std::string> motors, bool hard_touches = false);
 
   const std::vector<TraceColumn>& columns() const { return columns_; }
   double tick_s() const { return tick_s_; }

@@ -55,6 +55,12 @@ void describe_task(KeyVisitor& visitor, Scenario& scenario) {
                });
   visitor.number({"dwell", "s", "how long the touch point must stay at a checkpoint without a break"},
                  scenario.dwell, from_to(0, 600));
+  visitor.mapping({"hard_touch", "", "touches that are too hard are counted; without it none are"},
+                  [&](KeyVisitor& inner) {
+                    inner.number(
+                        {"force", "N", "of the scene on the tool, above which a touch is too hard", true},
+                        scenario.hard_touch.emplace(), above_to(0, 1000));
+                  });
 }
 
 void describe_hands(KeyVisitor& visitor, std::vector<HandEntry>& hands) {

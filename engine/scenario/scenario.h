@@ -97,7 +97,8 @@ struct Scenario {
   VelocityEstimatorDesc velocity_estimator;
   DeviceEntry device;
   std::vector<Checkpoint> checkpoints;
-  double dwell = TaskDesc{}.dwell;  // s
+  double dwell = TaskDesc{}.dwell;   // s
+  std::optional<double> hard_touch;  // N
   std::vector<HandEntry> hands;
   std::vector<View> views;  // the first is where a window starts
   std::optional<render::KeyLight> light = render::KeyLight{};

@@ -2,6 +2,7 @@
 // What the overlay shows, in plain data.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,8 @@ struct OverlayState {
   std::string scenario;  // heading of the checkpoints
   Dial force_N;
   Dial torque_Nm;
-  std::vector<CheckpointLine> checkpoints;  // empty: no list
+  std::vector<CheckpointLine> checkpoints;   // empty: no list
+  std::optional<std::int64_t> hard_touches;  // below them; none: the task does not count them
   TickHealth ticks;
   Force force = Force::on;
   std::string stop_reason;  // "Esc pressed"; shown while stopped
