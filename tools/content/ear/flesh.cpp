@@ -41,7 +41,7 @@ double Flesh::distance(const Vector3d& p) const {
   // Far outside the canal would go on: there its room ends.
   // At its end lies the drum, with its back in the flesh.
   const double to_end = canal_.to_drum(p) + 0.5 * membrane;
-  const double room = smooth_min(std::min(canal_.to_wall(p), to_end), 9.0 - p.z(), 2.0);
+  const double room = smooth_min(smooth_min(canal_.to_wall(p), to_end, 2.2), 9.0 - p.z(), 2.0);
   return smooth_max(solid(p), room, 1.2);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double bend = 44.0 * degree;
+constexpr double bend = 50.0 * degree;
 constexpr double bend_radius = 2.5 * mm;
 constexpr double bend_length = bend * bend_radius;
 constexpr double bent_end = 10.0 * mm;   // from the tip to the middle of the bend
