@@ -175,6 +175,9 @@ Result<void> Renderer::update(const FrameState& state) {
   if (geometry_ && geometry_->place(state.X_WM)) {
     shadow_stale_ = true;
   }
+  if (geometry_ && geometry_->see(state.camera.layers)) {
+    shadow_stale_ = true;
+  }
   if (plan_.shadow_size > 0 && shadow_stale_) {
     light_ = fit_light(*setting_.key_light, geometry_->casters(), plan_.shadow_size);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "engine/render/vertex.h"
 
@@ -45,7 +46,7 @@ void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc
   for (const Mesh& mesh : desc.meshes) {
     batches_.push_back({static_cast<std::uint32_t>(indices.size()),
                         static_cast<std::uint32_t>(mesh.indices.size()),
-                        static_cast<std::int32_t>(vertices.size()), 0, 0, 0});
+                        static_cast<std::int32_t>(vertices.size()), 0, 0, 0, 0});
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       Vertex vertex{.position = mesh.positions[i], .normal = mesh.normals[i]};
       if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
@@ -80,6 +81,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     batch.first_slot = batch.count == 0 ? slot : batch.first_slot;
     batch.count += 1;
     batch.casters += instance.casts_shadow ? 1 : 0;
+    batch.layers = instance.layers;
   }
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (desc.instances[i].movable) {
@@ -102,6 +104,10 @@ bool SceneGeometry::place(std::span<const glm::mat4> X_WM) {
   return caster_moved;
 }
 
+bool SceneGeometry::see(std::uint32_t layers) {
+  return std::exchange(seen_, layers) != layers;
+}
+
 std::vector<Bounds> SceneGeometry::casters() const {
   std::vector<Bounds> boxes;
   for (const Slot& slot : slots_) {
@@ -118,6 +124,7 @@ void SceneGeometry::draw(VkCommandBuffer commands, Which which) const {
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
   vkCmdBindIndexBuffer(commands, indices_.get(), 0, VK_INDEX_TYPE_UINT32);
   for (const Batch& batch : batches_) {
+    if ((batch.layers & seen_) == 0) continue;
     const std::uint32_t count = which == Which::all ? batch.count : batch.casters;
     if (count > 0) {
       vkCmdDrawIndexed(commands, batch.index_count, count, batch.first_index, batch.first_vertex,

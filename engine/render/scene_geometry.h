@@ -21,6 +21,9 @@ public:
   /// a shadow has moved.
   bool place(std::span<const glm::mat4> X_WM);
 
+  /// Draws from now on what a camera of these layers sees. True when that is other than before.
+  bool see(std::uint32_t layers);
+
   /// Boxes around what throws a shadow, in the world, as placed.
   std::vector<Bounds> casters() const;
 
@@ -39,6 +42,7 @@ private:
     std::uint32_t first_slot = 0;
     std::uint32_t count = 0;
     std::uint32_t casters = 0;
+    std::uint32_t layers = 0;
   };
 
   /// A place in the instance buffer.
@@ -58,6 +62,7 @@ private:
   std::vector<Batch> batches_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> movable_slots_;
+  std::uint32_t seen_ = 1;  // layers
 };
 
 }  // namespace fulcrum::render

@@ -22,9 +22,19 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
         each.file({"file", "", "a glTF file in the scenario's folder; metres, Y up", true}, model.file);
         each.choice_of({"role", "", "scene: touched; tool: held in the hand; decor: seen only", true},
                        model.role, kRoles);
+        each.word(
+            {"cut_of", "", "of decor: the model that it shows cut open, in its place in views with 'cut'"},
+            model.cut_of);
+        each.rule("cut_of", model.cut_of.empty() || model.role == ModelRole::decor,
+                  "is for a model with 'role: decor'");
       });
   const auto count = [&](ModelRole role) { return std::ranges::count(models, role, &ModelEntry::role); };
   visitor.rule("models", count(ModelRole::tool) == 1, "must have exactly one model with 'role: tool'");
+  for (const ModelEntry& model : models) {
+    const auto whole = std::ranges::find(models, model.cut_of, &ModelEntry::name);
+    visitor.rule("models", model.cut_of.empty() || (whole != models.end() && whole->role == ModelRole::scene),
+                 "has a 'cut_of' that is not the name of a model with 'role: scene'");
+  }
   visitor.rule("models", count(ModelRole::scene) >= 1,
                "must have a model with 'role: scene', something to touch");
 }

@@ -34,6 +34,7 @@ struct ModelEntry {
   std::string name;
   FileRef file;
   ModelRole role = ModelRole::scene;
+  std::string cut_of;  // the name of the model that it shows cut open; empty: none
 };
 
 // Replaces what the models' material of this name says.
@@ -70,6 +71,7 @@ struct HandEntry {
 struct View {
   std::string name;
   render::Camera camera;
+  bool cut = false;  // shows models cut open, where there are such
 };
 
 // The exact text of the scenario and of every file of text that it read, so that a tape can embed them.
