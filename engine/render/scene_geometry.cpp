@@ -75,7 +75,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     const auto slot = static_cast<std::uint32_t>(i);
     const Instance& instance = desc.instances[order[i]];
     slot_of[order[i]] = slot;
-    slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, instance.casts_shadow});
+    slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, instance.casts_shadow, instance.layers});
     data()[slot] = to_gpu(instance, desc.materials[instance.material]);
     Batch& batch = batches_[instance.mesh];
     batch.first_slot = batch.count == 0 ? slot : batch.first_slot;
@@ -111,7 +111,7 @@ bool SceneGeometry::see(std::uint32_t layers) {
 std::vector<Bounds> SceneGeometry::casters() const {
   std::vector<Bounds> boxes;
   for (const Slot& slot : slots_) {
-    if (slot.casts) {
+    if (slot.casts && (slot.layers & seen_) != 0) {
       boxes.push_back(transformed(slot.mesh_bounds, slot.X_WM));
     }
   }

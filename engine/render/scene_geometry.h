@@ -24,7 +24,7 @@ public:
   /// Draws from now on what a camera of these layers sees. True when that is other than before.
   bool see(std::uint32_t layers);
 
-  /// Boxes around what throws a shadow, in the world, as placed.
+  /// Boxes around what is seen and throws a shadow, in the world, as placed.
   std::vector<Bounds> casters() const;
 
   VkBuffer instances() const { return instances_.get(); }
@@ -50,6 +50,7 @@ private:
     Bounds mesh_bounds;
     glm::mat4 X_WM{1.0F};
     bool casts = false;
+    std::uint32_t layers = 0;
   };
 
   void upload_meshes(vulkan::Device& device, const VisualDesc& desc);

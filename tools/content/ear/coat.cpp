@@ -34,7 +34,9 @@ Coat coat(const Solid& solid, const Implicit& body, const Colour& colour_at) {
   for (const Vector3d& p : solid.points) {
     const Vector3d n = gradient(body, p, 0.12).normalized();
     const bool deep = p.z() < -1.0 && p.head<2>().norm() < 12.0;
-    const double open = openness(body, p, n, deep ? in_the_canal : surroundings);
+    // Deep in the canal it would be dark but for the lamp that everyone who looks in there has.
+    const double open =
+        deep ? 0.5 + 0.5 * openness(body, p, n, in_the_canal) : openness(body, p, n, surroundings);
     const Vector3d colour = colour_at(p, n);
     coat.normals.push_back((n + skin_grain(p)).normalized());
     coat.colours.push_back(shut_in(colour, open, colour));

@@ -12,7 +12,8 @@ using Eigen::Vector3d;
 
 constexpr double canal_cell = 0.34;  // mm
 constexpr double pinna_cell = 0.46;  // mm
-constexpr double plain_cell = 1.1;   // mm
+constexpr double skin_cell = 1.1;    // mm
+constexpr double cut_cell = 0.5;     // mm
 
 Solid in_metres(Solid solid) {
   for (Vector3d& p : solid.points) p *= mm;
@@ -20,17 +21,19 @@ Solid in_metres(Solid solid) {
 }
 
 // Finest about the canal, fine about the pinna.
-std::function<double(double)> cells(double canal_from, double canal_to, double pinna_from, double pinna_to) {
+std::function<double(double)> cells(double canal_from, double canal_to, double pinna_from, double pinna_to,
+                                    double plain) {
   return [=](double at) {
     if (at > canal_from && at < canal_to) return canal_cell;
-    return at > pinna_from && at < pinna_to ? pinna_cell : plain_cell;
+    return at > pinna_from && at < pinna_to ? pinna_cell : plain;
   };
 }
 
-Solid flesh_solid(const Implicit& body) {
-  const GridLines lines{grid_line(-51.0, 37.0, cells(-7.5, 11.5, -33.0, 12.0)),
-                        grid_line(-46.0, 54.0, cells(-10.0, 9.0, -29.0, 41.0)),
-                        grid_line(Flesh::back - 2.5, 25.0, cells(-31.5, 2.0, 1.0, 25.0))};
+// `plain`: the size of the cells (mm) where there is nothing but smooth skin or the face of the cut.
+Solid flesh_solid(const Implicit& body, double plain) {
+  const GridLines lines{grid_line(-51.0, 37.0, cells(-7.5, 11.5, -33.0, 16.0, plain)),
+                        grid_line(-46.0, 54.0, cells(-10.0, 9.0, -29.0, 41.0, plain)),
+                        grid_line(Flesh::back - 2.5, 25.0, cells(-31.5, 2.0, 1.0, 25.0, plain))};
   return surface_nets(body, lines);
 }
 
@@ -61,13 +64,13 @@ Model with_drum(const Flesh& flesh, const std::string& name, Solid solid, Coat c
 }  // namespace
 
 Model make_ear(const Flesh& flesh) {
-  Solid solid = flesh_solid([&](const Vector3d& p) { return flesh.distance(p); });
+  Solid solid = flesh_solid([&](const Vector3d& p) { return flesh.distance(p); }, skin_cell);
   Coat coat = skin_coat(flesh, solid);
   return with_drum(flesh, "ear", std::move(solid), std::move(coat), Flesh::buried_rim);
 }
 
 Model make_open_ear(const Flesh& flesh) {
-  Solid solid = flesh_solid([&](const Vector3d& p) { return flesh.open_distance(p); });
+  Solid solid = flesh_solid([&](const Vector3d& p) { return flesh.open_distance(p); }, cut_cell);
   Coat coat = open_coat(flesh, solid);
   return with_drum(flesh, "ear_open", std::move(solid), std::move(coat), Flesh::open_rim);
 }

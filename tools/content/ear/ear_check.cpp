@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double most_fixed = -0.2;           // mm, of room for the best fixed roll
+constexpr double most_fixed = -0.2;            // mm, of room for the best fixed roll
 constexpr double least_clearance = 0.25 * mm;  // of the needle on its way
 constexpr double handle_begins = 60.0 * mm;    // z: what is beyond never comes near
 constexpr double stride = 0.4;                 // mm, along the way

@@ -41,8 +41,8 @@ double Flesh::distance(const Vector3d& p) const {
   // Far outside the canal would go on: there its room ends.
   // At its end lies the drum, with its back in the flesh.
   const double to_end = canal_.to_drum(p) + 0.5 * membrane;
-  const double room = smooth_min(smooth_min(canal_.to_wall(p), to_end, 2.2), 9.0 - p.z(), 2.0);
-  return smooth_max(solid(p), room, 1.2);
+  const double room = smooth_min(smooth_min(canal_.to_wall(p), to_end, 1.5), 9.0 - p.z(), 2.0);
+  return smooth_max(solid(p), room, 1.8);
 }
 
 double Flesh::before_cut(const Vector3d& p) const {
@@ -68,7 +68,7 @@ double Flesh::to_cavity(const Vector3d& p_W) const {
 
 double Flesh::open_distance(const Vector3d& p) const {
   const double hollow = std::max(distance(p), -to_cavity(p));
-  return std::max(hollow, before_cut(p));
+  return smooth_max(hollow, before_cut(p), 0.5);
 }
 
 }  // namespace fulcrum::content

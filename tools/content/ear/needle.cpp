@@ -71,17 +71,17 @@ double handle_radius(double along) {
 // Two families of grooves that wind about the grip and cross.
 double knurl(double along, double angle) {
   if (along < 8 * mm || along > 35 * mm) return 0.0;
-  constexpr int starts = 20;
-  const double lead = starts * (along / (3.0 * mm)) * 0.5;
+  constexpr int starts = 14;
+  const double lead = starts * (along / (4.0 * mm)) * 0.5;
   const auto groove = [](double phase) {
     const double s = std::sin(phase);
-    return std::exp(-s * s / 0.09);
+    return std::exp(-s * s / 0.16);
   };
-  return 0.16 * mm * std::max(groove(0.5 * starts * angle + lead), groove(0.5 * starts * angle - lead));
+  return 0.2 * mm * std::max(groove(0.5 * starts * angle + lead), groove(0.5 * starts * angle - lead));
 }
 
 Solid handle() {
-  constexpr int columns = 120;
+  constexpr int columns = 140;
   const Vector3d from = axis(handle_begins);
   std::vector<Section> sections;
   double along = 0.0;
@@ -131,7 +131,7 @@ Model make_needle() {
                          .material = 0,
                          .solid = round_bar(stretches, 0.5 * pi - bend, radius, step, 24),
                          .crease = 50 * degree});
-  model.parts.push_back({.name = "handle", .material = 1, .solid = handle(), .crease = 28 * degree});
+  model.parts.push_back({.name = "handle", .material = 1, .solid = handle(), .crease = 60 * degree});
   return model;
 }
 

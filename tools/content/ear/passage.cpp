@@ -30,12 +30,12 @@ std::vector<Station> make_stations(const Canal& canal) {
     return Vector3d(canal.X_WD() * Vector3d(x, y, canal.drum_height(x, y) + height));
   };
   pass(first_depth, 0.0);
-  stop(canal.middle(0.0), "opening of the canal");
+  stop(canal.middle(0.0), "canal opening");
   pass(1.0, 5.0);
   stop(canal.middle(5.0), "first bend");
   pass(6.0, 20.0);
   // Where the bent end then lies, not in the middle.
-  stop(canal.middle(20.0) + Vector3d(0.6, -0.9, 0.0), "past the second bend");
+  stop(canal.middle(20.0) + Vector3d(0.6, -0.9, 0.0), "second bend");
   pass(21.0, 22.5);
   const Vector3d umbo = over_drum(0.0, 0.0, 0.95);
   const Vector3d recess = over_drum(1.5, -1.2, 1.2);

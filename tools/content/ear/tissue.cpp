@@ -12,12 +12,12 @@ namespace {
 using Eigen::Vector3d;
 
 // Linear colours, chosen by eye after photographs and anatomical plates.
-const Vector3d pale_skin(0.70, 0.43, 0.31);
+const Vector3d pale_skin(0.71, 0.42, 0.31);
 const Vector3d red_skin(0.66, 0.30, 0.22);
 const Vector3d outer_lining(0.66, 0.38, 0.29);
 const Vector3d inner_lining(0.72, 0.44, 0.37);
-const Vector3d pearl(0.62, 0.62, 0.60);
-const Vector3d hammer(0.82, 0.74, 0.58);
+const Vector3d pearl(0.74, 0.75, 0.74);
+const Vector3d hammer(0.95, 0.86, 0.68);
 const Vector3d annulus(0.84, 0.80, 0.72);
 const Vector3d flaccid(0.66, 0.36, 0.30);
 const Vector3d dermis(0.70, 0.36, 0.30);
@@ -25,7 +25,7 @@ const Vector3d fat(0.80, 0.60, 0.26);
 const Vector3d muscle(0.42, 0.10, 0.08);
 const Vector3d cartilage(0.56, 0.66, 0.70);
 const Vector3d bone(0.80, 0.72, 0.55);
-const Vector3d marrow(0.46, 0.30, 0.20);
+const Vector3d marrow(0.50, 0.34, 0.24);
 
 constexpr double bony = -8.5;  // mm, z: further in the canal runs through bone
 
