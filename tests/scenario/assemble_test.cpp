@@ -210,7 +210,7 @@ TEST_F(Assemble, DrawsAModelCutOpenWhereAViewSaysSo) {
   EXPECT_EQ(visual->desc.camera.layers, visual->views[0].camera.layers);
   const auto haptic = assemble_haptic(*scenario, *models, cache_);
   ASSERT_TRUE(haptic) << haptic.error().sentence;
-  EXPECT_EQ(haptic->scene_W.triangles.size(), 12u);  // the block alone
+  EXPECT_EQ(haptic->scene_W.mesh.triangles.size(), 12u);  // the block alone
 }
 
 TEST_F(Assemble, TellsTheTaskOfHardTouches) {
