@@ -117,6 +117,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.cues = cue_lines(scene, record.torque);
   state.variant = variant_text(record.torque);
   state.torque_bad = record.torque.bad;
+  if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
   if (record.stopped)
     state.force = ui::Force::stopped;
   else if (record.force_gain < 1)

@@ -42,6 +42,7 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
   if (!scene.tool.weight) add("tool weight", "tool.weight is off");
   if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");
+  if (!prepared.haptic.task.hard_touch) add("hard touches", "no hard_touch is named");
 }
 
 }  // namespace

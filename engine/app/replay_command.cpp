@@ -39,7 +39,7 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
     complain(world.error().sentence);
     return kError;
   }
-  const record::TraceColumns columns = trace_columns(world->desc());
+  const record::TraceColumns columns = trace_columns(world->desc(), prepared->haptic.task);
   Result<OpenResults> results = open_results(prepared->name, options, tape->header, columns);
   if (!results) {
     complain(results.error().sentence);
@@ -55,7 +55,8 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
     replay_tick(*world, entry.sample, entry.commands, event);
     event.lost_before = entry.lost_before;
     sink.take(event);
-    check.tick({event.record, static_cast<std::int32_t>(sink.task().step)}, entry.digest);
+    check.tick({event.record, static_cast<std::int32_t>(sink.task().step), sink.task().hard_touches},
+               entry.digest);
     bar.show("Replaying", sink.time() / duration);
   }
   bar.clear();

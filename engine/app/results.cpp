@@ -45,6 +45,9 @@ void print_outcome(const std::filesystem::path& folder, const record::Summary& s
   }
   std::printf("  peak force %.2f N, deepest penetration %.3f mm\n", summary.peak_force_N,
               1e3 * summary.max_penetration_m.value_or(0));
+  if (summary.hard_touches)
+    std::printf("  %lld hard touches, %.1f s in all\n", static_cast<long long>(summary.hard_touches->count),
+                summary.hard_touches->time_s);
   for (const record::FaultCount& fault : summary.faults) std::printf("  %s\n", fault.sentence.c_str());
   std::printf("Picture, trace and summary lie in %s\n", bold(folder.string()).c_str());
 }

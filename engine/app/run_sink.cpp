@@ -31,6 +31,7 @@ void RunSink::take(const TickEvent& event) {
                      .commands = event.commands(),
                      .lost_before = event.lost_before,
                      .task_step = static_cast<std::int32_t>(judge_.state().step),
+                     .hard_touches = judge_.state().hard_touches,
                      .cpu_ns = event.cpu_ns,
                      .wake_late_ns = event.wake_late_ns});
     report_recorder();
@@ -67,6 +68,7 @@ RunSink::Outcome RunSink::finish() {
   summary.take(totals_);
   const scenario::TaskState& task = judge_.state();
   summary.completed = task.completed;
+  if (prepared_.haptic.task.hard_touch) summary.hard_touches = {task.hard_touches, task.hard_touch_time};
   summary.completion_time_s = judge_.completion_time();
   for (std::size_t i = 0; i < prepared_.haptic.task.checkpoints.size(); ++i)
     summary.checkpoints.push_back({prepared_.haptic.task.checkpoints[i].name, task.reached[i]});

@@ -58,13 +58,15 @@ Result<Prepared> prepare_from_tape(const record::Tape& tape) {
   return std::move(*prepared);
 }
 
-record::TraceColumns trace_columns(const SceneDesc& scene) {
+record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskDesc& task) {
   std::vector<std::string> motors;
   for (int motor = 0; motor < DeviceArm(scene.device).motors(); ++motor)
     motors.push_back(DeviceArm::motor_name(scene.device, motor));
   return {scene.tick_s,
           motors,
-          {.torque_substitution = substitutes_torque(scene), .transients = has_transients(scene)}};
+          {.hard_touches = task.hard_touch.has_value(),
+           .torque_substitution = substitutes_torque(scene),
+           .transients = has_transients(scene)}};
 }
 
 }  // namespace fulcrum::app

@@ -15,7 +15,7 @@ Result<record::TapeHeader> tape_header(const Prepared& prepared, const std::stri
 // The scenario a tape was made with: from its texts, and models that are the same, byte for byte.
 Result<Prepared> prepare_from_tape(const record::Tape& tape);
 
-// A column for each motor of the device that the scene runs on.
-record::TraceColumns trace_columns(const SceneDesc& scene);
+// With a column for each motor of the device that the scene runs on, and for what the task counts.
+record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskDesc& task);
 
 }  // namespace fulcrum::app

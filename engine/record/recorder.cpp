@@ -82,7 +82,7 @@ void Recorder::State::write_flight() {
   }
   for (std::size_t i = 0; i < flight.ticks().size(); ++i) {
     const FlightEntry& entry = flight.ticks()[i];
-    file->row({entry.record, entry.task_step});
+    file->row({entry.record, entry.task_step, entry.hard_touches});
   }
   std::optional<Error> failure = file->flush();
   if (!failure) {
@@ -135,11 +135,11 @@ Recorder::~Recorder() = default;
 
 void Recorder::tick(const RecordedTick& tick) {
   State& s = *state_;
-  s.flight.add({tick.record, tick.task_step});
+  s.flight.add({tick.record, tick.task_step, tick.hard_touches});
   if (!s.recording) {
     return;
   }
-  s.trace.row({tick.record, tick.task_step});
+  s.trace.row({tick.record, tick.task_step, tick.hard_touches});
   s.timing.row({tick.record.tick, tick.cpu_ns, tick.wake_late_ns, tick.lost_before});
   s.tape.entry(tick.sample, tick.commands, tick.lost_before, digest(tick.record));
   ++s.pending;

@@ -30,6 +30,7 @@ struct RecordedTick {
   std::span<const Command> commands;  // given in this tick
   std::int64_t lost_before = 0;       // ticks lost to an overrun before this one
   std::int32_t task_step = 0;         // after this tick
+  std::int64_t hard_touches = 0;      // likewise
   std::int64_t cpu_ns = 0;            // processor time of the tick
   std::int64_t wake_late_ns = 0;      // how long after its due time it began; 0 offline
 };

@@ -39,14 +39,14 @@ std::string differing_column(const TraceColumns& columns, const TraceRow& replay
 
 void ReplayCheck::tick(const TraceRow& replayed, std::uint64_t recorded_digest) {
   if (!first_ && digest(replayed.record) != recorded_digest) {
-    first_ = Difference{ticks_, replayed.record, replayed.task_step};
+    first_ = Difference{ticks_, replayed.record, replayed.task_step, replayed.hard_touches};
   }
   ++ticks_;
 }
 
 std::string ReplayCheck::divergence(const TraceColumns& columns,
                                     const std::filesystem::path& original_trace) const {
-  const TraceRow replayed{first_->replayed, first_->task_step};
+  const TraceRow replayed{first_->replayed, first_->task_step, first_->hard_touches};
   std::string time;
   append_number(time, std::get<double>(columns.columns().front().value(replayed)));
   return "The replay differs from the run from tick " + std::to_string(first_->replayed.tick) + " on (" +

@@ -29,6 +29,7 @@ private:
     std::int64_t row = 0;  // counted from 0, in the tape and in the trace
     TickRecord replayed;
     std::int32_t task_step = 0;
+    std::int64_t hard_touches = 0;
   };
 
   std::int64_t ticks_ = 0;

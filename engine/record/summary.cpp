@@ -62,29 +62,33 @@ void Summary::take(const RunTotals& totals) {
 }
 
 std::string summary_json(const Summary& summary) {
-  const Json document = {{"version", kSummaryVersion},
-                         {"scenario", summary.scenario},
-                         {"device", summary.device},
-                         {"hand", summary.hand},
-                         {"seed", summary.seed},
-                         {"ticks", summary.ticks},
-                         {"tick_s", summary.tick_s},
-                         {"completed", summary.completed},
-                         {"checkpoints", checkpoints_json(summary.checkpoints)},
-                         {"completion_time_s", or_null(summary.completion_time_s)},
-                         {"torque_error_Nms", summary.torque_error_Nms},
-                         {"force_error_Ns", summary.force_error_Ns},
-                         {"peak_force_N", summary.peak_force_N},
-                         {"peak_torque_Nm", summary.peak_torque_Nm},
-                         {"max_penetration_m", or_null(summary.max_penetration_m)},
-                         {"tick_cpu_us", tick_cpu_json(summary.tick_cpu_us)},
-                         {"late_ticks", summary.late_ticks},
-                         {"lost_ticks", summary.lost_ticks},
-                         {"faults", faults_json(summary.faults)},
-                         {"limits", limits_json(summary.limits)},
-                         {"built", summary.built},
-                         {"left_out", summary.left_out},
-                         {"trace_sha256", or_null(summary.trace_sha256)}};
+  Json document = {{"version", kSummaryVersion},
+                   {"scenario", summary.scenario},
+                   {"device", summary.device},
+                   {"hand", summary.hand},
+                   {"seed", summary.seed},
+                   {"ticks", summary.ticks},
+                   {"tick_s", summary.tick_s},
+                   {"completed", summary.completed},
+                   {"checkpoints", checkpoints_json(summary.checkpoints)},
+                   {"completion_time_s", or_null(summary.completion_time_s)},
+                   {"torque_error_Nms", summary.torque_error_Nms},
+                   {"force_error_Ns", summary.force_error_Ns},
+                   {"peak_force_N", summary.peak_force_N},
+                   {"peak_torque_Nm", summary.peak_torque_Nm},
+                   {"max_penetration_m", or_null(summary.max_penetration_m)},
+                   {"tick_cpu_us", tick_cpu_json(summary.tick_cpu_us)},
+                   {"late_ticks", summary.late_ticks},
+                   {"lost_ticks", summary.lost_ticks},
+                   {"faults", faults_json(summary.faults)},
+                   {"limits", limits_json(summary.limits)},
+                   {"built", summary.built},
+                   {"left_out", summary.left_out},
+                   {"trace_sha256", or_null(summary.trace_sha256)}};
+  if (summary.hard_touches) {
+    document["hard_touches"] = summary.hard_touches->count;
+    document["hard_touch_s"] = summary.hard_touches->time_s;
+  }
   // A name that is not UTF-8 must not cost the run its summary.
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -18,6 +18,11 @@ struct CheckpointResult {
   std::optional<double> reached_s;
 };
 
+struct HardTouches {
+  std::int64_t count = 0;
+  double time_s = 0;  // that they lasted
+};
+
 struct Summary {
   std::string scenario;
   std::string device;
@@ -28,6 +33,7 @@ struct Summary {
   bool completed = false;
   std::vector<CheckpointResult> checkpoints;
   std::optional<double> completion_time_s;
+  std::optional<HardTouches> hard_touches;  // absent where the task does not count them
   double torque_error_Nms = 0;
   double force_error_Ns = 0;
   double peak_force_N = 0;

@@ -104,6 +104,10 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, E
   c.push_back({"task/step", "1", "",
                "The checkpoint that is next, from 0; the number of them once all are done.",
                [](const TraceRow& row) { return TraceValue(std::int64_t{row.task_step}); }});
+  if (extras.hard_touches) {
+    c.push_back({"task/hard_touches", "1", "", "Touches so far that were harder than the task allows.",
+                 [](const TraceRow& row) { return TraceValue(row.hard_touches); }});
+  }
   add(c, {"energy/port", "J", "", "Passivity observer: below zero the loop has given out energy."},
       [](const TickRecord& record) { return record.energy_port; });
   add(c,

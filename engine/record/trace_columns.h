@@ -15,7 +15,8 @@ namespace fulcrum::record {
 // What one row is made of.
 struct TraceRow {
   const TickRecord& record;
-  std::int32_t task_step = 0;  // the checkpoint that is next; the number of them once completed
+  std::int32_t task_step = 0;     // the checkpoint that is next; the number of them once completed
+  std::int64_t hard_touches = 0;  // so far
 };
 
 using TraceValue = std::variant<double, std::int64_t>;
@@ -32,6 +33,7 @@ class TraceColumns {
 public:
   // What a scene has beyond what every scene has.
   struct Extras {
+    bool hard_touches = false;  // the task counts them
     bool torque_substitution = false;
     bool transients = false;
   };

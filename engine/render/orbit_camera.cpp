@@ -49,7 +49,7 @@ void OrbitCamera::zoom(float steps) {
 Camera OrbitCamera::camera() const {
   const glm::vec3 direction{std::cos(elevation_rad_) * std::sin(azimuth_rad_), std::sin(elevation_rad_),
                             std::cos(elevation_rad_) * std::cos(azimuth_rad_)};
-  return {target_ + distance_ * direction, target_, start_.vertical_fov_rad};
+  return {target_ + distance_ * direction, target_, start_.vertical_fov_rad, start_.layers};
 }
 
 }  // namespace fulcrum::render

@@ -189,8 +189,12 @@ Result<void> Renderer::update(const FrameState& state) {
   if (geometry_ && geometry_->place(state.X_WM)) {
     shadow_stale_ = true;
   }
+  if (geometry_ && geometry_->see(state.camera.layers)) {
+    shadow_stale_ = true;
+  }
   if (plan_.shadow_size > 0 && shadow_stale_) {
-    light_ = fit_light(*setting_.key_light, geometry_->casters(), plan_.shadow_size);
+    const std::vector<Bounds> casters = geometry_->casters();
+    light_ = casters.empty() ? LightFit{} : fit_light(*setting_.key_light, casters, plan_.shadow_size);
   }
   const gpu::FrameData data = frame_data(setting_, state, plan_.scene, light_, plan_.shadow_size);
   std::memcpy(frame_buffer_.mapped(), &data, sizeof(data));

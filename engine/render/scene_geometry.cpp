@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "engine/render/vertex.h"
 
@@ -45,7 +46,7 @@ void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc
   for (const Mesh& mesh : desc.meshes) {
     batches_.push_back({static_cast<std::uint32_t>(indices.size()),
                         static_cast<std::uint32_t>(mesh.indices.size()),
-                        static_cast<std::int32_t>(vertices.size()), 0, 0, 0, false});
+                        static_cast<std::int32_t>(vertices.size()), 0, 0, 0, false, 0});
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       Vertex vertex{.position = mesh.positions[i], .normal = mesh.normals[i]};
       if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
@@ -74,13 +75,14 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     const auto slot = static_cast<std::uint32_t>(i);
     const Instance& instance = desc.instances[order[i]];
     slot_of[order[i]] = slot;
-    slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, instance.casts_shadow});
+    slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, instance.casts_shadow, instance.layers});
     data()[slot] = to_gpu(instance, desc.materials[instance.material]);
     Batch& batch = batches_[instance.mesh];
     batch.first_slot = batch.count == 0 ? slot : batch.first_slot;
     batch.count += 1;
     batch.casters += instance.casts_shadow ? 1 : 0;
     batch.movable = batch.movable || instance.movable;
+    batch.layers = instance.layers;
   }
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (desc.instances[i].movable) {
@@ -103,10 +105,14 @@ bool SceneGeometry::place(std::span<const glm::mat4> X_WM) {
   return caster_moved;
 }
 
+bool SceneGeometry::see(std::uint32_t layers) {
+  return std::exchange(seen_, layers) != layers;
+}
+
 std::vector<Bounds> SceneGeometry::casters() const {
   std::vector<Bounds> boxes;
   for (const Slot& slot : slots_) {
-    if (slot.casts) {
+    if (slot.casts && (slot.layers & seen_) != 0) {
       boxes.push_back(transformed(slot.mesh_bounds, slot.X_WM));
     }
   }
@@ -130,6 +136,7 @@ void SceneGeometry::draw(VkCommandBuffer commands, Which which) const {
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
   vkCmdBindIndexBuffer(commands, indices_.get(), 0, VK_INDEX_TYPE_UINT32);
   for (const Batch& batch : batches_) {
+    if ((batch.layers & seen_) == 0) continue;
     if (const std::uint32_t count = count_of(batch, which); count > 0) {
       vkCmdDrawIndexed(commands, batch.index_count, count, batch.first_index, batch.first_vertex,
                        batch.first_slot);

@@ -21,7 +21,10 @@ public:
   /// a shadow has moved.
   bool place(std::span<const glm::mat4> X_WM);
 
-  /// Boxes around what throws a shadow, in the world, as placed.
+  /// Draws from now on what a camera of these layers sees. True when that is other than before.
+  bool see(std::uint32_t layers);
+
+  /// Boxes around what is seen and throws a shadow, in the world, as placed.
   std::vector<Bounds> casters() const;
 
   VkBuffer instances() const { return instances_.get(); }
@@ -44,6 +47,7 @@ private:
     std::uint32_t count = 0;
     std::uint32_t casters = 0;
     bool movable = false;
+    std::uint32_t layers = 0;
   };
 
   /// A place in the instance buffer.
@@ -51,6 +55,7 @@ private:
     Bounds mesh_bounds;
     glm::mat4 X_WM{1.0F};
     bool casts = false;
+    std::uint32_t layers = 0;
   };
 
   static std::uint32_t count_of(const Batch& batch, Which which);
@@ -64,6 +69,7 @@ private:
   std::vector<Batch> batches_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> movable_slots_;
+  std::uint32_t seen_ = 1;  // layers
 };
 
 }  // namespace fulcrum::render

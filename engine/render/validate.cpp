@@ -60,6 +60,12 @@ Result<void> check_instance(const VisualDesc& desc, std::size_t index) {
     return Error{who + " is made of material " + std::to_string(instance.material) + ", but there are " +
                  std::to_string(desc.materials.size()) + " materials."};
   }
+  for (std::size_t i = 0; i < index; ++i) {
+    if (desc.instances[i].mesh == instance.mesh && desc.instances[i].layers != instance.layers) {
+      return Error{who + " is on other layers than instance " + std::to_string(i) +
+                   ", which shows the same mesh; give it a mesh of its own."};
+    }
+  }
   const float volume = glm::determinant(glm::mat3(instance.X_WM));
   if (!std::isfinite(volume) || volume <= 0.0F) {
     return Error{

@@ -39,6 +39,7 @@ struct Instance {
   bool movable = false;  // its pose comes with every FrameState
   bool casts_shadow =
       true;  // false for a floor or wall: the shadow map then covers only what throws a shadow, sharper
+  std::uint32_t layers = 1;  // bits; a camera sees it that has one of them
 };
 
 /// The one light that throws shadows.
@@ -65,6 +66,7 @@ struct Camera {
   glm::vec3 eye{0.6F, 0.5F, 0.8F};  // m, world
   glm::vec3 target{0.0F};           // m, world
   float vertical_fov_rad = 0.7F;
+  std::uint32_t layers = 1;  // bits of the instances that it sees
 };
 
 /// A place that the trainee has to reach, drawn as a glowing sphere.

@@ -132,7 +132,8 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
     if (const auto error = assemble_edges(scenario, cache, progress, result)) return *error;
   }
 
-  result.task = {scenario.checkpoints, scenario.dwell, scenario.tool.touch_point - models.p_MT};
+  result.task = {scenario.checkpoints, scenario.dwell, scenario.tool.touch_point - models.p_MT,
+                 scenario.hard_touch};
   for (const HandEntry& hand : scenario.hands) {
     HandScript script{hand.name, hand.desc, hand.waypoints};
     for (Waypoint& waypoint : script.waypoints) waypoint.X_WT = waypoint.X_WT * X_MT;

@@ -56,9 +56,17 @@ Result<std::monostate> apply(const MaterialOverride& override, std::vector<rende
                did_you_mean(override.name, names, "there is: " + joined(names))};
 }
 
+// Layers: what cameras of whole views see, and those of views that are cut open.
+constexpr std::uint32_t kWhole = 1, kCut = 2;
+
+std::uint32_t layers_of(const ModelEntry& entry, const std::vector<ModelEntry>& models) {
+  if (!entry.cut_of.empty()) return kCut;
+  return std::ranges::count(models, entry.name, &ModelEntry::cut_of) > 0 ? kWhole : kWhole | kCut;
+}
+
 // Appends the model's parts; those of the tool are moved to T and movable.
 void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model, const Vec3& p_MT,
-               const Pose& X_WT_start) {
+               const Pose& X_WT_start, std::uint32_t layers) {
   const bool is_tool = entry.role == ModelRole::tool;
   const std::size_t first_material = desc.materials.size();
   for (const ModelMaterial& material : model.materials) desc.materials.push_back(material_of(material));
@@ -69,7 +77,8 @@ void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& m
     instance.name = entry.name + "/" + part.name;
     instance.X_WM = is_tool ? matrix_of(X_WT_start) : glm::mat4(1.0F);
     instance.movable = is_tool;
-    instance.casts_shadow = entry.role != ModelRole::decor;
+    instance.casts_shadow = entry.role != ModelRole::decor || !entry.cut_of.empty();
+    instance.layers = layers;
     desc.instances.push_back(std::move(instance));
     desc.meshes.push_back(mesh_of(part, is_tool ? p_MT : Vec3::Zero()));
   }
@@ -83,7 +92,8 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   render::VisualDesc& desc = result.desc;
   const Pose X_WT_start = scenario.tool.X_WM_start * Pose{Quat::Identity(), models.p_MT};
   for (std::size_t i = 0; i < scenario.models.size(); ++i) {
-    add_model(desc, scenario.models[i], models.models[i], models.p_MT, X_WT_start);
+    add_model(desc, scenario.models[i], models.models[i], models.p_MT, X_WT_start,
+              layers_of(scenario.models[i], scenario.models));
   }
   for (const MaterialOverride& material : scenario.materials) {
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();
@@ -97,6 +107,7 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   desc.background = scenario.background;
   if (shows_ghost(scene)) desc.ghost = render::Ghost{};
   result.views = scenario.views;
+  for (View& view : result.views) view.camera.layers = view.cut ? kCut : kWhole;
   if (!result.views.empty()) desc.camera = result.views.front().camera;
   return result;
 }

@@ -19,19 +19,20 @@ void describe_degrees(KeyVisitor& visitor, const Key& key, float& radians, const
 }
 
 void describe_views(KeyVisitor& visitor, std::vector<View>& views) {
-  visitor.list({"views", "", "cameras by name; the first is where a window starts", true}, 1,
-               [&](KeyVisitor& each) {
-                 View& view = views.emplace_back();
-                 each.word({"name", "", "as --view and panels call it", true}, view.name);
-                 each.rule("name", std::ranges::count(views, view.name, &View::name) <= 1,
-                           "is the name of an earlier view; choose another");
-                 each.vector({"eye", "m", "in the world", true}, view.camera.eye, kPosition);
-                 each.vector({"target", "m", "in the world", true}, view.camera.target, kPosition);
-                 each.rule("target", view.camera.eye != view.camera.target,
-                           "is where the eye is; there is no direction to look in");
-                 describe_degrees(each, {"fov_deg", "", "vertical field of view"},
-                                  view.camera.vertical_fov_rad, from_to(1, 150));
-               });
+  visitor.list(
+      {"views", "", "cameras by name; the first is where a window starts", true}, 1, [&](KeyVisitor& each) {
+        View& view = views.emplace_back();
+        each.word({"name", "", "as --view and panels call it", true}, view.name);
+        each.rule("name", std::ranges::count(views, view.name, &View::name) <= 1,
+                  "is the name of an earlier view; choose another");
+        each.vector({"eye", "m", "in the world", true}, view.camera.eye, kPosition);
+        each.vector({"target", "m", "in the world", true}, view.camera.target, kPosition);
+        each.rule("target", view.camera.eye != view.camera.target,
+                  "is where the eye is; there is no direction to look in");
+        describe_degrees(each, {"fov_deg", "", "vertical field of view"}, view.camera.vertical_fov_rad,
+                         from_to(1, 150));
+        each.boolean({"cut", "", "shows the models cut open that have a model 'cut_of' them"}, view.cut);
+      });
 }
 
 void describe_beam(KeyVisitor& visitor, render::KeyLight& light) {

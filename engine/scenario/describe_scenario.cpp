@@ -22,9 +22,19 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
         each.file({"file", "", "a glTF file in the scenario's folder; metres, Y up", true}, model.file);
         each.choice_of({"role", "", "scene: touched; tool: held in the hand; decor: seen only", true},
                        model.role, kRoles);
+        each.word(
+            {"cut_of", "", "of decor: the model that it shows cut open, in its place in views with 'cut'"},
+            model.cut_of);
+        each.rule("cut_of", model.cut_of.empty() || model.role == ModelRole::decor,
+                  "is for a model with 'role: decor'");
       });
   const auto count = [&](ModelRole role) { return std::ranges::count(models, role, &ModelEntry::role); };
   visitor.rule("models", count(ModelRole::tool) == 1, "must have exactly one model with 'role: tool'");
+  for (const ModelEntry& model : models) {
+    const auto whole = std::ranges::find(models, model.cut_of, &ModelEntry::name);
+    visitor.rule("models", model.cut_of.empty() || (whole != models.end() && whole->role == ModelRole::scene),
+                 "has a 'cut_of' that is not the name of a model with 'role: scene'");
+  }
   visitor.rule("models", count(ModelRole::scene) >= 1,
                "must have a model with 'role: scene', something to touch");
 }
@@ -55,6 +65,12 @@ void describe_task(KeyVisitor& visitor, Scenario& scenario) {
                });
   visitor.number({"dwell", "s", "how long the touch point must stay at a checkpoint without a break"},
                  scenario.dwell, from_to(0, 600));
+  visitor.mapping({"hard_touch", "", "touches that are too hard are counted; without it none are"},
+                  [&](KeyVisitor& inner) {
+                    inner.number(
+                        {"force", "N", "of the scene on the tool, above which a touch is too hard", true},
+                        scenario.hard_touch.emplace(), above_to(0, 1000));
+                  });
 }
 
 void describe_yielding(KeyVisitor& visitor, YieldingDesc& yields) {

@@ -34,6 +34,7 @@ struct ModelEntry {
   std::string name;
   FileRef file;
   ModelRole role = ModelRole::scene;
+  std::string cut_of;  // the name of the model that it shows cut open; empty: none
 };
 
 // Replaces what the models' material of this name says.
@@ -70,6 +71,7 @@ struct HandEntry {
 struct View {
   std::string name;
   render::Camera camera;
+  bool cut = false;  // shows models cut open, where there are such
 };
 
 // The exact text of the scenario and of every file of text that it read, so that a tape can embed them.
@@ -98,7 +100,8 @@ struct Scenario {
   DeviceEntry device;
   std::optional<TorqueSubstitutionDesc> torque_substitution;
   std::vector<Checkpoint> checkpoints;
-  double dwell = TaskDesc{}.dwell;  // s
+  double dwell = TaskDesc{}.dwell;   // s
+  std::optional<double> hard_touch;  // N
   std::vector<HandEntry> hands;
   std::vector<View> views;  // the first is where a window starts
   std::optional<render::KeyLight> light = render::KeyLight{};

@@ -1,6 +1,7 @@
 #pragma once
 // What a trainee is to do, as plain data.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct TaskDesc {
   std::vector<Checkpoint> checkpoints;  // in the order in which they are to be reached
   double dwell = 3;                     // s, how long the touch point must stay at each without a break
   Vec3 touch_point = Vec3::Zero();      // p_TC (3) m, of the tool, in T
+  std::optional<double> hard_touch{};   // N, of the scene on the tool: a touch that rises above it is counted
 };
 
 }  // namespace fulcrum::scenario

@@ -21,7 +21,18 @@ TaskJudge::TaskJudge(TaskDesc desc, double tick_s)
   state_.completed = desc_.checkpoints.empty();
 }
 
+void TaskJudge::judge_touch(const TickRecord& record) {
+  const double limit = *desc_.hard_touch;
+  // Not a number is no touch: the comparison fails.
+  const bool hard = record.contact_F_T_W.force.norm() > (touches_hard_ ? kReleased * limit : limit);
+  if (hard && !touches_hard_) ++state_.hard_touches;
+  if (hard) ++hard_ticks_;
+  touches_hard_ = hard;
+  state_.hard_touch_time = static_cast<double>(hard_ticks_) * tick_s_;
+}
+
 void TaskJudge::judge(const TickRecord& record) {
+  if (desc_.hard_touch) judge_touch(record);
   if (state_.completed) return;
   const Checkpoint& next = desc_.checkpoints[state_.step];
   // Not a number is nowhere: the comparison fails.

@@ -17,6 +17,8 @@ struct TaskState {
   bool inside = false;        // the touch point was at it in the newest record
   std::vector<std::optional<double>> reached;  // (checkpoints) s of simulated time at which each one counted
   bool completed = false;
+  std::int64_t hard_touches = 0;  // so far, with one that lasts
+  double hard_touch_time = 0;     // s that they lasted
 };
 
 // Checkpoints count in order. One is reached when the touch point has been within its radius in every record
@@ -30,11 +32,19 @@ public:
   const TaskState& state() const { return state_; }
   std::optional<double> completion_time() const;  // s; absent while not completed
 
+  // A hard touch is over when the force has fallen below this share of the limit: one that trembles about it
+  // is one.
+  static constexpr double kReleased = 0.7;
+
 private:
+  void judge_touch(const TickRecord& record);
+
   TaskDesc desc_;
   double tick_s_;
   std::int64_t dwell_ticks_;
   std::int64_t ticks_inside_ = -1;  // since the touch point came in; -1: it is not inside
+  bool touches_hard_ = false;
+  std::int64_t hard_ticks_ = 0;
   TaskState state_;
 };
 

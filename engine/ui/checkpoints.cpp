@@ -13,6 +13,7 @@ using Show = render::MarkerState::Show;
 constexpr float kWidth = 236.0F;
 constexpr float kRow = 25.0F;
 constexpr float kHead = 40.0F;
+constexpr float kFoot = 30.0F;  // the line of what is counted
 
 void draw_tick(const Canvas& canvas, ImVec2 middle) {
   canvas.disc(middle, 7.0F, theme::kGood);
@@ -54,6 +55,15 @@ void draw_row(const Canvas& canvas, ImVec2 at, const CheckpointLine& line) {
   }
 }
 
+void draw_hard_touches(const Canvas& canvas, ImVec2 at, std::int64_t count) {
+  const ImU32 colour = count > 0 ? theme::kWarn : theme::kSecondary;
+  const float left = at.x + theme::kPadding;
+  const float right = at.x + kWidth - theme::kPadding;
+  canvas.box({left, at.y + 3.0F}, {right - left, 1.0F}, theme::kTrack, 0.0F);
+  canvas.text(canvas.fonts().body, {left, at.y + 11.0F}, colour, "Hard touches");
+  canvas.text(canvas.fonts().strong, {right, at.y + 11.0F}, colour, std::to_string(count), Align::right);
+}
+
 }  // namespace
 
 void draw_checkpoints(const Canvas& canvas, const OverlayState& state) {
@@ -64,7 +74,8 @@ void draw_checkpoints(const Canvas& canvas, const OverlayState& state) {
   const auto rows = static_cast<float>(state.checkpoints.size());
   const auto done = std::count_if(state.checkpoints.begin(), state.checkpoints.end(),
                                   [](const CheckpointLine& line) { return line.state.show == Show::done; });
-  canvas.card(at, {kWidth, kHead + rows * kRow + 8.0F});
+  const float foot = state.hard_touches ? kFoot : 0.0F;
+  canvas.card(at, {kWidth, kHead + rows * kRow + foot + 8.0F});
   const std::string count = std::to_string(done) + " / " + std::to_string(state.checkpoints.size());
   const float count_width = canvas.measure(canvas.fonts().body, count).x;
   const float room = kWidth - 2.0F * theme::kPadding - count_width - 10.0F;
@@ -76,6 +87,9 @@ void draw_checkpoints(const Canvas& canvas, const OverlayState& state) {
   for (const CheckpointLine& line : state.checkpoints) {
     draw_row(canvas, {at.x, y}, line);
     y += kRow;
+  }
+  if (state.hard_touches) {
+    draw_hard_touches(canvas, {at.x, y}, *state.hard_touches);
   }
 }
 

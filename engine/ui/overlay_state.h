@@ -2,6 +2,7 @@
 // What the overlay shows, in plain data.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,11 @@ struct OverlayState {
   std::string scenario;  // heading of the checkpoints
   Dial force_N;
   Dial torque_Nm;
-  std::vector<CheckpointLine> checkpoints;  // empty: no list
-  std::vector<CueLine> cues;                // empty: no panel
-  std::string variant;                      // of the study that the switches amount to; read with the cues
-  bool torque_bad = false;                  // no force tells of it; likewise
+  std::vector<CheckpointLine> checkpoints;   // empty: no list
+  std::optional<std::int64_t> hard_touches;  // below them; none: the task does not count them
+  std::vector<CueLine> cues;                 // empty: no panel
+  std::string variant;                       // of the study that the switches amount to; read with the cues
+  bool torque_bad = false;                   // no force tells of it; likewise
   TickHealth ticks;
   Force force = Force::on;
   std::string stop_reason;  // "Esc pressed"; shown while stopped

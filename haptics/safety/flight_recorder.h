@@ -12,6 +12,7 @@ namespace fulcrum {
 struct FlightEntry {
   TickRecord record;
   std::int32_t task_step = 0;
+  std::int64_t hard_touches = 0;
 };
 
 class FlightRecorder {

@@ -17,8 +17,8 @@ constexpr int kTicks = 30000;  // past the first time that the spanner jams
 TEST(Torque, OffLeavesEveryOtherColumnAsItIs) {
   app::Prepared off = prepared_piping({"variant=A"}), none = prepared_piping({});
   none.haptic.scene.torque_substitution.reset();
-  const record::TraceColumns of_off = app::trace_columns(off.haptic.scene);
-  const record::TraceColumns of_none = app::trace_columns(none.haptic.scene);
+  const record::TraceColumns of_off = app::trace_columns(off.haptic.scene, off.haptic.task);
+  const record::TraceColumns of_none = app::trace_columns(none.haptic.scene, none.haptic.task);
   ASSERT_GT(of_off.columns().size(), of_none.columns().size());
   PipingRun a("clumsy", off), b("clumsy", none);
   for (int i = 0; i < 8000; ++i) {

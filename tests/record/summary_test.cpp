@@ -134,6 +134,15 @@ TEST(Summary, SaysWhatIsKnown) {
   EXPECT_EQ(document["limits"], nlohmann::json::parse(R"([{"name": "slew_limited", "ticks": 1}])"));
 }
 
+TEST(Summary, HardTouchesAreThereWhereTheTaskCountsThem) {
+  Summary summary;
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(summary)).contains("hard_touches"));
+  summary.hard_touches = {3, 0.25};
+  const nlohmann::json document = nlohmann::json::parse(summary_json(summary));
+  EXPECT_EQ(document["hard_touches"], 3);
+  EXPECT_EQ(document["hard_touch_s"], 0.25);
+}
+
 TEST(Summary, IsANewFile) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_summary(folder.path(), Summary()));

@@ -46,6 +46,19 @@ TEST(Trace, HeaderIsTheContract) {
             "energy/port,energy/unrendered,fault\n");
 }
 
+// A task that does not count them keeps its bytes.
+TEST(Trace, HardTouchesHaveAColumnWhereTheTaskCountsThem) {
+  const TraceColumns without(1e-3, kArm), with(1e-3, kArm, {.hard_touches = true});
+  std::string header = with.header();
+  const std::string column = "task/hard_touches,";
+  ASSERT_NE(header.find(",task/step," + column), std::string::npos);
+  EXPECT_EQ(header.erase(header.find(column), column.size()), without.header());
+  const TickRecord record;
+  std::string line;
+  with.append_row(line, {record, 2, 7});
+  EXPECT_EQ(split_cells(line)[with.columns().size() - 4], "7");
+}
+
 TEST(Trace, ADeviceWithoutMotorsHasNoLoads) {
   EXPECT_EQ(TraceColumns(1e-3, {}).header().find("actuator"), std::string::npos);
 }

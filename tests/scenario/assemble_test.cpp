@@ -202,6 +202,41 @@ TEST_F(Assemble, AGhostIsThereWhereTheSceneShowsOne) {
   EXPECT_FALSE(read({}).torque_substitution);
 }
 
+// What is cut open is drawn in the place of what it was cut from, in views that say so, and never touched.
+TEST_F(Assemble, DrawsAModelCutOpenWhereAViewSaysSo) {
+  const std::string text =
+      replaced(replaced(kScenario, "  peg: {file",
+                        "  half: {file: peg.glb, role: decor, cut_of: block}\n  peg: {file"),
+               "views:", "views:\n  - {name: inside, eye: [0, 0.1, 0.5], target: [0, 0, 0], cut: true}");
+  const auto scenario = load_scenario_text(text, folder_.peg(), kCoarse);
+  ASSERT_TRUE(scenario) << to_text(scenario.faults());
+  const auto models = load_models(*scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  const auto visual = assemble_visual(*scenario, *models, {});
+  ASSERT_TRUE(visual) << visual.error().sentence;
+  const auto seen_in = [&](std::size_t view) {
+    std::string seen;
+    for (const render::Instance& instance : visual->desc.instances)
+      seen += (instance.layers & visual->views[view].camera.layers) != 0 ? instance.name + " " : "";
+    return seen;
+  };
+  EXPECT_EQ(seen_in(0), "half/box peg/box ");
+  EXPECT_EQ(seen_in(1), "block/box peg/box ");
+  EXPECT_EQ(visual->desc.camera.layers, visual->views[0].camera.layers);
+  const auto haptic = assemble_haptic(*scenario, *models, cache_);
+  ASSERT_TRUE(haptic) << haptic.error().sentence;
+  EXPECT_EQ(haptic->scene_W.mesh.triangles.size(), 12u);  // the block alone
+}
+
+TEST_F(Assemble, TellsTheTaskOfHardTouches) {
+  const auto models = load_models(read(kCoarse));
+  ASSERT_TRUE(models) << models.error().sentence;
+  EXPECT_FALSE(assemble_haptic(read(kCoarse), *models, cache_)->task.hard_touch);
+  auto overrides = kCoarse;
+  overrides.emplace_back("hard_touch.force=0.25");
+  EXPECT_EQ(assemble_haptic(read(overrides), *models, cache_)->task.hard_touch, 0.25);
+}
+
 TEST_F(Assemble, NamesThePlaceOfWhatIsWrong) {
   const auto wrong_material = read({}, "materials: {stel: {roughness: 0.25}}\n");
   const auto models = load_models(wrong_material);

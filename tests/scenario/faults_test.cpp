@@ -107,6 +107,12 @@ const Case kCases[] = {
     {"two_tools", "role: scene", "role: tool",
      "6:3: 'models' must have exactly one model with 'role: tool'\n"
      "scenario.yaml:6:3: 'models' must have a model with 'role: scene', something to touch"},
+    {"hard_touch_without_a_force", "views:", "hard_touch: {}\nviews:",
+     "18:13: key 'hard_touch.force' is missing: of the scene on the tool, above which a touch is too hard"},
+    {"cut_that_is_touched", "role: scene", "role: scene, cut_of: peg",
+     "6:49: 'models.block.cut_of' is for a model with 'role: decor'"},
+    {"cut_of_nothing", "  peg:", "  half: {file: half.glb, role: decor, cut_of: blok}\n  peg:",
+     "6:3: 'models' has a 'cut_of' that is not the name of a model with 'role: scene'"},
     {"mass_and_density", "tool:\n", "tool:\n  mass: 1\n  density: 7850\n",
      "9:9: 'tool.mass' and 'tool.density' exclude each other; keep one of them"},
     {"band_of_one_voxel", "contact:", "field: {voxel: 0.004, band: 0.007}\ncontact:",

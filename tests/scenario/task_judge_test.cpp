@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace fulcrum::scenario {
@@ -127,6 +128,54 @@ TEST(TaskJudge, WithoutCheckpointsThereIsNothingToComplete) {
   TaskJudge task({{}, 3, Vec3::Zero()}, kTick);
   EXPECT_TRUE(task.state().completed);
   EXPECT_FALSE(task.completion_time());
+}
+
+TickRecord touch(std::int64_t tick, double force) {
+  TickRecord result = record(tick, kAway);
+  result.contact_F_T_W.force = Vec3(0, -force, 0);
+  return result;
+}
+
+TaskDesc counting() {
+  TaskDesc desc = kTask;
+  desc.hard_touch = 0.3;
+  return desc;
+}
+
+// One that rises above the limit is counted once, and lasts until it has fallen below 70 % of it.
+TEST(TaskJudge, CountsHardTouchesWithHysteresis) {
+  TaskJudge task(counting(), kTick);
+  std::int64_t tick = 0;
+  const auto press = [&](std::initializer_list<double> forces) {
+    for (const double force : forces) task.judge(touch(tick++, force));
+  };
+  press({0, 0.1, 0.3});  // not above
+  EXPECT_EQ(task.state().hard_touches, 0);
+  press({0.31, 0.25, 0.31, 0.22});  // trembling about the limit: one touch
+  EXPECT_EQ(task.state().hard_touches, 1);
+  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.004);
+  press({0.2, 0.29});  // over, and not hard again
+  EXPECT_EQ(task.state().hard_touches, 1);
+  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.004);
+  press({0.5});
+  EXPECT_EQ(task.state().hard_touches, 2);
+  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.005);
+}
+
+TEST(TaskJudge, AForceThatIsNotANumberEndsAHardTouch) {
+  TaskJudge task(counting(), kTick);
+  task.judge(touch(0, 1));
+  task.judge(touch(1, std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.001);
+  task.judge(touch(2, 1));
+  EXPECT_EQ(task.state().hard_touches, 2);
+}
+
+TEST(TaskJudge, CountsNoTouchesUnlessAsked) {
+  TaskJudge task(kTask, kTick);
+  task.judge(touch(0, 100));
+  EXPECT_EQ(task.state().hard_touches, 0);
+  EXPECT_EQ(task.state().hard_touch_time, 0);
 }
 
 }  // namespace

@@ -124,6 +124,36 @@ TEST_F(RendererTest, ASpotLightsItsConeOnly) {
   EXPECT_GT(inside, outside + 30.0F);
 }
 
+// What a camera does not see throws no shadow either: the picture is that of a scene without it.
+TEST_F(RendererTest, ACameraSeesItsLayersOnly) {
+  VisualDesc desc = test::make_scene();
+  VisualDesc without = desc;
+  std::erase_if(without.instances, [](const Instance& instance) { return instance.movable; });
+  for (Instance& instance : desc.instances) {
+    instance.layers = instance.movable ? 2 : 3;
+  }
+  desc.camera.layers = 2;
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  const Picture whole = draw(*renderer, desc);
+  desc.camera.layers = 1;
+  const Picture hidden = draw(*renderer, desc);
+  const Picture wanted = draw(*make(without, small_), without);
+  const test::CompareOptions exact{.max_lsb = 0, .max_pixels = 0, .failure_folder = {}};
+  EXPECT_FALSE(test::compare(whole, wanted, exact).passed);
+  EXPECT_TRUE(test::compare(hidden, wanted, exact).passed);
+  desc.camera.layers = 2;
+  EXPECT_TRUE(test::compare(draw(*renderer, desc), whole, exact).passed);
+}
+
+TEST_F(RendererTest, OneMeshIsOnTheSameLayersEverywhere) {
+  VisualDesc desc = test::make_scene();
+  desc.instances.push_back(desc.instances.front());
+  desc.instances.back().layers = 2;
+  const auto made = Renderer::create(*gpu_.device, desc, small_);
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().find("is on other layers than instance 0"), std::string::npos) << made.error();
+}
+
 TEST_F(RendererTest, ResizesAndChangesQualityInPlace) {
   const VisualDesc desc = test::make_scene();
   const std::unique_ptr<Renderer> renderer = make(desc, small_);

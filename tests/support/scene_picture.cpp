@@ -62,4 +62,17 @@ void expect_golden(const app::Prepared& prepared, app::Moment moment, const std:
   EXPECT_TRUE(comparison.passed) << comparison.sentence;
 }
 
+void expect_goldens(const app::Prepared& prepared, std::span<const Shot> shots) {
+  for (const Shot& shot : shots)
+    expect_golden(prepared, moment_on_route(prepared, shot.time, shot.step), shot.view, shot.view);
+}
+
+void expect_ghost_goldens(const app::Prepared& prepared, std::span<const Shot> shots) {
+  for (const Shot& shot : shots) {
+    app::Moment moment = moment_on_route(prepared, shot.time, shot.step);
+    turn_on(prepared, prepared.models.p_MT, 0.44, moment.record);
+    expect_golden(prepared, moment, shot.view, std::string(shot.view) + "_ghost");
+  }
+}
+
 }  // namespace fulcrum::test

@@ -3,6 +3,7 @@
 // tests/failures in the build folder, and copy *.actual.png over the golden if that is what the change was
 // for; say why in the commit.
 
+#include <span>
 #include <string>
 
 #include "engine/app/picture.h"
@@ -20,5 +21,19 @@ void turn_on(const app::Prepared& prepared, const Vec3& axis_T, double angle_rad
 /// The moment from a view of that name, against FULCRUM_GOLDENS/`golden`.png.
 void expect_golden(const app::Prepared& prepared, app::Moment moment, const std::string& view,
                    const std::string& golden);
+
+/// A view, and when the tool is to be seen in it: at the checkpoint `step`.
+struct Shot {
+  const char* view;
+  double time;  // s
+  std::size_t step;
+};
+
+/// Each against the golden of its view's name.
+void expect_goldens(const app::Prepared& prepared, std::span<const Shot> shots);
+
+/// Each against VIEW_ghost: the hand has rolled on about the line from the model's origin, the tip, to the
+/// centre of mass.
+void expect_ghost_goldens(const app::Prepared& prepared, std::span<const Shot> shots);
 
 }  // namespace fulcrum::test

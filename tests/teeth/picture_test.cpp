@@ -15,26 +15,14 @@ const app::Prepared& teeth() {
   return *prepared;
 }
 
-/// A view, and when the tool is to be seen in it: at the checkpoint `step`.
-struct Shot {
-  const char* view;
-  double time;  // s
-  std::size_t step;
-};
 constexpr Shot kShots[] = {{"overview", 5.0, 0}, {"molars", 5.0, 0}, {"front", 17.5, 2}};
 
 TEST(Picture, Teeth) {
-  for (const Shot& shot : kShots)
-    expect_golden(teeth(), moment_on_route(teeth(), shot.time, shot.step), shot.view, shot.view);
+  expect_goldens(teeth(), kShots);
 }
 
-// The hand has rolled on about the line from the tip, which is held, to the centre of mass.
 TEST(Picture, TeethWithGhost) {
-  for (const Shot& shot : kShots) {
-    app::Moment moment = moment_on_route(teeth(), shot.time, shot.step);
-    turn_on(teeth(), teeth().models.p_MT, 0.44, moment.record);
-    expect_golden(teeth(), moment, shot.view, std::string(shot.view) + "_ghost");
-  }
+  expect_ghost_goldens(teeth(), kShots);
 }
 
 }  // namespace

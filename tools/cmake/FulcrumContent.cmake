@@ -28,6 +28,7 @@ endfunction()
 
 fulcrum_models(piping piping.glb spanner.glb)
 fulcrum_models(teeth jaw.glb explorer.glb)
+fulcrum_models(ear ear.glb ear_open.glb needle.glb)
 
 file(GLOB_RECURSE texts RELATIVE ${CMAKE_SOURCE_DIR}/content CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/content/*.yaml)
 foreach(text IN LISTS texts)

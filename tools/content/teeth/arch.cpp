@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "tools/content/teeth/profile.h"
+#include "tools/content/mesh/profile.h"
 
 namespace fulcrum::content {
 namespace {

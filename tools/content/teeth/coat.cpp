@@ -1,13 +1,14 @@
 #include "tools/content/teeth/coat.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
+#include "tools/content/mesh/paint.h"
+#include "tools/content/mesh/profile.h"
+#include "tools/content/mesh/smooth.h"
 #include "tools/content/mesh/surface_nets.h"
-#include "tools/content/teeth/profile.h"
-#include "tools/content/teeth/smooth.h"
 
 namespace fulcrum::content {
 namespace {
@@ -23,30 +24,7 @@ const Vector3d free_gingiva(0.66, 0.25, 0.22);
 const Vector3d attached(0.72, 0.33, 0.29);
 const Vector3d mucosa(0.52, 0.145, 0.13);
 
-Vector3d mixed(const Vector3d& a, const Vector3d& b, double t) {
-  return a + std::clamp(t, 0.0, 1.0) * (b - a);
-}
-
-// How much of the sky a point sees, from how fast what is around it recedes along the normal (A. Evans, "Fast
-// Approximations for Global Illumination on Dynamic Scenes", SIGGRAPH 2006 course).
-template <typename Distance>
-double openness(const Distance& scene, const Vector3d& p, const Vector3d& n) {
-  double shut = 0.0;
-  double weight = 0.0;
-  for (const double far : {0.25, 0.6, 1.3, 2.6}) {
-    const double share = 1.0 / (0.6 + far);
-    shut += share * std::clamp((far - scene(p + far * n)) / far, 0.0, 1.0);
-    weight += share;
-  }
-  const double open = 1.0 - shut / weight;
-  return std::clamp(open, 0.0, 1.0);
-}
-
-// Light that gets into a hollow has been on its walls before: what is shut in gains their colour.
-Vector3d shut_in(const Vector3d& colour, double open, const Vector3d& walls) {
-  const Vector3d bounced = Vector3d::Constant(0.25) + 0.75 * walls;
-  return colour.cwiseProduct(mixed(0.55 * bounced, Vector3d::Ones(), open));
-}
+const std::vector<double> surroundings{0.25, 0.6, 1.3, 2.6};  // mm
 
 double teeth_distance(const Dentition& dentition, std::size_t around, const Vector3d& p) {
   double least = 1e3;
@@ -55,13 +33,6 @@ double teeth_distance(const Dentition& dentition, std::size_t around, const Vect
     least = std::min(least, dentition.teeth[i].distance(p));
   }
   return least;
-}
-
-// Smooth noise of about unit size, without any table.
-double mottle(const Vector3d& p) {
-  return std::sin(p.x() + 1.7 * std::sin(0.7 * p.y() + 0.4 * p.z())) *
-         std::sin(p.y() + 1.3 * std::sin(0.8 * p.z() - 0.3 * p.x())) *
-         std::sin(p.z() + 1.5 * std::sin(0.6 * p.x()));
 }
 
 // Where the attached gingiva ends and the loose mucosa begins: mm, y along the arch.
@@ -111,7 +82,8 @@ Coat enamel_coat(const Dentition& dentition, const Gum& gum, std::size_t index, 
     const Vector3d colour = enamel_colour(tooth, tooth.to_tooth(p));
     const double near_gum = smooth_step(-2.0, 0.5, gum.below_margin(p));
     coat.normals.push_back(n);
-    coat.colours.push_back(shut_in(colour, openness(scene, p, n), mixed(colour, attached, near_gum)));
+    coat.colours.push_back(
+        shut_in(colour, openness(scene, p, n, surroundings), mixed(colour, attached, near_gum)));
   }
   return coat;
 }
@@ -128,7 +100,7 @@ Coat gum_coat(const Dentition& dentition, const Gum& gum, const Solid& solid) {
     const Vector3d n = (gradient(body, p, 0.25).normalized() + stipple(p, along)).normalized();
     const Vector3d colour = gum_colour(gum.below_margin(p), along, p);
     coat.normals.push_back(n);
-    coat.colours.push_back(shut_in(colour, openness(scene, p, n), colour));
+    coat.colours.push_back(shut_in(colour, openness(scene, p, n, surroundings), colour));
   }
   return coat;
 }

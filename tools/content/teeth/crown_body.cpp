@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/content/teeth/smooth.h"
+#include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
 namespace {

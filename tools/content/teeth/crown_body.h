@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "tools/content/teeth/profile.h"
+#include "tools/content/mesh/profile.h"
 
 namespace fulcrum::content {
 

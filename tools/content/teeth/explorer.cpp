@@ -1,24 +1,16 @@
 #include "tools/content/teeth/explorer.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "tools/content/mesh/tube.h"
-#include "tools/content/teeth/profile.h"
+#include "tools/content/mesh/profile.h"
+#include "tools/content/mesh/round_bar.h"
 
 namespace fulcrum::content {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr int columns = 28;
 
 // The axis, walked from the tip: straight up, over the hook, down a little, and out along shank and handle.
-struct Stretch {
-  double length;  // m
-  double turn;    // rad, from up towards the viewer
-};
-
 constexpr Stretch stretches[] = {
     {4.5 * mm, 0.0}, {8.6 * mm, 98 * degree}, {4.5 * mm, 0.0}, {7.5 * mm, -44 * degree}, {128 * mm, 0.0},
 };
@@ -58,45 +50,6 @@ double step(double along) {
   return ringed ? 0.19 * mm : 0.7 * mm;
 }
 
-// A round cap about the end at `pole`, whose centre lies `inward` of it: from the pole to the full radius or
-// back.
-std::vector<Station> cap(const Vector3d& centre, const Vector3d& outward, const Vector3d& tangent, double r,
-                         int steps) {
-  std::vector<Station> stations;
-  for (int i = 0; i < steps; ++i) {
-    const double angle = 0.5 * pi * (i + 0.25) / steps;
-    stations.push_back({centre + r * std::cos(angle) * outward, tangent, r * std::sin(angle)});
-  }
-  return stations;
-}
-
-std::vector<Station> axis() {
-  std::vector<Station> line =
-      cap(Vector3d::Zero(), -Vector3d::UnitY(), Vector3d::UnitY(), explorer_tip_radius, 6);
-  Vector3d p = Vector3d::Zero();
-  double heading = 0.0;
-  double along = 0.0;
-  const auto direction = [&] { return Vector3d(0.0, std::cos(heading), std::sin(heading)); };
-  for (const Stretch& stretch : stretches) {
-    const double bend = stretch.turn / stretch.length;
-    double rest = stretch.length;
-    while (rest > 1e-9) {
-      line.push_back({p, direction(), radius()(along) - cut(along)});
-      const double pace = std::min({step(along), rest, bend == 0.0 ? 1.0 : 0.35 * mm});
-      heading += 0.5 * bend * pace;
-      p += pace * direction();
-      heading += 0.5 * bend * pace;
-      along += pace;
-      rest -= pace;
-    }
-  }
-  const double r = radius()(along);
-  std::vector<Station> end = cap(p, direction(), direction(), r, 8);
-  line.push_back({p, direction(), r});
-  line.insert(line.end(), end.rbegin(), end.rend());
-  return line;
-}
-
 }  // namespace
 
 Model make_explorer() {
@@ -106,15 +59,10 @@ Model make_explorer() {
                              .metallic = 1.0,
                              .roughness = 0.26}},
               .parts = {}};
-  std::vector<Station> line = axis();
-  // The flat ends of a tube have its plain radius: all but a speck of it is in the stations.
-  constexpr double speck = 0.02 * mm;
-  for (Station& station : line) station.swell -= speck;
-  line.insert(line.begin(), {line.front().p - 1e-3 * mm * line.front().tangent, line.front().tangent, 0.0});
-  line.push_back({line.back().p + 1e-3 * mm * line.back().tangent, line.back().tangent, 0.0});
+  const auto cut_radius = [](double along) { return radius()(along) - cut(along); };
   model.parts.push_back({.name = "explorer",
                          .material = 0,
-                         .solid = tube(line, speck, columns, TubeEnd::flat, TubeEnd::flat),
+                         .solid = round_bar(stretches, 0.0, cut_radius, step, columns),
                          .crease = 50 * degree});
   return model;
 }

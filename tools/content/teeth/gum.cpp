@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/content/teeth/profile.h"
-#include "tools/content/teeth/smooth.h"
+#include "tools/content/mesh/profile.h"
+#include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
 namespace {

@@ -38,7 +38,10 @@ int check() {
 void print_route(bool stops_alone) {
   const Dentition dentition = make_dentition();
   const std::vector<Stop> stops = make_stops(dentition, tree_of(make_jaw(dentition)));
-  std::cout << (stops_alone ? stops_yaml(stops) : route_yaml(make_route(stops)));
+  std::cout << (stops_alone
+                    ? stops_yaml(stops)
+                    : route_yaml("over each place, down to it, a light touch that lasts, and up again",
+                                 "make_teeth", make_route(stops)));
 }
 
 int run(std::span<char*> arguments) {

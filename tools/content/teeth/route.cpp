@@ -1,9 +1,7 @@
 #include "tools/content/teeth/route.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "tools/content/teeth/explorer.h"
 
@@ -53,18 +51,6 @@ Vector3d beside(const Dentition& dentition, int number_a, int number_b, double o
   return Vector3d(middle.x() + out * place.outward.x(), 5.0, middle.z() + out * place.outward.y()) * mm;
 }
 
-std::string numbers(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, std::abs(value) < 5e-7 ? 0.0 : value);
-  return text.data();
-}
-
-std::string list(std::initializer_list<double> values) {
-  std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + numbers("%.6f", value);
-  return "[" + text + "]";
-}
-
 }  // namespace
 
 std::vector<Stop> make_stops(const Dentition& dentition, const TriangleTree& scene) {
@@ -103,32 +89,9 @@ std::vector<RoutePose> make_route(const std::vector<Stop>& stops) {
   return route;
 }
 
-std::string route_yaml(const std::vector<RoutePose>& route) {
-  std::string text =
-      "fulcrum: 1\n"
-      "# The way of someone who knows how: over each place, down to it, a light touch that lasts, and up "
-      "again.\n"
-      "# Written by `make_teeth --route`.\n"
-      "waypoints:\n";
-  for (const RoutePose& pose : route) {
-    if (!pose.note.empty()) text += "  # " + pose.note + "\n";
-    const Vector3d p = pose.X_WT.translation();
-    const Eigen::Quaterniond q(pose.X_WT.linear());
-    text += "  - position: " + list({p.x(), p.y(), p.z()}) + "\n";
-    text += "    orientation: " + list({q.w(), q.x(), q.y(), q.z()}) + "\n";
-    if (pose.travel > 0.0) text += "    travel: " + numbers("%.2f", pose.travel) + "\n";
-    if (pose.dwell > 0.0) text += "    dwell: " + numbers("%.1f", pose.dwell) + "\n";
-  }
-  return text;
-}
-
 std::string stops_yaml(const std::vector<Stop>& stops) {
   std::string text;
-  for (const Stop& stop : stops) {
-    text += "  - {name: " + stop.name +
-            ", position: " + list({stop.tip_W.x(), stop.tip_W.y(), stop.tip_W.z()}) +
-            ", radius: " + numbers("%.4f", sphere) + "}\n";
-  }
+  for (const Stop& stop : stops) text += checkpoint_yaml(stop.name, stop.tip_W, sphere);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/content/mesh/triangle_tree.h"
+#include "tools/content/mesh/waypoints.h"
 #include "tools/content/teeth/dentition.h"
 
 namespace fulcrum::content {
@@ -19,18 +20,9 @@ struct Stop {
 // `scene` holds the jaw's triangles, in metres.
 std::vector<Stop> make_stops(const Dentition& dentition, const TriangleTree& scene);
 
-struct RoutePose {
-  std::string note;        // empty: as before
-  Eigen::Isometry3d X_WT;  // of the explorer's frame, m
-  double travel = 0.0;     // s, from the pose before
-  double dwell = 0.0;      // s
-  bool presses = false;    // it aims a little into what it touches
-};
-
 std::vector<RoutePose> make_route(const std::vector<Stop>& stops);
 
-// The expert's file and the scenario's list of checkpoints, as YAML.
-std::string route_yaml(const std::vector<RoutePose>& route);
+// The scenario's list of checkpoints, as YAML.
 std::string stops_yaml(const std::vector<Stop>& stops);
 
 }  // namespace fulcrum::content

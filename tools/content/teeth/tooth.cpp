@@ -1,6 +1,6 @@
 #include "tools/content/teeth/tooth.h"
 
-#include "tools/content/teeth/smooth.h"
+#include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
 

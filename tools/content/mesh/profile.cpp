@@ -1,4 +1,4 @@
-#include "tools/content/teeth/profile.h"
+#include "tools/content/mesh/profile.h"
 
 #include <cstddef>
 #include <utility>

@@ -1,0 +1,26 @@
+#pragma once
+// The way of an expert hand, and how scenarios write it.
+
+#include <string>
+#include <vector>
+
+#include "tools/content/mesh/solid.h"
+
+namespace fulcrum::content {
+
+struct RoutePose {
+  std::string note;        // empty: as before
+  Eigen::Isometry3d X_WT;  // of the tool's model, m
+  double travel = 0.0;     // s, from the pose before
+  double dwell = 0.0;      // s
+  bool presses = false;    // it aims a little into what it touches
+};
+
+// The hand's file as YAML. `how`: what someone who knows how does; `program` is named as its author.
+std::string route_yaml(const std::string& how, const std::string& program,
+                       const std::vector<RoutePose>& route);
+
+// A line of a scenario's list of checkpoints; position and radius in m.
+std::string checkpoint_yaml(const std::string& name, const Eigen::Vector3d& p_W, double radius);
+
+}  // namespace fulcrum::content
