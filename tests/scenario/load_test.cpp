@@ -183,7 +183,7 @@ TEST(Content, ThatComesWithTheProgramReads) {
   ASSERT_GE(piping->hands.size(), 2u);
   for (const HandEntry& hand : piping->hands) {
     const Pose& first = hand.waypoints.front().X_WT;
-    EXPECT_LT((first.p - piping->tool.X_WM_start.p).norm(), 1e-5)
+    EXPECT_LT((first.p - piping->tool.X_WM_start.p).norm(), 1e-6)
         << hand.name << " does not begin at the start pose";
     EXPECT_LT(first.q.angularDistance(piping->tool.X_WM_start.q), 1e-5) << hand.name;
     EXPECT_LT(HandPath(hand.waypoints).duration(), piping->time_limit) << hand.name;
