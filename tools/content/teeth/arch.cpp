@@ -21,7 +21,7 @@ constexpr double width = 52.0;  // mm
 constexpr double depth = 46.0;  // mm
 constexpr double bluntness = 0.6;
 constexpr double spacing = 0.1;  // mm, of points along the line
-constexpr double reach = 55.0;   // mm, along, to either side
+constexpr double reach = 62.0;   // mm, along, to either side
 
 Vector2d form(double x) {
   const double u = std::clamp(x / width, -0.4995, 0.4995);

@@ -20,6 +20,7 @@ public:
 private:
   struct Margin {
     double below = 0.0;     // mm
+    double slope = 0.0;     // of the margin along the arch
     double to_teeth = 0.0;  // mm, to the necks of the teeth
   };
   Margin margin(const Eigen::Vector3d& p_W, const Arch::Foot& foot) const;
