@@ -13,11 +13,11 @@ namespace {
 using Eigen::Vector3d;
 
 // Linear colours, chosen by eye after shade A2 of a common shade guide.
-const Vector3d enamel(0.92, 0.80, 0.62);
+const Vector3d enamel(0.93, 0.80, 0.605);
 const Vector3d cervical(0.83, 0.60, 0.35);  // dentine shows through
 const Vector3d incisal(0.60, 0.62, 0.61);   // nothing but enamel there: it lets the dark behind it through
 const Vector3d halo(0.90, 0.84, 0.72);      // the very edge, where light is thrown back inside
-const Vector3d cusp(0.93, 0.86, 0.73);      // thick enamel
+const Vector3d cusp(0.92, 0.83, 0.68);      // thick enamel
 const Vector3d stain(0.17, 0.09, 0.04);     // of fissures
 const Vector3d beside_teeth(0.70, 0.30, 0.26);
 

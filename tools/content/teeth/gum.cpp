@@ -31,8 +31,7 @@ double scallop(double part) {
 // attached gingiva, which further down sinks into the ridge.
 double thickness(double below) {
   const double deep = std::max(below - 2.5, 0.0);
-  return 0.45 + 0.5 * (1.0 - std::exp(-std::max(below, 0.0) / 0.8)) - 0.07 * bump(below - 2.0, 0.55) -
-         0.03 * deep * deep;
+  return 0.45 + 0.45 * smooth_step(-0.4, 2.2, below) - 0.06 * bump(below - 2.1, 0.6) - 0.03 * deep * deep;
 }
 
 // The neck of a tooth and the root below it, without the crown's bulge.
@@ -83,19 +82,19 @@ double frenulum(const Vector3d& p_W, const Arch::Foot& foot) {
 
 double Gum::ridge(const Vector3d& p_W, const Arch::Foot& foot) const {
   // Behind the last tooth, from 52 mm on, the pear of the retromolar pad.
-  static const Profile top({{0, -10.0},
-                            {14, -10.5},
+  static const Profile top({{0, -9.0},
+                            {14, -9.8},
                             {25, -9.6},
                             {40, -8.3},
                             {48, -7.6},
-                            {53, -6.0},
-                            {57, -4.3},
-                            {60, -3.8},
-                            {62, -3.8}});
+                            {52, -6.4},
+                            {56, -5.2},
+                            {58, -4.9},
+                            {60, -4.9}});
   static const Profile half_width(
-      {{0, 4.3}, {14, 5.0}, {25, 5.6}, {40, 6.9}, {48, 6.6}, {53, 5.3}, {57, 4.9}, {60, 4.5}, {62, 4.5}});
+      {{0, 5.1}, {14, 5.4}, {25, 5.6}, {40, 6.9}, {48, 6.6}, {52, 5.4}, {56, 4.5}, {58, 4.0}, {60, 4.0}});
   static const Profile shift(
-      {{0, -1.6}, {14, -0.8}, {25, 0.3}, {40, 0.8}, {48, 0.4}, {55, 0.0}});  // outwards
+      {{0, -2.3}, {14, -1.1}, {25, 0.3}, {40, 0.8}, {48, 0.4}, {55, 0.0}});  // outwards
   const double along = std::abs(foot.along);
   const double y = p_W.y();
   const double flare = 1.6 * smooth_step(-9.0, -19.0, y);

@@ -51,8 +51,8 @@ Zone zone_at(const Gum& gum, const Arch::Foot& foot, const Vector3d& p) {
 // so fine that they tilt the normal alone.
 Vector3d stipple(const Zone& zone, const Vector3d& p) {
   const double dimpled = smooth_step(0.9, 2.2, zone.below) * (1.0 - zone.loose) * (1.0 - zone.behind);
-  const Vector3d q = 4.6 * p;
-  return (0.012 + 0.11 * dimpled) *
+  const Vector3d q = 4.0 * p;
+  return (0.02 + 0.09 * dimpled) *
          Vector3d(mottle(q), mottle(q + Vector3d(7.1, 3.3, 1.9)), mottle(q + Vector3d(2.7, 9.1, 5.3)));
 }
 
