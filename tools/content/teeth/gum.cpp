@@ -28,9 +28,9 @@ double scallop(double part) {
 }
 
 // How far (mm) the gum stands off a tooth, this far below its margin: the free gingiva, a shallow groove, the
-// attached gingiva, which further down sinks into the ridge.
-double thickness(double below) {
-  const double deep = std::max(below - 2.5, 0.0);
+// attached gingiva, which further down, this far under the cervical line, sinks into the ridge.
+double thickness(double below, double under_neck) {
+  const double deep = std::max(under_neck - 1.8, 0.0);
   return 0.45 + 0.45 * smooth_step(-0.4, 2.2, below) - 0.06 * bump(below - 2.1, 0.6) - 0.03 * deep * deep;
 }
 
@@ -61,6 +61,7 @@ Gum::Margin Gum::margin(const Vector3d& p_W, const Arch::Foot& foot) const {
   const double z = (1.0 - half) * tooth.to_tooth(p_W).z() + half * teeth[beside].to_tooth(p_W).z();
   const double rise = (at_end ? end_papilla : papilla(tooth, teeth[beside])) - margin_height;
   Margin result;
+  result.under_neck = -z;
   result.below = margin_height + rise * scallop(part) - z;
   constexpr double little = 0.01;
   result.slope = rise * (scallop(part + little) - scallop(part - little)) / (2.0 * little * side);
@@ -110,7 +111,7 @@ double Gum::distance(const Vector3d& p_W) const {
   if (hull > 12.0) return hull;
   const Margin m = margin(p_W, foot);
   // The necks are formulas without an end: inside the ridge, well above its underside, they are cut.
-  const double side = m.to_teeth - thickness(m.below);
+  const double side = m.to_teeth - thickness(m.below, m.under_neck);
   const double rolled = smooth_max(side, -m.below / std::hypot(1.0, m.slope), roll);
   const double sleeve = smooth_max(rolled, base + 4.0 - p_W.y(), 1.0);
   return smooth_min(sleeve, hull, 3.0);
