@@ -47,7 +47,7 @@ Vector3d enamel_colour(const Tooth& tooth, const Vector3d& p_T) {
     colour = mixed(colour, cusp, 0.8 * smooth_step(0.7, 0.98, up));
   }
   const double fissure = tooth.design.relief.fissure(p_T.x(), p_T.y()) * smooth_step(0.8, 0.2, under_top);
-  colour = mixed(colour, stain, 0.85 * std::pow(fissure, 0.8) * (0.8 + 0.35 * mottle(1.5 * p_T)));
+  colour = mixed(colour, stain, 0.95 * std::pow(fissure, 0.7) * (0.85 + 0.35 * mottle(1.5 * p_T)));
   return colour * (1.0 + 0.03 * mottle(0.9 * p_T));
 }
 

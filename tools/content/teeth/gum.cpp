@@ -77,8 +77,9 @@ Gum::Margin Gum::margin(const Vector3d& p_W, const Arch::Foot& foot) const {
 // Folds of mucosa in the middle of the jaw, to the lip and to the tongue: how far (mm) they stand out.
 double frenulum(const Vector3d& p_W, const Arch::Foot& foot) {
   const double wander = foot.along - 0.35 * std::sin(0.45 * p_W.y());
-  if (foot.outward > 0.0) return 0.9 * bump(wander, 0.65) * smooth_step(-12.5, -17.0, p_W.y());
-  return 0.8 * bump(wander, 0.7) * smooth_step(-14.0, -18.0, p_W.y());
+  const double above_base = smooth_step(-20.4, -17.8, p_W.y());
+  if (foot.outward > 0.0) return 1.1 * bump(wander, 0.65) * smooth_step(-12.5, -16.5, p_W.y()) * above_base;
+  return 0.9 * bump(wander, 0.7) * smooth_step(-14.0, -17.5, p_W.y()) * above_base;
 }
 
 double Gum::ridge(const Vector3d& p_W, const Arch::Foot& foot) const {

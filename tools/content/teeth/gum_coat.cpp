@@ -52,7 +52,7 @@ Zone zone_at(const Gum& gum, const Arch::Foot& foot, const Vector3d& p) {
 Vector3d stipple(const Zone& zone, const Vector3d& p) {
   const double dimpled = smooth_step(0.9, 2.2, zone.below) * (1.0 - zone.loose) * (1.0 - zone.behind);
   const Vector3d q = 4.0 * p;
-  return (0.02 + 0.09 * dimpled) *
+  return (0.02 + 0.075 * dimpled) *
          Vector3d(mottle(q), mottle(q + Vector3d(7.1, 3.3, 1.9)), mottle(q + Vector3d(2.7, 9.1, 5.3)));
 }
 
@@ -66,7 +66,7 @@ double vessels(const Zone& zone, const Vector3d& p) {
 
 Vector3d gum_colour(const Zone& zone, const Vector3d& p) {
   Vector3d colour = mixed(free_gingiva, attached, smooth_step(0.2, 2.0, zone.below));
-  const Vector3d soft = mixed(mucosa, vessel, 0.6 * vessels(zone, p));
+  const Vector3d soft = mixed(mucosa, vessel, 0.6 * (1.0 - zone.behind) * vessels(zone, p));
   colour = mixed(colour, mixed(attached, mucosa, 0.4), zone.behind);
   colour = mixed(colour, soft, zone.loose);
   return colour * (1.0 + 0.05 * mottle(1.3 * p) + 0.04 * mottle(0.4 * p));
