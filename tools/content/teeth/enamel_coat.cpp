@@ -25,7 +25,7 @@ const Vector3d beside_teeth(0.70, 0.30, 0.26);
 // with, more and further down.
 double translucency(const Tooth& tooth, const Vector3d& p_T) {
   const double width = tooth.half_width / tooth.size;
-  const double lobes = 0.5 - 0.5 * std::cos(3.0 * 3.14159265 * (p_T.x() / width + 1.0));
+  const double lobes = 0.5 - 0.5 * std::cos(3.0 * pi * (p_T.x() / width + 1.0));
   const double to_side = smooth_step(0.72, 0.95, std::abs(p_T.x()) / width);
   const double reach = 1.8 + 0.7 * std::max(1.0 - lobes, to_side) + 0.2 * mottle(1.1 * p_T);
   const double below_edge = tooth.crown_length - p_T.z();
