@@ -21,7 +21,7 @@ constexpr double width = 52.0;  // mm
 constexpr double depth = 46.0;  // mm
 constexpr double bluntness = 0.6;
 constexpr double spacing = 0.1;  // mm, of points along the line
-constexpr double reach = 55.0;   // mm, along, to either side
+constexpr double reach = 60.0;   // mm, along, to either side
 
 Vector2d form(double x) {
   const double u = std::clamp(x / width, -0.4995, 0.4995);
@@ -62,6 +62,12 @@ Arch::Arch() {
   for (std::size_t i = half.size(); i-- > 1;) points_.emplace_back(-half[i].x(), half[i].y());
   points_.insert(points_.end(), half.begin(), half.end());
   end_ = reach;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    constexpr std::size_t few = 12;
+    const std::size_t before = i > few ? i - few : 0;
+    const std::size_t after = std::min(i + few, points_.size() - 1);
+    tangents_.push_back((points_[after] - points_[before]).normalized());
+  }
 }
 
 Arch::Place Arch::at(double along) const {
@@ -90,19 +96,18 @@ Arch::Foot Arch::foot(const Vector2d& p) const {
   const std::size_t low = at > stride ? at - stride : 0;
   const std::size_t high = std::min(at + stride, points_.size() - 1);
   for (std::size_t i = low; i <= high; ++i) look(i);
-  Foot foot;
-  double best2 = std::numeric_limits<double>::infinity();
-  for (std::size_t i = at > 0 ? at - 1 : 0; i < std::min(at + 1, points_.size() - 1); ++i) {
-    const Vector2d step = points_[i + 1] - points_[i];
-    const double t = std::clamp((p - points_[i]).dot(step) / step.squaredNorm(), 0.0, 1.0);
-    const Vector2d off = p - points_[i] - t * step;
-    if (off.squaredNorm() >= best2) continue;
-    best2 = off.squaredNorm();
-    foot.along = (static_cast<double>(i) + t) * spacing - end_;
-    const double side = step.x() * off.y() - step.y() * off.x();
-    foot.outward = std::copysign(std::sqrt(best2), side);
-  }
-  return foot;
+  // Between two points the tangent turns evenly: no jumps where the straight pieces meet, which from the
+  // inside of the arch would be seen as scratches.
+  const auto ahead = [&](std::size_t i) { return (p - points_[i]).dot(tangents_[i]); };
+  const std::size_t last = points_.size() - 2;
+  const std::size_t from = std::min(at > 0 && ahead(at) < 0.0 ? at - 1 : at, last);
+  const double before = ahead(from);
+  const double t = std::clamp(before / (before - ahead(from + 1)), 0.0, 1.0);
+  const Vector2d foot = points_[from] + t * (points_[from + 1] - points_[from]);
+  const Vector2d off = p - foot;
+  const double side = tangents_[from].x() * off.y() - tangents_[from].y() * off.x();
+  return {.along = (static_cast<double>(from) + t) * spacing - end_,
+          .outward = std::copysign(off.norm(), side)};
 }
 
 double occlusal_height(double along) {

@@ -29,7 +29,8 @@ public:
   double end() const { return end_; }  // mm, along: behind the last tooth
 
 private:
-  std::vector<Eigen::Vector2d> points_;  // (n x 2) mm, equally spaced along
+  std::vector<Eigen::Vector2d> points_;    // (n x 2) mm, equally spaced along
+  std::vector<Eigen::Vector2d> tangents_;  // (n x 2) unit, onward
   double end_ = 0.0;
 };
 

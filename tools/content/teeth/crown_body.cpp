@@ -23,7 +23,9 @@ double CrownBody::distance(const Eigen::Vector3d& p) const {
   const double side = p.y() > 0.0 ? buccal(z) - depth_at(buccal_grooves, p.x(), z)
                                   : lingual(z) - depth_at(lingual_grooves, p.x(), z);
   const double b = std::max(side, 0.05);
-  const double narrowing = 1.0 + taper * std::clamp(p.y() / b, -1.2, 1.2);
+  const double across = p.y() / b;
+  const double narrowing =
+      1.0 + taper * across / std::sqrt(std::sqrt(1.0 + 0.2 * across * across * across * across));
   const double a = narrowing * (p.x() > 0.0 ? mesial(z) : distal(z));
   const double n = roundness(z);
   const double u = std::abs(p.x()) / a;

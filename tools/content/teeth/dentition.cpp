@@ -12,6 +12,7 @@
 #include "tools/content/mesh/solid.h"
 #include "tools/content/teeth/tooth_designs.h"
 #include "tools/content/teeth/tooth_table.h"
+#include "tools/content/teeth/variation.h"
 
 namespace fulcrum::content {
 namespace {
@@ -43,8 +44,7 @@ Vector3d in_space(const Vector2d& xz, double y) {
 }
 
 // On the jaw's right, where onward is mesial.
-void stand(Tooth* tooth, int place, const Arch& arch, double along) {
-  const Stance& stance = stances[static_cast<std::size_t>(place - 1)];
+void stand(Tooth* tooth, const Stance& stance, const Variation& own, const Arch& arch, double along) {
   const Arch::Place at = arch.at(along);
   const Vector3d up = Vector3d::UnitY();
   const Vector3d line = in_space(at.onward, 0.0);
@@ -57,9 +57,11 @@ void stand(Tooth* tooth, int place, const Arch& arch, double along) {
   tooth->R_WT.col(1) = buccal;
   tooth->R_WT.col(2) = std::cos(stance.mesial) * occlusal1 + std::sin(stance.mesial) * mesial0;
   tooth->along = along;
-  const double pivot = tooth->design.contact * tooth->crown_length;
+  const double length = tooth->size * tooth->crown_length;
+  const double pivot = tooth->design.contact * length;
   tooth->p_WT =
-      in_space(at.p, occlusal_height(along) - (tooth->crown_length - pivot)) - pivot * tooth->R_WT.col(2);
+      in_space(at.p + own.outward * at.outward, occlusal_height(along) + own.up - (length - pivot)) -
+      pivot * tooth->R_WT.col(2);
 }
 
 Tooth mirrored(Tooth tooth) {
@@ -93,27 +95,43 @@ double contact_depth(const Tooth& a, const Tooth& b) {
 
 Dentition make_dentition() {
   Dentition result;
-  Tooth before;  // the neighbour to mesial
+  Variations variations;
+  std::array<Tooth, 2> before;  // the neighbours to mesial, on the right and on the left
   for (int place = 1; place <= 7; ++place) {
     const ToothSize& size = tooth_table[static_cast<std::size_t>(place - 1)];
-    Tooth tooth;
-    tooth.number = 40 + place;
-    tooth.design = tooth_design(place);
-    tooth.crown_length = size.crown_length;
-    tooth.half_width = 0.5 * size.width;
-    // Back along the arch until it just touches the one before it, or across the middle its own image.
-    double near = place == 1 ? 0.0 : -before.along;
-    double far = near + 1.5 * size.width + 2.0;
-    for (int halving = 0; halving < 14; ++halving) {
-      const double half = 0.5 * (near + far);
-      stand(&tooth, place, result.arch, -half);
-      const double depth = contact_depth(tooth, place == 1 ? mirrored(tooth) : before);
-      (depth > contact_overlap ? near : far) = half;
+    for (const bool left : {false, true}) {
+      const Variation own = variations.next();
+      Tooth tooth;
+      tooth.number = 40 + place;
+      tooth.design = tooth_design(place);
+      tooth.design.relief.phase = own.phase;
+      tooth.size = own.size;
+      tooth.crown_length = size.crown_length;
+      tooth.half_width = 0.5 * own.size * size.width;
+      Stance stance = stances[static_cast<std::size_t>(place - 1)];
+      stance.inward += own.inward;
+      stance.mesial += own.mesial;
+      stance.turn += own.turn;
+      const auto at = [&](double along) {
+        stand(&tooth, stance, own, result.arch, -along);
+        return left ? mirrored(tooth) : tooth;
+      };
+      // Back along the arch until it just touches the one before it; the first, across the middle, its own
+      // image, and its neighbour there then touches it.
+      const bool first = place == 1 && !left;
+      double near = place == 1 ? 0.0 : std::abs(before[left].along);
+      double far = near + 1.5 * size.width + 2.0;
+      for (int halving = 0; halving < 14; ++halving) {
+        const double half = 0.5 * (near + far);
+        const Tooth there = at(half);
+        const double depth = contact_depth(there, first ? mirrored(there) : before[left]);
+        (depth > contact_overlap ? near : far) = half;
+      }
+      tooth = at(far);
+      result.teeth[static_cast<std::size_t>(left ? 6 + place : 7 - place)] = tooth;
+      if (first) before[1] = tooth;
+      before[left] = std::move(tooth);
     }
-    stand(&tooth, place, result.arch, -far);
-    result.teeth[static_cast<std::size_t>(7 - place)] = tooth;
-    result.teeth[static_cast<std::size_t>(6 + place)] = mirrored(tooth);
-    before = std::move(tooth);
   }
   return result;
 }

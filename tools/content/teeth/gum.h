@@ -19,8 +19,10 @@ public:
 
 private:
   struct Margin {
-    double below = 0.0;     // mm
-    double to_teeth = 0.0;  // mm, to the necks of the teeth
+    double below = 0.0;       // mm
+    double slope = 0.0;       // of the margin along the arch
+    double under_neck = 0.0;  // mm, below the cervical lines
+    double to_teeth = 0.0;    // mm, to the necks of the teeth
   };
   Margin margin(const Eigen::Vector3d& p_W, const Arch::Foot& foot) const;
   double ridge(const Eigen::Vector3d& p_W, const Arch::Foot& foot) const;

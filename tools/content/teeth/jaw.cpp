@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double gum_cell = 0.38;     // mm, where the gum shows
-constexpr double coarse_cell = 0.75;  // mm, deep down
+constexpr double gum_cell = 0.36;    // mm, where the gum shows
+constexpr double coarse_cell = 0.7;  // mm, deep down
 
 Solid in_metres(Solid solid) {
   for (Vector3d& p : solid.points) p *= mm;
@@ -41,7 +41,7 @@ Solid gum_solid(const Dentition& dentition, const Gum& gum) {
   }
   constexpr double around = 14.0;
   const auto even = [](double) { return gum_cell; };
-  const auto finer_upwards = [](double y) { return y < -17.5 ? coarse_cell : gum_cell; };
+  const auto finer_upwards = [](double y) { return y < -16.0 ? coarse_cell : gum_cell; };
   const GridLines lines{grid_line(box.min().x() - around, box.max().x() + around, even),
                         grid_line(Gum::base - 2.5, -1.0, finer_upwards),
                         grid_line(box.min().y() - around, box.max().y() + around, even)};
@@ -55,8 +55,8 @@ Model make_jaw(const Dentition& dentition) {
   // The colours are those of the points: the materials multiply them by one.
   Model model{
       .name = "jaw",
-      .materials = {{.name = "enamel", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.17},
-                    {.name = "gum", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.4}},
+      .materials = {{.name = "enamel", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.11},
+                    {.name = "gum", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.27}},
       .parts = {}};
   for (std::size_t i = 0; i < dentition.teeth.size(); ++i) {
     const Tooth& tooth = dentition.teeth[i];

@@ -22,12 +22,13 @@ ToothSize measured(const Tooth& tooth, const Solid& solid) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : solid.points) box.extend(tooth.to_tooth(p / mm));
   const CrownBody& body = tooth.design.body;
+  const Vector3d sizes = tooth.size * box.sizes();
   return {.kind = tooth_table[static_cast<std::size_t>(tooth.number % 10 - 1)].kind,
-          .crown_length = box.max().z(),
-          .width = box.sizes().x(),
-          .depth = box.sizes().y(),
-          .cervix_width = body.mesial(0.0) + body.distal(0.0),
-          .cervix_depth = body.buccal(0.0) + body.lingual(0.0)};
+          .crown_length = tooth.size * box.max().z(),
+          .width = sizes.x(),
+          .depth = sizes.y(),
+          .cervix_width = tooth.size * (body.mesial(0.0) + body.distal(0.0)),
+          .cervix_depth = tooth.size * (body.buccal(0.0) + body.lingual(0.0))};
 }
 
 bool alike(const ToothSize& a, const ToothSize& b) {

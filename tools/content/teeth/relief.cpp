@@ -54,8 +54,10 @@ double ridge_height(const Ridge& ridge, double x, double y) {
 }  // namespace
 
 Relief::At Relief::at(double x, double y) const {
-  const double wavy_x = x + waviness * std::sin(1.9 * y + 0.6) + 0.3 * waviness * std::sin(4.7 * y + 2.0);
-  const double wavy_y = y + waviness * std::sin(1.7 * x + 1.1) + 0.3 * waviness * std::sin(4.3 * x);
+  const double wavy_x =
+      x + waviness * std::sin(1.9 * y + 0.6 + phase) + 0.3 * waviness * std::sin(4.7 * y + 2.0 + 2.0 * phase);
+  const double wavy_y =
+      y + waviness * std::sin(1.7 * x + 1.1 + phase) + 0.3 * waviness * std::sin(4.3 * x + 2.0 * phase);
   double first = deep_down;
   double second = deep_down;
   for (const Cusp& cusp : cusps) {

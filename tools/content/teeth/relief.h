@@ -36,6 +36,7 @@ struct Relief {
   Eigen::Vector2d fissure_middle{0.0, 0.0};  // mm
   Eigen::Vector2d fissure_reach{4.0, 3.0};   // mm, beyond this ellipse fissures fade
   double waviness = 0.15;                    // mm, no groove of a tooth runs straight
+  double phase = 0.0;                        // rad, and none as on the tooth across the jaw
   double join = 0.35;                        // mm, rounding between ridges and cusps
 
   double height(double x, double y) const;

@@ -59,10 +59,10 @@ std::vector<Stop> make_stops(const Dentition& dentition, const TriangleTree& sce
   };
   return {
       stop("fissure of 46", over(dentition.tooth(46), 0.0, 0.0), -12 * degree),
-      stop("space 46/45", beside(dentition, 46, 45, 3.6), -20 * degree),
-      stop("space 43/42", beside(dentition, 43, 42, 2.3), -10 * degree),
+      stop("space 46/45", beside(dentition, 46, 45, 3.75), -20 * degree),
+      stop("space 43/42", beside(dentition, 43, 42, 2.05), -10 * degree),
       stop("pit of 35", over(dentition.tooth(35), -0.9, -0.9), 12 * degree),
-      stop("space 36/37", beside(dentition, 36, 37, 3.8), 20 * degree),
+      stop("space 36/37", beside(dentition, 36, 37, 3.95), 20 * degree),
       stop("fissure of 37", over(dentition.tooth(37), 0.0, 0.0), 12 * degree),
   };
 }

@@ -26,15 +26,18 @@ struct ToothDesign {
 struct Tooth {
   int number = 0;  // ISO 3950: 31 to 37 on the jaw's left, 41 to 47 on its right
   ToothDesign design;
-  double crown_length = 0.0;  // mm
+  double size = 1.0;          // how large it is for its kind
+  double crown_length = 0.0;  // mm, of its kind
   Eigen::Matrix3d R_WT;       // its columns are mesial, buccal and occlusal; of the left side it mirrors
   Eigen::Vector3d p_WT;       // (3) mm, the middle of the tooth at its cervical line
   double along = 0.0;         // mm, along the arch from its middle; positive on the jaw's left
   double half_width = 0.0;    // mm, along the arch
 
-  Eigen::Vector3d to_tooth(const Eigen::Vector3d& p_W) const { return R_WT.transpose() * (p_W - p_WT); }
-  Eigen::Vector3d to_world(const Eigen::Vector3d& p_T) const { return R_WT * p_T + p_WT; }
-  double distance(const Eigen::Vector3d& p_W) const { return design.distance(to_tooth(p_W)); }
+  Eigen::Vector3d to_tooth(const Eigen::Vector3d& p_W) const {
+    return R_WT.transpose() * (p_W - p_WT) / size;
+  }
+  Eigen::Vector3d to_world(const Eigen::Vector3d& p_T) const { return size * (R_WT * p_T) + p_WT; }
+  double distance(const Eigen::Vector3d& p_W) const { return size * design.distance(to_tooth(p_W)); }
 };
 
 }  // namespace fulcrum::content
