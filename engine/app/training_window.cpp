@@ -2,7 +2,6 @@
 
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <utility>
@@ -10,7 +9,6 @@
 #include "engine/app/interrupt.h"
 #include "engine/app/terminal.h"
 #include "engine/record/percentiles.h"
-#include "engine/ui/cue_panel.h"
 
 namespace fulcrum::app {
 namespace {
@@ -83,11 +81,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   mouse_ = mouse;
   restart_ = false;
   shown_ = {};
-  cues_ = cue_commands(*scene_);
-  switched_on_.clear();
-  for (const Command::Kind kind : cues_)
-    switched_on_.push_back(kind == Command::Kind::ghost_gain ? scene_->torque_substitution->ghost_gain
-                                                             : scene_->torque_substitution->vibration_gain);
+  cues_ = CueSwitches(*scene_);
   cpu_ns_.clear();
   cpu_at_ = 0;
   tool_mouse_.reset(scene_->tool.X_WT_start * scene_->tool.X_HT.inverse());
@@ -99,7 +93,11 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   };
   events.button = [this](int button, int action, int modifiers) {
     shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
-    button_ = action == GLFW_PRESS && !on_cue(button) ? button : -1;
+    button_ = action == GLFW_PRESS ? button : -1;
+    if (button_ != GLFW_MOUSE_BUTTON_LEFT) return;
+    const std::optional<Command> pressed = cues_.press(shown_, window_->pixels(), cursor_x_, cursor_y_);
+    if (pressed) button_ = -1;  // a press on the panel drags nothing
+    send(pressed);
   };
   events.cursor = [this](double x, double y) { on_cursor(x, y); };
   events.scroll = [this](double, double steps) { on_scroll(steps); };
@@ -141,10 +139,10 @@ void TrainingWindow::on_key(int key, int action) {
       restart_ = true;
       break;
     case GLFW_KEY_V:
-      switch_cue(Command::Kind::vibration_gain);
+      send(cues_.toggle(Command::Kind::vibration_gain, shown_));
       break;
     case GLFW_KEY_G:
-      switch_cue(Command::Kind::ghost_gain);
+      send(cues_.toggle(Command::Kind::ghost_gain, shown_));
       break;
     case GLFW_KEY_F1:
       keys_visible_ = !keys_visible_;
@@ -160,26 +158,8 @@ void TrainingWindow::on_key(int key, int action) {
   }
 }
 
-void TrainingWindow::set_cue(std::size_t cue, double gain) {
-  if (gain > 0) switched_on_[cue] = gain;
-  loop_->send({cues_[cue], gain});
-}
-
-void TrainingWindow::switch_cue(Command::Kind kind) {
-  const auto cue = static_cast<std::size_t>(std::ranges::find(cues_, kind) - cues_.begin());
-  if (cue < cues_.size() && cue < shown_.cues.size())
-    set_cue(cue, shown_.cues[cue].gain > 0 ? 0.0 : switched_on_[cue]);
-}
-
-bool TrainingWindow::on_cue(int button) {
-  if (button != GLFW_MOUSE_BUTTON_LEFT) return false;
-  const render::Extent size = window_->pixels();
-  const float unit = ui::overlay_scale(size.height), height = static_cast<float>(size.height);
-  const auto press = ui::pressed_cue(shown_, switched_on_, static_cast<float>(size.width) / unit,
-                                     static_cast<float>(cursor_x_) * height / unit,
-                                     static_cast<float>(cursor_y_) * height / unit);
-  if (press) set_cue(press->cue, press->gain);
-  return press.has_value();
+void TrainingWindow::send(const std::optional<Command>& command) {
+  if (command) loop_->send(*command);
 }
 
 void TrainingWindow::on_cursor(double x, double y) {

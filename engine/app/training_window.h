@@ -2,11 +2,13 @@
 // The window a trainee works in: the scene, the overlay, the keys, and the mouse as a device.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "drivers/mouse/mouse_device.h"
 #include "engine/app/bridge.h"
+#include "engine/app/cue_switches.h"
 #include "engine/app/run_options.h"
 #include "engine/app/run_sink.h"
 #include "engine/input/tool_mouse.h"
@@ -38,11 +40,9 @@ private:
   TrainingWindow(const Prepared& prepared, const scenario::VisualAssembly& visual);
 
   void on_key(int key, int action);
-  bool on_cue(int button);  // a press on the panel of the cues: true, and it was for that
   void on_cursor(double x, double y);
   void on_scroll(double steps);
-  void set_cue(std::size_t cue, double gain);
-  void switch_cue(Command::Kind kind);
+  void send(const std::optional<Command>& command);
   void note_cost(const TickEvent& event);
   ui::OverlayState overlay_of(const TickRecord& record, const RunSink& sink, const LiveLoop& loop) const;
   std::string message(const RunSink& sink) const;
@@ -75,9 +75,8 @@ private:
   bool shift_ = false, control_ = false;
   double cursor_x_ = 0, cursor_y_ = 0;
   bool keys_visible_ = false;
-  ui::OverlayState shown_;           // what the panels showed last
-  std::vector<Command::Kind> cues_;  // of the scene: what sets the gain of each of shown_.cues
-  std::vector<double> switched_on_;  // gain of each when it is switched on again
+  ui::OverlayState shown_;  // what the panels showed last
+  CueSwitches cues_;
   bool restart_ = false;
   std::string error_;  // why drawing stopped
 };

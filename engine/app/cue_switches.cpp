@@ -1,0 +1,37 @@
+#include "engine/app/cue_switches.h"
+
+#include <algorithm>
+
+#include "engine/app/bridge.h"
+#include "engine/ui/cue_panel.h"
+
+namespace fulcrum::app {
+
+CueSwitches::CueSwitches(const SceneDesc& scene) : kinds_(cue_commands(scene)) {
+  for (const Command::Kind kind : kinds_)
+    switched_on_.push_back(kind == Command::Kind::ghost_gain ? scene.torque_substitution->ghost_gain
+                                                             : scene.torque_substitution->vibration_gain);
+}
+
+Command CueSwitches::set(std::size_t cue, double gain) {
+  if (gain > 0) switched_on_[cue] = gain;
+  return {kinds_[cue], gain};
+}
+
+std::optional<Command> CueSwitches::toggle(Command::Kind kind, const ui::OverlayState& shown) {
+  const auto cue = static_cast<std::size_t>(std::ranges::find(kinds_, kind) - kinds_.begin());
+  if (cue >= std::min(kinds_.size(), shown.cues.size())) return std::nullopt;
+  return set(cue, shown.cues[cue].gain > 0 ? 0.0 : switched_on_[cue]);
+}
+
+std::optional<Command> CueSwitches::press(const ui::OverlayState& shown, render::Extent size, double x,
+                                          double y) {
+  const float unit = ui::overlay_scale(size.height), height = static_cast<float>(size.height);
+  const auto press =
+      ui::pressed_cue(shown, switched_on_, static_cast<float>(size.width) / unit,
+                      static_cast<float>(x) * height / unit, static_cast<float>(y) * height / unit);
+  if (!press) return std::nullopt;
+  return set(press->cue, press->gain);
+}
+
+}  // namespace fulcrum::app
