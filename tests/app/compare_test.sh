@@ -2,25 +2,10 @@
 # fulcrum compare from outside: its files, what agrees with a run, what it refuses. $FULCRUM is the program; with the
 # argument 'long', 20 trials of each variant instead.
 set -uo pipefail
+. "$(dirname "$(readlink -f "$0")")/../support/expect.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-failures=0
-
-fail() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
-
-# expect CODE PATTERN COMMAND...: the exit code, and a pattern in what it says.
-expect() {
-  local code=$1 pattern=$2 said got
-  shift 2
-  said=$("$@" 2>&1)
-  got=$?
-  [ "$got" = "$code" ] || fail "$*: exit $got, not $code: $said"
-  grep -qE -- "$pattern" <<<"$said" || fail "$*: says nothing like /$pattern/: $said"
-}
 
 # cell FILE METRIC VARIANT COLUMN
 cell() { awk -F, -v m="$2" -v v="$3" -v c="$4" '$1 == m && $2 == v { print $c }' "$1"; }

@@ -1,25 +1,10 @@
 #!/usr/bin/env bash
 # What scripts and people rely on: commands, exit codes, sentences, files. $FULCRUM is the program.
 set -uo pipefail
+. "$(dirname "$(readlink -f "$0")")/../support/expect.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-failures=0
-
-fail() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
-
-# expect CODE PATTERN COMMAND...: the exit code, and a pattern in what it says.
-expect() {
-  local code=$1 pattern=$2 said got
-  shift 2
-  said=$("$@" 2>&1)
-  got=$?
-  [ "$got" = "$code" ] || fail "$*: exit $got, not $code: $said"
-  grep -qE -- "$pattern" <<<"$said" || fail "$*: says nothing like /$pattern/: $said"
-}
 
 # --- commands
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
