@@ -65,7 +65,7 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
   ContactQuery query(scene.tool_shell, scene.scene_field);
   VirtualCoupling coupling(scene.coupling, body);
   VelocityEstimator velocity(scene.velocity, scene.tick_s);
-  const DeviceArm arm(scene.device);
+  Allocator motors(scene.device, scene.allocation);
   Guard guard(scene.device, scene.tick_s, has_transients(scene));
   std::optional<TorqueSubstitution> torque = build_torque_substitution(scene);
   ContactSet set;
@@ -99,8 +99,10 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
     us["response"] -= us["query"] + us["integrator"];
   }
   us["estimator"] = mean_us(moments, [&](const Moment& m) { unused += velocity.update(m.X_WH).v.x(); });
-  us["allocation"] = mean_us(
-      moments, [&](const Moment& m) { unused += allocate(arm, m.sample.X_DH, m.coupling_F_T_W).load[0]; });
+  us["allocation"] = mean_us(moments, [&](const Moment& m) {
+    motors.begin(m.sample.X_DH);
+    unused += motors.wrench(m.coupling_F_T_W).force_share;
+  });
   us["safety"] = mean_us(moments, [&](const Moment& m) {
     std::uint32_t faults = guard.watch(m.sample, {});
     unused += guard.limit(m.coupling_F_T_W, faults).force.x();

@@ -6,7 +6,7 @@
 #include "engine/assets/sha256.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
-#include "haptics/actuation/arm.h"
+#include "haptics/actuation/actuators.h"
 #include "haptics/contact/shell_walk.h"
 
 namespace fulcrum::app {
@@ -60,8 +60,8 @@ Result<Prepared> prepare_from_tape(const record::Tape& tape) {
 
 record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskDesc& task) {
   std::vector<std::string> motors;
-  for (int motor = 0; motor < DeviceArm(scene.device).motors(); ++motor)
-    motors.push_back(DeviceArm::motor_name(scene.device, motor));
+  for (int motor = 0; motor < Actuators::count(scene.device); ++motor)
+    motors.push_back(Actuators::name(scene.device, motor));
   return {scene.tick_s,
           motors,
           {.hard_touches = task.hard_touch.has_value(),

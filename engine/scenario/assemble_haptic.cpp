@@ -111,6 +111,7 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   scene.velocity = scenario.velocity_estimator;
   scene.mapping = scenario.device.mapping;
   scene.device = scenario.device.desc;
+  scene.allocation = scenario.device.allocation;
   scene.torque_substitution = scenario.torque_substitution;
   scene.coupling = suit_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);

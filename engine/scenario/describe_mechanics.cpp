@@ -8,7 +8,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kResponses{"penalty", "voxel", "static", "constraint"};
 constexpr std::array<std::string_view, 3> kIntegrators{"semi_implicit_euler", "implicit_euler", "momentum"};
 constexpr std::array<std::string_view, 2> kFieldFormats{"int16", "float32"};
-constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "serial_arm"};
+constexpr std::array<std::string_view, 3> kAllocations{"exact", "algorithm1", "pseudoinverse"};
 
 void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {
   visitor.choice_of({"response", "", "how contact forces are found"}, contact.response, kResponses);
@@ -69,6 +69,12 @@ void describe_device(KeyVisitor& visitor, DeviceEntry& device) {
     describe_pose(inner, mapping.X_WD, "of the device's origin in the world",
                   "of the device's axes [w, x, y, z]");
   });
+  visitor.choice_of(
+      {"allocation", "", "what motors do with more than they can: exact, algorithm1 or pseudoinverse"},
+      device.allocation.method, kAllocations);
+  visitor.number(
+      {"moment_weight", "", "what missing moment counts beside missing force, by exact allocation"},
+      device.allocation.moment_weight, above_to(0, 1e6));
   std::int64_t button = mapping.clutch_button;
   visitor.integer({"clutch_button", "", "while it is down the handle moves without the tool; -1: none"},
                   button, -1, 31);
@@ -135,40 +141,6 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
   describe_velocity_estimator(visitor, scenario.velocity_estimator);
   visitor.mapping({"device", "", "the device, and how its workspace lies in the scene", true},
                   [&](KeyVisitor& inner) { describe_device(inner, scenario.device); });
-}
-
-void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
-  visitor.version({"fulcrum", "", "version of the file's format", true}, kFormatVersion);
-  visitor.text({"name", "", "as panels and results show it", true}, device.name);
-  visitor.choice_of(
-      {"kinematics", "", "none: no motors; cartesian: one for each axis; serial_arm: yaw, shoulder, elbow"},
-      device.kinematics, kKinematics);
-  visitor.boolean({"renders_force", "", "it can push"}, device.renders_force);
-  visitor.boolean({"renders_torque", "", "it can twist"}, device.renders_torque);
-  visitor.boolean({"senses_rotation", "", "it knows how its handle is turned"}, device.senses_rotation);
-  visitor.number({"max_force", "N", "on the handle"}, device.max_force, from_to(0, 1000));
-  visitor.number({"max_torque", "N m", "on the handle"}, device.max_torque, from_to(0, 100));
-  visitor.number({"max_joint_torque", "N m", "of each motor of a serial arm"}, device.max_joint_torque,
-                 from_to(0, 1000));
-  visitor.number({"link_length", "m", "of each of the two links of a serial arm"}, device.link_length,
-                 above_to(0, 10));
-  visitor.number({"handle_mass", "kg", "apparent, at the handle"}, device.handle_mass, above_to(0, 100));
-  visitor.number({"handle_inertia", "kg m^2", "apparent, about any axis of the handle"},
-                 device.handle_inertia, above_to(0, 10));
-  visitor.number({"handle_weight", "N", "what the mechanism leaves uncompensated"}, device.handle_weight,
-                 from_to(0, 1000));
-  visitor.number({"damping", "N s/m", "of the mechanism"}, device.damping, from_to(0, 1000));
-  visitor.number({"angular_damping", "N m s/rad", "of the mechanism"}, device.angular_damping,
-                 from_to(0, 100));
-  visitor.number({"friction", "N", "Coulomb, on each axis"}, device.friction, from_to(0, 100));
-  visitor.number({"angular_friction", "N m", "Coulomb, on each axis"}, device.angular_friction,
-                 from_to(0, 10));
-  visitor.number({"encoder_step", "m", "smallest difference of position that is seen"}, device.encoder_step,
-                 from_to(0, 0.01));
-  visitor.number({"encoder_step_rad", "", "smallest difference of orientation that is seen"},
-                 device.encoder_step_rad, from_to(0, 0.1));
-  visitor.vector({"workspace", "m", "half extents about the device's origin"}, device.workspace,
-                 above_to(0, 10));
 }
 
 }  // namespace fulcrum::scenario

@@ -59,6 +59,7 @@ struct DeviceEntry {
   std::string model;  // content/devices/MODEL.yaml
   DeviceDesc desc;    // what that file says
   MappingDesc mapping;
+  AllocationDesc allocation;
 };
 
 struct HandEntry {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "haptics/device/mechanism_desc.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 
@@ -38,7 +39,7 @@ struct DeviceCommand {
 enum class Kinematics {
   none,       // no motors: a mouse
   cartesian,  // a motor for each force axis, and for each torque axis where torque is rendered
-  serial_arm  // three revolute joints: yaw, shoulder, elbow, as on a Phantom
+  arms        // as `mechanism` says
 };
 
 // The device's figures, from its data sheet or measured. They bound what safety lets through; a scenario
@@ -51,8 +52,6 @@ struct DeviceDesc {
   bool senses_rotation = true;
   double max_force = 7.9;               // N
   double max_torque = 0;                // N m
-  double max_joint_torque = 1.2;        // N m, each motor of a serial arm
-  double link_length = 0.14;            // m, each of the two links of a serial arm
   double handle_mass = 0.072;           // kg, apparent, at the handle
   double handle_inertia = 2.0e-5;       // kg m^2, apparent, about any axis of the handle
   double handle_weight = 0.3;           // N, what the mechanism leaves uncompensated; the tick holds it up
@@ -63,6 +62,7 @@ struct DeviceDesc {
   double encoder_step = 28e-6;          // m
   double encoder_step_rad = 2.0e-4;     // rad
   Vec3 workspace{0.080, 0.060, 0.060};  // (3) m, half extents about D's origin
+  MechanismDesc mechanism{};            // of arms
 };
 
 // Drivers implement this. read() and write() are called from the haptic thread, in turn, once a tick.

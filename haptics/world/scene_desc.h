@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "haptics/actuation/allocator.h"
 #include "haptics/contact/contact_desc.h"
 #include "haptics/device/device.h"
 #include "haptics/device/mapping.h"
@@ -46,6 +47,7 @@ struct SceneDesc {
   VelocityEstimatorDesc velocity;
   MappingDesc mapping;
   DeviceDesc device;
+  AllocationDesc allocation;
   std::optional<TorqueSubstitutionDesc> torque_substitution;
 };
 

@@ -24,7 +24,7 @@ World::World(SceneDesc desc)
     : desc_(std::move(desc)),
       motion_(build_motion(desc_)),
       velocity_(desc_.velocity, desc_.tick_s),
-      arm_(desc_.device),
+      motors_(desc_.device, desc_.allocation),
       guard_(desc_.device, desc_.tick_s, has_transients(desc_)),
       counted_(encoder_steps(desc_)),
       ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale, desc_.device.renders_force,
@@ -115,15 +115,21 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
   const Vec3 transient_D = w.guard_.limit_transient(w.substitute_torque(answer, felt_D), limited_F_H_D.force,
                                                     moved_D.head<3>(), faults);
-  Wrench all_F_H_D = limited_F_H_D;
-  if (!transient_D.isZero(0)) all_F_H_D.force += transient_D;  // or -0 would become 0
-  Allocation allocation = allocate(w.arm_, w.X_DH_good_, all_F_H_D);
-  if (allocation.clamped()) faults |= kMotorClamped;
-  const Wrench continuous_F_H_D = limited_F_H_D * allocation.scale;
-  w.guard_.commanded(continuous_F_H_D, allocation.scale * transient_D);
+  w.motors_.begin(w.X_DH_good_);
+  const Allocation continuous = w.motors_.wrench(limited_F_H_D);
+  if (continuous.clamped()) faults |= kMotorClamped;
+  DeviceCommand command{.F_H_D = continuous.F_H_D};
+  Vec3 rendered_transient_D = Vec3::Zero();
+  if (!transient_D.isZero(0)) {
+    const Allocation transient = w.motors_.whole({transient_D, Vec3::Zero()});
+    if (transient.clamped()) faults |= kMotorClamped;
+    rendered_transient_D = transient.F_H_D.force;
+    command.F_H_D += transient.F_H_D;
+  }
+  w.guard_.commanded(continuous.F_H_D, rendered_transient_D);
 
   // Book what the hand did, against what it felt and feels from here on.
-  Wrench felt_F_H_W = desc.mapping.wrench_in_world(continuous_F_H_D + own_weight * -w.guard_.gain());
+  Wrench felt_F_H_W = desc.mapping.wrench_in_world(continuous.F_H_D + own_weight * -w.guard_.gain());
   if (!desc.device.renders_force) felt_F_H_W.force = wanted_F_H_W.force * w.guard_.gain();
   if (!desc.device.renders_torque) felt_F_H_W.torque = wanted_F_H_W.torque * w.guard_.gain();
   w.ledger_.book(moved, w.counted_.within_tick(),
@@ -138,10 +144,15 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if (w.torque_substitution_) {
     cues = w.torque_substitution_->cues();
     if (w.guard_.transients()) cues.energy = w.guard_.transients()->energy();
-    allocation.command.cues = {cues.vibration, cues.ghost, desc.mapping.X_WD.q.conjugate() * -answer.turn_W};
+    command.cues = {cues.vibration, cues.ghost, desc.mapping.X_WD.q.conjugate() * -answer.turn_W};
   }
-  result.command = allocation.command;
   TickRecord& record = result.record;
+  for (int motor = 0; motor < w.motors_.motors(); ++motor) {
+    const auto slot = static_cast<std::size_t>(motor);
+    command.effort[slot] = w.motors_.taken()[motor];
+    record.actuator_load[slot] = w.motors_.load(motor);
+  }
+  result.command = command;
   record.tick = w.tick_++;
   record.X_WH = w.X_WH_;
   record.X_WT = w.motion_->tool().X_WT;
@@ -150,8 +161,7 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   record.contact_F_T_W = answer.contact_F_T_W;
   record.regions = static_cast<std::int32_t>(w.regions().size());
   record.depth_max = w.motion_->depth_max();
-  record.device_F_H_D = allocation.command.F_H_D;
-  record.actuator_load = allocation.load;
+  record.device_F_H_D = command.F_H_D;
   record.energy_port = w.ledger_.port();
   record.energy_unrendered = w.ledger_.unrendered();
   record.force_gain = w.guard_.gain();

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/actuation/arm.h"
+#include "haptics/actuation/allocator.h"
 #include "haptics/estimate/counted_motion.h"
 #include "haptics/estimate/velocity.h"
 #include "haptics/math/result.h"
@@ -57,7 +57,7 @@ private:
   SceneDesc desc_;
   std::unique_ptr<ToolMotion> motion_;
   VelocityEstimator velocity_;
-  DeviceArm arm_;
+  Allocator motors_;
   Guard guard_;
   CountedMotion counted_;
   EnergyLedger ledger_;

@@ -32,6 +32,17 @@ bool within(double value, double low, double high) {
   return value >= low && value <= high;
 }
 
+std::optional<Error> refuse_mechanism(const DeviceDesc& device) {
+  if (device.kinematics != Kinematics::arms) return std::nullopt;
+  if (auto error = Mechanism::refuse(device.mechanism)) return error;
+  const int motors = Mechanism::motors(device.mechanism);
+  if (device.renders_torque != (motors >= 6))
+    return Error{
+        "The device '" + device.name + "' has " + std::to_string(motors) +
+        " motors: with six or more it renders torque, with fewer it does not. Set renders_torque so."};
+  return std::nullopt;
+}
+
 std::optional<Error> refuse_torque_substitution(const TorqueSubstitutionDesc& desc, double tick_s) {
   for (const std::optional<double>& figure :
        {desc.bad_above, desc.tool_radius, desc.reference, desc.ghost_above, desc.ghost_below}) {
@@ -82,6 +93,9 @@ Result<World> World::build(SceneDesc desc) {
     return Error{
         "contact.friction is there for the response constraint alone: name that response, or leave friction "
         "out."};
+  if (auto error = refuse_mechanism(desc.device)) return *error;
+  if (!positive(desc.allocation.moment_weight))
+    return Error{"The weight of missing moment in the allocation must be positive."};
   if (!desc.scene_edges != !desc.tool_field)
     return Error{
         "The scene's edges need a field of the tool, and the other way about: give both or neither."};

@@ -17,6 +17,11 @@ std::string let_go_text(const SceneDesc& desc) {
          number_text(limit * desc.mapping.position_scale * desc.mapping.force_scale) + " N/m";
 }
 
+const char* method_name(AllocationMethod method) {
+  constexpr const char* names[] = {"exact", "algorithm1", "pseudoinverse"};
+  return names[static_cast<int>(method)];
+}
+
 std::string reason_of(VoxelReason reason) {
   switch (reason) {
     case VoxelReason::given:
@@ -83,7 +88,10 @@ std::vector<BuiltPart> World::parts() const {
        std::string("velocity by ") + estimators[static_cast<int>(desc_.velocity.kind)] + ", delay " +
            number_text(velocity_.delay() * 1e3) + " ms",
        sizeof(VelocityEstimator) + velocity_.bytes()},
-      {"allocation", std::to_string(arm_.motors()) + " motors of " + desc_.device.name, sizeof(DeviceArm)},
+      {"allocation",
+       std::to_string(motors_.motors()) + " motors of " + desc_.device.name + ", " +
+           method_name(desc_.allocation.method),
+       sizeof(Allocator)},
       {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control: always built",
        sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl)},
   };

@@ -47,7 +47,18 @@ HandPath clumsy_path() {
 
 DeviceDesc phantom_like() {
   DeviceDesc device;  // whose figures are those of content/devices/phantom_like.yaml
-  device.kinematics = Kinematics::serial_arm;
+  device.kinematics = Kinematics::arms;
+  const auto joint = [](const char* name, const Vec3& axis_K, const Vec3& point_K, double low, double high) {
+    return JointDesc{
+        .name = name, .axis_K = axis_K, .point_K = point_K, .low = low, .high = high, .max_torque = 1.2};
+  };
+  ArmDesc arm{.name = "arm",
+              .joints = {joint("yaw", Vec3::UnitY(), Vec3::Zero(), -1.2, 1.2),
+                         joint("shoulder", -Vec3::UnitX(), Vec3::Zero(), -0.9, 1.5),
+                         joint("elbow", -Vec3::UnitX(), {0, 0, 0.14}, -1.5, 1.5)},
+              .end_K = {0, -0.14, 0.14}};
+  arm.joints[2].through_parallelogram = true;
+  device.mechanism.arms = {std::move(arm)};
   return device;
 }
 

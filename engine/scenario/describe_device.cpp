@@ -1,0 +1,85 @@
+#include "engine/scenario/describe.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "arms"};
+
+constexpr Range kAngle = from_to(-6.2831853, 6.2831853);
+
+void describe_joint(KeyVisitor& visitor, JointDesc& joint, std::string_view name) {
+  joint.name = name;
+  visitor.vector({"axis", "", "its direction, all angles 0; turns are right-handed", true}, joint.axis_K,
+                 from_to(-1, 1));
+  visitor.vector({"point", "m", "on its axis, all angles 0", true}, joint.point_K, kPosition);
+  visitor.number({"home", "rad", "its angle where the handle is at the device's origin"}, joint.home, kAngle);
+  visitor.number({"low", "rad", "its stop on one side"}, joint.low, kAngle);
+  visitor.number({"high", "rad", "likewise, on the other"}, joint.high, kAngle);
+  visitor.number({"max_torque", "N m", "of its motor, at the joint", true}, joint.max_torque,
+                 from_to(0, 1000));
+  visitor.boolean({"through_parallelogram", "", "its motor sits before the joint in front of it"},
+                  joint.through_parallelogram);
+}
+
+void describe_arm(KeyVisitor& visitor, ArmDesc& arm, std::string_view name) {
+  arm.name = name;
+  visitor.named({"joints", "", "from the base to the handle, by name: three, or six", true}, 1,
+                [&](std::string_view joint, KeyVisitor& each) {
+                  describe_joint(each, arm.joints.emplace_back(), joint);
+                });
+  visitor.vector({"end", "m", "where the arm ends, all angles 0", true}, arm.end_K, kPosition);
+}
+
+void describe_spin(KeyVisitor& visitor, SpinDesc& spin) {
+  visitor.word({"name", "", "of the motor", true}, spin.name);
+  visitor.number({"ratio", "", "turns of the handle for one of the motor"}, spin.ratio, above_to(0, 1000));
+  visitor.number({"max_torque", "N m", "of the motor", true}, spin.max_torque, from_to(0, 1000));
+}
+
+}  // namespace
+
+void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
+  visitor.version({"fulcrum", "", "version of the file's format", true}, kFormatVersion);
+  visitor.text({"name", "", "as panels and results show it", true}, device.name);
+  visitor.choice_of(
+      {"kinematics", "", "none: no motors; cartesian: one for each axis; arms: as 'arms' and 'spin' say"},
+      device.kinematics, kKinematics);
+  visitor.boolean({"renders_force", "", "it can push"}, device.renders_force);
+  visitor.boolean({"renders_torque", "", "it can twist"}, device.renders_torque);
+  visitor.boolean({"senses_rotation", "", "it knows how its handle is turned"}, device.senses_rotation);
+  visitor.number({"max_force", "N", "on the handle"}, device.max_force, from_to(0, 1000));
+  visitor.number({"max_torque", "N m", "on the handle"}, device.max_torque, from_to(0, 100));
+  visitor.number({"handle_mass", "kg", "apparent, at the handle"}, device.handle_mass, above_to(0, 100));
+  visitor.number({"handle_inertia", "kg m^2", "apparent, about any axis of the handle"},
+                 device.handle_inertia, above_to(0, 10));
+  visitor.number({"handle_weight", "N", "what the mechanism leaves uncompensated"}, device.handle_weight,
+                 from_to(0, 1000));
+  visitor.number({"damping", "N s/m", "of the mechanism"}, device.damping, from_to(0, 1000));
+  visitor.number({"angular_damping", "N m s/rad", "of the mechanism"}, device.angular_damping,
+                 from_to(0, 100));
+  visitor.number({"friction", "N", "Coulomb, on each axis"}, device.friction, from_to(0, 100));
+  visitor.number({"angular_friction", "N m", "Coulomb, on each axis"}, device.angular_friction,
+                 from_to(0, 10));
+  visitor.number({"encoder_step", "m", "smallest difference of position that is seen"}, device.encoder_step,
+                 from_to(0, 0.01));
+  visitor.number({"encoder_step_rad", "", "smallest difference of orientation that is seen"},
+                 device.encoder_step_rad, from_to(0, 0.1));
+  visitor.vector({"workspace", "m", "half extents about the device's origin"}, device.workspace,
+                 above_to(0, 10));
+  visitor.mapping(
+      {"base", "",
+       "the frame of 'arms', in the device's: it turns its axes to right, up and towards the person"},
+      [&](KeyVisitor& inner) {
+        inner.rotation({"orientation", "", "[w, x, y, z]"}, device.mechanism.q_DK);
+      });
+  visitor.named(
+      {"arms", "", "of kinematics 'arms', by name: one or two, the first holds the handle's origin"}, 0,
+      [&](std::string_view name, KeyVisitor& each) {
+        describe_arm(each, device.mechanism.arms.emplace_back(), name);
+      });
+  visitor.mapping({"spin", "", "a motor that turns the handle about the line between two arms' ends"},
+                  [&](KeyVisitor& inner) { describe_spin(inner, device.mechanism.spin.emplace()); });
+}
+
+}  // namespace fulcrum::scenario

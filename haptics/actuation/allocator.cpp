@@ -1,0 +1,141 @@
+#include "haptics/actuation/allocator.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kLever = 0.1;       // m, of a device that does not say what torque goes with its force
+constexpr double kUnmade = 1e-6;     // of a force: what is missing of it when the motors cannot make it
+constexpr double kLongLever = 1e-9;  // m: a shorter one is none
+
+double lever_of(const DeviceDesc& device) {
+  return device.max_force > 0 && device.max_torque > 0 ? device.max_torque / device.max_force : kLever;
+}
+
+}  // namespace
+
+Allocator::Allocator(const DeviceDesc& device, const AllocationDesc& desc)
+    : desc_(desc),
+      actuators_(device),
+      space_(actuators_),
+      lever_(lever_of(device)),
+      taken_(Effort::Zero(actuators_.count())) {
+  begin(Pose{});
+}
+
+void Allocator::begin(const Pose& X_DH) noexcept {
+  if (motors() == 0) return;
+  actuators_.follow(X_DH);
+  space_.factorise(actuators_.wrenches(), lever_);
+  taken_.setZero();
+}
+
+double Allocator::load(int motor) const noexcept {
+  const double limit = actuators_.limits()[motor];
+  return limit > 0 ? std::clamp(taken_[motor] / limit, -1.0, 1.0) : 0.0;
+}
+
+Allocation Allocator::wrench(const Wrench& F_H_D) noexcept {
+  if (motors() == 0) return {};
+  if (desc_.method != AllocationMethod::exact) return scaled(F_H_D, false);
+  return shared(F_H_D.force, -F_H_D.torque, Vec3::Zero(), lever_);
+}
+
+Allocation Allocator::whole(const Wrench& F_H_D) noexcept {
+  if (motors() == 0) return {};
+  return scaled(F_H_D, desc_.method == AllocationMethod::exact);
+}
+
+Allocation Allocator::pulse(const Vec3& f_D, const Vec3& p_HG_D) noexcept {
+  if (motors() == 0) return {};
+  switch (desc_.method) {
+    case AllocationMethod::exact: {
+      const double lever = p_HG_D.norm();
+      return shared(f_D, p_HG_D.cross(f_D), p_HG_D, lever > kLongLever ? lever : lever_);
+    }
+    case AllocationMethod::algorithm1:
+      return algorithm1(f_D, p_HG_D);
+    case AllocationMethod::pseudoinverse:
+      return scaled({f_D, Vec3::Zero()}, false);
+  }
+  return {};
+}
+
+// felt = p_HG x force - torque
+Allocation Allocator::shared(const Vec3& force, const Vec3& felt, const Vec3& p_HG_D, double lever) noexcept {
+  const Vec3 of_force = p_HG_D.cross(force);
+  ShareProblem problem;
+  problem.force_effort = space_.smallest({force, of_force});
+  problem.moment_effort = space_.smallest({Vec3::Zero(), -felt});
+  problem.spare = &space_.spare();
+  problem.low = -actuators_.limits() - taken_;
+  problem.high = actuators_.limits() - taken_;
+  problem.force_size = force.norm();
+  problem.moment_size = actuators_.rows() == 6 ? desc_.moment_weight * felt.norm() / lever : 0.0;
+  const bool made = space_.complete() || (space_.wrench(problem.force_effort).force - force).norm() <=
+                                             kUnmade * problem.force_size;
+  if (!made) {
+    problem.force_effort.setZero();
+    problem.force_size = 0;
+  }
+  const Effort all = problem.force_effort + problem.moment_effort;
+  const bool fits = (all.array() <= problem.high.array()).all() && (all.array() >= problem.low.array()).all();
+  Shares shares = fits ? Shares{1, 1, all} : solve_shares(problem);
+  if (!made) shares.force = 0;
+  return given({force, of_force - felt}, shares);
+}
+
+Allocation Allocator::scaled(const Wrench& F_H_D, bool use_spare) noexcept {
+  Shares shares;
+  shares.effort = space_.smallest(F_H_D);
+  const double share = largest_share(shares.effort, taken_);
+  if (share == 1) return given(F_H_D, shares);
+  if (use_spare) {
+    ShareProblem problem;
+    problem.force_effort = shares.effort;
+    problem.moment_effort = Effort::Zero(motors());
+    problem.spare = &space_.spare();
+    problem.low = -actuators_.limits() - taken_;
+    problem.high = actuators_.limits() - taken_;
+    return given(F_H_D, solve_common_share(problem));
+  }
+  shares.effort *= share;
+  shares.force = shares.moment = share;
+  return given(F_H_D, shares);
+}
+
+Allocation Allocator::algorithm1(const Vec3& f_D, const Vec3& p_HG_D) noexcept {
+  const Effort force_effort = space_.smallest({f_D, Vec3::Zero()});
+  const double gamma = largest_share(force_effort, taken_);
+  Shares shares{gamma, gamma, gamma * force_effort};
+  if (gamma < 1) {
+    const Effort moment_effort = space_.smallest({Vec3::Zero(), -(1 - gamma) * p_HG_D.cross(f_D)});
+    const double delta = largest_share(moment_effort, taken_ + shares.effort);
+    shares.effort += delta * moment_effort;
+    shares.moment = gamma + delta * (1 - gamma);
+  }
+  return given({f_D, Vec3::Zero()}, shares);
+}
+
+// The largest part of `effort` that no motor is too weak for. SCALE of the paper.
+double Allocator::largest_share(const Effort& effort, const Effort& beside) const noexcept {
+  double share = 1;
+  for (int motor = 0; motor < motors(); ++motor) {
+    const double limit = actuators_.limits()[motor];
+    const double room = effort[motor] > 0 ? limit - beside[motor] : limit + beside[motor];
+    const double wanted = std::abs(effort[motor]);
+    if (wanted > room) share = std::min(share, std::max(room, 0.0) / wanted);
+  }
+  return share;
+}
+
+// Where all of it is there, what was wanted, to the bit.
+Allocation Allocator::given(const Wrench& wanted, const Shares& shares) noexcept {
+  Allocation allocation{shares.effort, wanted, shares.force, shares.moment};
+  if (allocation.clamped() || !space_.complete()) allocation.F_H_D = space_.wrench(shares.effort);
+  taken_ += shares.effort;
+  return allocation;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,71 @@
+#pragma once
+// Wanted wrenches on the handle -> motor efforts within their limits, in every tick, for every device.
+//
+// What goes beyond the motors is cut down by one of three methods:
+//     exact          The force keeps its direction and so does the moment; gamma of the force is there and mu
+//     of
+//                    the moment, chosen so that what is missing of both, the moment counted in
+//                    units of its lever, is least (share_program.h). Motors that a wrench has to spare help.
+//     algorithm1     "Hybrid Force-Moment Braking Pulse", Algorithm 1, with the sign of line 9 turned round
+//                    (m_r = r x f - m is its own Eq. 5) and SCALE comparing with its own s: pseudoinverse,
+//                    force first, then as much of the moment as the motors still have.
+//     pseudoinverse  All efforts scaled alike.
+// Only a pulse has a force and a moment that stand in for each other: for other wrenches algorithm1 is the
+// pseudoinverse.
+
+#include "haptics/actuation/share_program.h"
+
+namespace fulcrum {
+
+enum class AllocationMethod { exact, algorithm1, pseudoinverse };
+
+struct AllocationDesc {
+  AllocationMethod method = AllocationMethod::exact;
+  double moment_weight = 1;  // what missing moment counts beside missing force, by `exact`
+};
+
+struct Allocation {
+  Effort effort = Effort::Zero();
+  Wrench F_H_D;             // what it adds up to on the handle
+  double force_share = 1;   // gamma, of what was wanted
+  double moment_share = 1;  // mu, of the moment, or for a pulse of the moment that the hand was to feel
+  bool clamped() const { return force_share < 1 || moment_share < 1; }
+};
+
+class Allocator {
+public:
+  explicit Allocator(const DeviceDesc& device, const AllocationDesc& desc = {});
+
+  // A tick: the handle is at X_DH, and no motor does anything yet. Each of the calls that follow gets what
+  // those before it left.
+  void begin(const Pose& X_DH) noexcept;
+
+  // Force and torque each in their direction, as much as there can be.
+  Allocation wrench(const Wrench& F_H_D) noexcept;
+  // All of it, or the same part of force and torque: what it points to is not changed.
+  Allocation whole(const Wrench& F_H_D) noexcept;
+  // A pulse f (3) N at H that a hand holding the handle at G, p_HG_D (3) m away, would feel as a moment p_HG
+  // x f too. A moment stands in for the part of f that is beyond the motors: what the hand feels is m_r =
+  // p_HG x f - m, and never more than p_HG x f.
+  Allocation pulse(const Vec3& f_D, const Vec3& p_HG_D) noexcept;
+
+  int motors() const { return actuators_.count(); }
+  const Effort& taken() const { return taken_; }  // so far in this tick, within the limits
+  double load(int motor) const noexcept;          // fraction of the limit, signed, -1 to 1
+  const Actuators& actuators() const { return actuators_; }
+
+private:
+  Allocation scaled(const Wrench& F_H_D, bool use_spare) noexcept;
+  Allocation algorithm1(const Vec3& f_D, const Vec3& p_HG_D) noexcept;
+  Allocation shared(const Vec3& force, const Vec3& felt, const Vec3& p_HG_D, double lever) noexcept;
+  double largest_share(const Effort& effort, const Effort& beside) const noexcept;
+  Allocation given(const Wrench& wanted, const Shares& shares) noexcept;
+
+  AllocationDesc desc_;
+  Actuators actuators_;
+  MotorSpace space_;
+  double lever_;  // m, of torque beside force, where nothing else says so
+  Effort taken_;
+};
+
+}  // namespace fulcrum

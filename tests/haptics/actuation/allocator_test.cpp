@@ -1,0 +1,308 @@
+#include "haptics/actuation/allocator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "haptics/math/rotation.h"
+#include "tests/haptics/actuation/arms.h"
+#include "tests/haptics/actuation/w6d.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr AllocationMethod kMethods[] = {AllocationMethod::exact, AllocationMethod::algorithm1,
+                                         AllocationMethod::pseudoinverse};
+
+Vec3 felt(const Allocation& allocation, const Vec3& p_HG_D) {
+  return p_HG_D.cross(allocation.F_H_D.force) - allocation.F_H_D.torque;
+}
+
+// What `exact` makes small: what is missing of force, and of felt moment in units of its lever; N^2.
+double missing(const Allocation& allocation, const Vec3& f_D, const Vec3& p_HG_D) {
+  return (f_D - allocation.F_H_D.force).squaredNorm() +
+         (p_HG_D.cross(f_D) - felt(allocation, p_HG_D)).squaredNorm() / p_HG_D.squaredNorm();
+}
+
+void expect_within_limits(const Allocator& motors) {
+  for (int motor = 0; motor < motors.motors(); ++motor) {
+    const double limit = motors.actuators().limits()[motor];
+    EXPECT_LE(std::abs(motors.taken()[motor]), limit * (1 + 1e-12) + 1e-15) << "motor " << motor;
+    EXPECT_LE(std::abs(motors.load(motor)), 1.0);
+  }
+}
+
+// The planar oracle, tau_1 = rho f + m and tau_2 = m with rho = 0.2 m, in six motors of which four are
+// strong.
+DeviceDesc planar() {
+  DeviceDesc desc;
+  desc.kinematics = Kinematics::arms;
+  desc.renders_torque = true;
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ(), base(-0.2, 0, 0), end(0, 0, 0);
+  desc.mechanism.arms = {
+      {.name = "arm",
+       .joints = {arms::joint("one", z, base, 0.5, 3), arms::joint("b", y, base, 1e3, 3),
+                  arms::joint("c", z, {0, 0.1, 0}, 1e3, 3), arms::joint("d", x, end, 1e3, 3),
+                  arms::joint("e", y, end, 1e3, 3), arms::joint("two", z, end, 0.2, 3)},
+       .end_K = end}};
+  return desc;
+}
+
+TEST(Allocator, PlanarOracle) {
+  const Vec3 f(0, 5, 0), r(0.085, 0, 0);
+  Allocator by_algorithm(planar(), {.method = AllocationMethod::algorithm1});
+  const Allocation algorithm = by_algorithm.pulse(f, r);
+  EXPECT_NEAR(algorithm.force_share, 0.5, 1e-12);
+  EXPECT_NEAR((algorithm.moment_share - 0.5) / 0.5, 0.941176, 5e-7);  // delta
+  EXPECT_NEAR(algorithm.effort[0], 0.3, 1e-12);
+  EXPECT_NEAR(algorithm.effort[5], -0.2, 1e-12);
+  EXPECT_NEAR(felt(algorithm, r).z(), 0.4125, 1e-12);
+
+  Allocator exactly(planar());
+  const Allocation exact = exactly.pulse(f, r);
+  EXPECT_NEAR(exact.F_H_D.force.y(), 3.2456, 5e-5);
+  EXPECT_NEAR(exact.F_H_D.force.y(), 0.925 / 0.285, 1e-12);
+  EXPECT_NEAR(felt(exact, r).z(), 0.425, 1e-12);
+  EXPECT_NEAR(exact.effort[0], 0.5, 1e-12);
+}
+
+struct LargestForce {
+  Vec3 axis;
+  double newtons_at_255, newtons_at_511;
+};
+
+// At the nominal pose, without moment.
+TEST(Allocator, LargestForcesOfTheW6DByThePseudoinverse) {
+  for (const auto& [axis, at_255, at_511] :
+       {LargestForce{Vec3::UnitX(), 2.600, 5.211}, LargestForce{Vec3::UnitY(), 1.394, 2.794},
+        LargestForce{Vec3::UnitZ(), 1.295, 2.595}}) {
+    Allocator study(w6d::device(0.255, 0.145), {.method = AllocationMethod::pseudoinverse});
+    Allocator whole(w6d::device(0.511, 0.145), {.method = AllocationMethod::pseudoinverse});
+    EXPECT_NEAR(study.whole({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_255, 5.1e-4);
+    EXPECT_NEAR(whole.whole({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_511, 5.1e-4);
+  }
+}
+
+TEST(Allocator, LargestForcesOfTheW6DWithItsSpareMotor) {
+  for (const auto& [axis, at_255, at_511] :
+       {LargestForce{Vec3::UnitX(), 3.325, 6.663}, LargestForce{Vec3::UnitY(), 1.980, 3.969},
+        LargestForce{Vec3::UnitZ(), 1.981, 3.969}}) {
+    Allocator study(w6d::device(0.255, 0.145)), whole(w6d::device(0.511, 0.145));
+    const Allocation allocation = study.whole({100 * axis, Vec3::Zero()});
+    EXPECT_NEAR(allocation.F_H_D.force.norm(), at_255, 5.1e-4);
+    EXPECT_NEAR(allocation.F_H_D.torque.norm(), 0, 1e-12);
+    EXPECT_NEAR(whole.whole({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_511, 5.1e-4);
+  }
+}
+
+// The motor that saturates by the force is loaded further by the moment.
+TEST(Allocator, Algorithm1FindsNoMomentOnTheW6DsAxes) {
+  const Vec3 r = 0.12 * Vec3(0.4, 0.7, 0.6).normalized();
+  for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
+    Allocator motors(w6d::device(0.255, 0.145), {.method = AllocationMethod::algorithm1});
+    const Allocation allocation = motors.pulse(10 * axis, r);
+    EXPECT_LT(allocation.force_share, 1);
+    EXPECT_GE(allocation.moment_share, allocation.force_share);
+    expect_within_limits(motors);
+  }
+}
+
+struct Case {
+  Pose X_DH;
+  Vec3 f_D, p_HG_D;
+};
+
+Case random_case(SplitMix& random) {
+  const Pose X_DH{quaternion_exp(0.4 * arms::random_vector(random)), 0.05 * arms::random_vector(random)};
+  const double size = std::exp(8 * random.uniform() - 3);  // 0.05 to 150 N
+  return {X_DH, size * arms::random_vector(random).normalized(),
+          0.2 * random.uniform() * arms::random_vector(random).normalized()};
+}
+
+TEST(Allocator, ExactIsNeverWorseThanTheOthersAndKeepsItsWord) {
+  for (const DeviceDesc& device : {w6d::device(0.255, 0.145), arms::serial6()}) {
+    SplitMix random(1);
+    int better = 0;
+    for (int i = 0; i < 10000; ++i) {
+      const auto [X_DH, f_D, p_HG_D] = random_case(random);
+      double by_exact = 0;
+      for (const AllocationMethod method : kMethods) {
+        Allocator motors(device, {.method = method});
+        motors.begin(X_DH);
+        const Allocation allocation = motors.pulse(f_D, p_HG_D);
+        expect_within_limits(motors);
+        const double size = f_D.norm();
+        EXPECT_NEAR(allocation.F_H_D.force.cross(f_D).norm(), 0, 1e-8 * size * size);
+        const Vec3 whole = p_HG_D.cross(f_D), of_it = felt(allocation, p_HG_D);
+        EXPECT_NEAR((of_it - allocation.moment_share * whole).norm(), 0, 1e-8 * size);
+        EXPECT_LE(allocation.moment_share, 1 + 1e-12);
+        const double here = missing(allocation, f_D, p_HG_D);
+        if (method == AllocationMethod::exact)
+          by_exact = here;
+        else
+          EXPECT_LE(by_exact, here + 1e-9 * size * size) << i;
+        if (method == AllocationMethod::algorithm1 && by_exact < 0.999 * here) ++better;
+      }
+    }
+    EXPECT_GT(better, 100);
+  }
+}
+
+// Against a search over shares: whether a pair of them can be had is asked of the motors' limits, with the
+// one spare direction as an interval.
+TEST(Allocator, NoPairOfSharesOnAGridIsBetterThanExact) {
+  const DeviceDesc device = w6d::device(0.255, 0.145);
+  SplitMix random(2);
+  for (int i = 0; i < 40; ++i) {
+    const auto [X_DH, f_D, p_HG_D] = random_case(random);
+    Allocator motors(device);
+    motors.begin(X_DH);
+    const Allocation exact = motors.pulse(f_D, p_HG_D);
+    MotorSpace space(motors.actuators());
+    space.factorise(motors.actuators().wrenches(), 0.05);
+    const Effort none = space.spare().col(0), limits = motors.actuators().limits();
+    ASSERT_GT(none.norm(), 0.99);
+    EXPECT_NEAR(space.wrench(none).force.norm() + space.wrench(none).torque.norm(), 0, 1e-12);
+    const Vec3 whole = p_HG_D.cross(f_D);
+    constexpr int steps = 150;
+    double best = 1e300;
+    for (int g = 0; g <= steps; ++g) {
+      for (int u = 0; u <= steps; ++u) {
+        const double gamma = 1.0 * g / steps, mu = 1.0 * u / steps;
+        const Effort effort = space.smallest({gamma * f_D, (gamma - mu) * whole});
+        double low = -1e300, high = 1e300;
+        for (int m = 0; m < motors.motors(); ++m) {
+          const double a = (-limits[m] - effort[m]) / none[m], b = (limits[m] - effort[m]) / none[m];
+          if (std::abs(none[m]) > 1e-12) {
+            low = std::max(low, std::min(a, b));
+            high = std::min(high, std::max(a, b));
+          } else if (std::abs(effort[m]) > limits[m]) {
+            high = -1e300;
+          }
+        }
+        if (low > high) continue;
+        const double miss = (1 - gamma) * (1 - gamma) * f_D.squaredNorm() +
+                            (1 - mu) * (1 - mu) * whole.squaredNorm() / p_HG_D.squaredNorm();
+        best = std::min(best, miss);
+      }
+    }
+    const double by_exact = missing(exact, f_D, p_HG_D);
+    EXPECT_LE(by_exact, best + 1e-9 * f_D.squaredNorm()) << i;
+    EXPECT_GE(by_exact, best - 0.05 * f_D.squaredNorm()) << i;  // the grid's width
+  }
+}
+
+TEST(Allocator, WhatTheMotorsCanDoIsDoneToTheBit) {
+  for (const DeviceDesc& device : {w6d::device(0.511, 0.145), arms::serial6(), DeviceDesc{}}) {
+    for (const AllocationMethod method : kMethods) {
+      Allocator motors(device, {.method = method});
+      Wrench wanted{Vec3(0.3, -0.2, 0.1), Vec3(0.004, 0.002, -0.003)};
+      if (!device.renders_torque) wanted.torque.setZero();
+      const Allocation allocation = motors.wrench(wanted);
+      EXPECT_FALSE(allocation.clamped());
+      EXPECT_EQ(allocation.F_H_D.force, wanted.force);
+      EXPECT_EQ(allocation.F_H_D.torque, wanted.torque);
+      const Vec3 force = motors.actuators().wrenches().topRows<3>() * allocation.effort;
+      EXPECT_NEAR((force - wanted.force).norm(), 0, 1e-12);
+    }
+  }
+}
+
+TEST(Allocator, SaturationKeepsTheDirections) {
+  for (const DeviceDesc& device : {w6d::device(0.511, 0.145), arms::serial6(), arms::phantom()}) {
+    for (const AllocationMethod method : kMethods) {
+      Allocator motors(device, {.method = method});
+      Wrench wanted{Vec3(30, -20, 10), Vec3(1, 2, -1)};
+      if (!device.renders_torque) wanted.torque.setZero();
+      const Allocation allocation = motors.wrench(wanted);
+      EXPECT_TRUE(allocation.clamped());
+      expect_within_limits(motors);
+      double largest = 0;
+      for (int m = 0; m < motors.motors(); ++m) largest = std::max(largest, std::abs(motors.load(m)));
+      EXPECT_NEAR(largest, 1, 1e-9);
+      EXPECT_NEAR(allocation.F_H_D.force.normalized().dot(wanted.force.normalized()), 1, 1e-9);
+      if (device.renders_torque && allocation.F_H_D.torque.norm() > 1e-9) {
+        EXPECT_NEAR(allocation.F_H_D.torque.normalized().dot(wanted.torque.normalized()), 1, 1e-9);
+      }
+    }
+  }
+}
+
+// What came first keeps its motors; the rest gets what they have left.
+TEST(Allocator, WrenchesOfOneTickShareTheMotors) {
+  Allocator motors(w6d::device(0.255, 0.145));
+  SplitMix random(9);
+  for (int i = 0; i < 1000; ++i) {
+    const auto [X_DH, f_D, p_HG_D] = random_case(random);
+    motors.begin(X_DH);
+    const Allocation continuous = motors.wrench({0.02 * f_D, Vec3::Zero()});
+    const Allocation pulse = motors.pulse(f_D, p_HG_D);
+    const Allocation tone = motors.whole({Vec3(0.1, 0.2, 0), Vec3(0.01, 0, 0)});
+    expect_within_limits(motors);
+    EXPECT_NEAR((continuous.effort + pulse.effort + tone.effort - motors.taken()).norm(), 0, 1e-15);
+    const Vec3 t = tone.F_H_D.force;
+    EXPECT_NEAR((t - tone.force_share * Vec3(0.1, 0.2, 0)).norm(), 0, 1e-9);
+    EXPECT_NEAR((tone.F_H_D.torque - tone.force_share * Vec3(0.01, 0, 0)).norm(), 0, 1e-9);
+  }
+}
+
+TEST(Allocator, AMotorWithoutALimitsWorthTakesNoPart) {
+  for (int dead = 0; dead < 7; ++dead) {
+    DeviceDesc device = w6d::device(0.255, 0.145);
+    if (dead == 6)
+      device.mechanism.spin->max_torque = 0;
+    else
+      device.mechanism.arms[static_cast<std::size_t>(dead / 3)]
+          .joints[static_cast<std::size_t>(dead % 3)]
+          .max_torque = 0;
+    Allocator motors(device);
+    SplitMix random(4);
+    for (int i = 0; i < 300; ++i) {
+      const auto [X_DH, f_D, p_HG_D] = random_case(random);
+      motors.begin(X_DH);
+      const Allocation allocation = motors.pulse(f_D, p_HG_D);
+      EXPECT_EQ(motors.taken()[dead], 0.0);
+      EXPECT_EQ(motors.load(dead), 0.0);
+      expect_within_limits(motors);
+      EXPECT_TRUE(allocation.F_H_D.is_finite());
+      EXPECT_NEAR(allocation.F_H_D.force.cross(f_D).norm(), 0, 1e-5 * f_D.squaredNorm());
+    }
+  }
+}
+
+TEST(Allocator, SingularAndFarPosesGiveFiniteEffortsWithinLimits) {
+  SplitMix random(6);
+  for (const DeviceDesc& device : {w6d::device(0.255, 0.145), arms::serial6(), arms::phantom()}) {
+    for (const AllocationMethod method : kMethods) {
+      Allocator motors(device, {.method = method});
+      for (int i = 0; i < 300; ++i) {
+        motors.begin({quaternion_exp(3 * arms::random_vector(random)), 0.4 * arms::random_vector(random)});
+        const Allocation allocation =
+            motors.pulse(20 * arms::random_vector(random), 0.1 * arms::random_vector(random));
+        EXPECT_TRUE(allocation.F_H_D.is_finite());
+        EXPECT_TRUE(allocation.effort.allFinite());
+        expect_within_limits(motors);
+      }
+    }
+  }
+}
+
+TEST(Allocator, NothingWantedIsNothing) {
+  Allocator motors(w6d::device(0.255, 0.145));
+  EXPECT_TRUE(motors.pulse(Vec3::Zero(), Vec3(0, 0.1, 0)).F_H_D.is_zero());
+  EXPECT_TRUE(motors.wrench({}).F_H_D.is_zero());
+  EXPECT_TRUE(motors.whole({}).F_H_D.is_zero());
+  EXPECT_TRUE(motors.taken().isZero(0));
+}
+
+TEST(Allocator, AMouseHasNoMotors) {
+  DeviceDesc desc;
+  desc.renders_force = false;
+  Allocator motors(desc);
+  EXPECT_EQ(motors.motors(), 0);
+  EXPECT_TRUE(motors.wrench({Vec3(1, 0, 0), Vec3::Zero()}).F_H_D.is_zero());
+  EXPECT_TRUE(motors.pulse(Vec3(1, 0, 0), Vec3::UnitX()).F_H_D.is_zero());
+}
+
+}  // namespace
+}  // namespace fulcrum
