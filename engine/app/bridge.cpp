@@ -94,7 +94,7 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
 
 std::vector<Command::Kind> cue_commands(const SceneDesc& scene) {
   std::vector<Command::Kind> kinds;
-  if (has_transients(scene)) kinds.push_back(Command::Kind::vibration_gain);
+  if (vibrates_for_torque(scene)) kinds.push_back(Command::Kind::vibration_gain);
   if (shows_ghost(scene)) kinds.push_back(Command::Kind::ghost_gain);
   return kinds;
 }
