@@ -47,7 +47,7 @@ void ImpactVibration::start(const Impact& impact, const Vec3& p_WH) noexcept {
   if (!turns || desc_.render == ImpactRender::wrench) amplitude_W.force = f * impact.nhat_W;
   if (turns) amplitude_W.torque = f * lever_W;
   const Wrench amplitude_D = capped(around_.mapping.wrench_in_device(amplitude_W), modes);
-  if (!amplitude_D.is_finite() || amplitude_D.is_zero() || modes.count == 0) return;
+  if (!std::isfinite(r) || !amplitude_D.is_finite() || amplitude_D.is_zero() || modes.count == 0) return;
 
   if (!voices_.start(amplitude_D, modes, material.decay)) return;
   cues_.frequency_Hz = modes.modes[0].frequency_Hz;
