@@ -45,7 +45,7 @@ CLI::App* add_run(CLI::App& program, RunOptions& options, std::string& size) {
   run->add_option("--hand", options.hand,
                   "The simulated hand: expert, clumsy, still, or another of the scenario's")
       ->type_name("HAND");
-  run->add_option("--device", options.device, "simulated, mouse or replay:FILE (fulcrum devices)")
+  run->add_option("--device", options.device, "simulated, simulated:MODEL, mouse or replay:FILE (fulcrum devices)")
       ->type_name("DEVICE");
   run->add_flag("--realtime", options.realtime, "Headless, but by the clock, in the haptic thread");
   run->add_option("--seconds", options.seconds, "End after this much simulated time")

@@ -36,7 +36,7 @@ Result<std::unique_ptr<Device>> make_device(const Prepared& prepared, const Scen
   if (options.device == "mouse")
     return Error{"The mouse needs a window: leave out --headless, or use --device simulated or replay:FILE."};
   return Error{"There is no device '" + options.device +
-               "'; there are simulated, mouse and replay:FILE. "
+               "'; there are simulated, simulated:MODEL, mouse and replay:FILE. "
                "`fulcrum devices` says what is there and what is not."};
 }
 
@@ -164,6 +164,11 @@ int run_in_window(const Prepared& prepared, const RunOptions& options) {
 int run_command(const RunOptions& given) {
   RunOptions options = given;
   if (options.device.empty()) options.device = options.headless ? "simulated" : "mouse";
+  constexpr std::string_view simulated = "simulated:";
+  if (options.device.starts_with(simulated)) {
+    options.overrides.push_back("device.model=" + options.device.substr(simulated.size()));
+    options.device = "simulated";
+  }
   if (options.gpu == "list") {
     std::printf("%s\n", describe_gpus().c_str());
     return kCompleted;

@@ -36,35 +36,33 @@ double Allocator::load(int motor) const noexcept {
   return limit > 0 ? std::clamp(taken_[motor] / limit, -1.0, 1.0) : 0.0;
 }
 
-Allocation Allocator::wrench(const Wrench& F_H_D) noexcept {
+Allocation Allocator::wrench(const Wrench& F_H_D) const noexcept {
   if (motors() == 0) return {};
   if (desc_.method != AllocationMethod::exact) return scaled(F_H_D, false);
-  return shared(F_H_D.force, -F_H_D.torque, Vec3::Zero(), lever_);
+  return shared(F_H_D, Vec3::Zero(), lever_);
 }
 
-Allocation Allocator::whole(const Wrench& F_H_D) noexcept {
+Allocation Allocator::whole(const Wrench& F_H_D) const noexcept {
   if (motors() == 0) return {};
   return scaled(F_H_D, desc_.method == AllocationMethod::exact);
 }
 
-Allocation Allocator::pulse(const Vec3& f_D, const Vec3& p_HG_D) noexcept {
+Allocation Allocator::pulse(const Wrench& F_H_D, const Vec3& p_HG_D, double lever) const noexcept {
   if (motors() == 0) return {};
   switch (desc_.method) {
-    case AllocationMethod::exact: {
-      const double lever = p_HG_D.norm();
-      return shared(f_D, p_HG_D.cross(f_D), p_HG_D, lever > kLongLever ? lever : lever_);
-    }
+    case AllocationMethod::exact:
+      return shared(F_H_D, p_HG_D, lever > kLongLever ? lever : lever_);
     case AllocationMethod::algorithm1:
-      return algorithm1(f_D, p_HG_D);
+      return algorithm1(F_H_D, p_HG_D);
     case AllocationMethod::pseudoinverse:
-      return scaled({f_D, Vec3::Zero()}, false);
+      return scaled(F_H_D, false);
   }
   return {};
 }
 
-// felt = p_HG x force - torque
-Allocation Allocator::shared(const Vec3& force, const Vec3& felt, const Vec3& p_HG_D, double lever) noexcept {
-  const Vec3 of_force = p_HG_D.cross(force);
+Allocation Allocator::shared(const Wrench& F_H_D, const Vec3& p_HG_D, double lever) const noexcept {
+  const Vec3& force = F_H_D.force;
+  const Vec3 of_force = p_HG_D.cross(force), felt = of_force - F_H_D.torque;
   ShareProblem problem;
   problem.force_effort = space_.smallest({force, of_force});
   problem.moment_effort = space_.smallest({Vec3::Zero(), -felt});
@@ -83,10 +81,10 @@ Allocation Allocator::shared(const Vec3& force, const Vec3& felt, const Vec3& p_
   const bool fits = (all.array() <= problem.high.array()).all() && (all.array() >= problem.low.array()).all();
   Shares shares = fits ? Shares{1, 1, all} : solve_shares(problem);
   if (!made) shares.force = 0;
-  return given({force, of_force - felt}, shares);
+  return given(F_H_D, shares);
 }
 
-Allocation Allocator::scaled(const Wrench& F_H_D, bool use_spare) noexcept {
+Allocation Allocator::scaled(const Wrench& F_H_D, bool use_spare) const noexcept {
   Shares shares;
   shares.effort = space_.smallest(F_H_D);
   const double share = largest_share(shares.effort, taken_);
@@ -94,7 +92,7 @@ Allocation Allocator::scaled(const Wrench& F_H_D, bool use_spare) noexcept {
   if (use_spare) {
     ShareProblem problem;
     problem.force_effort = shares.effort;
-    problem.moment_effort = Effort::Zero(motors());
+    problem.moment_effort = Effort::Zero();
     problem.spare = &space_.spare();
     problem.low = -actuators_.limits() - taken_;
     problem.high = actuators_.limits() - taken_;
@@ -105,17 +103,18 @@ Allocation Allocator::scaled(const Wrench& F_H_D, bool use_spare) noexcept {
   return given(F_H_D, shares);
 }
 
-Allocation Allocator::algorithm1(const Vec3& f_D, const Vec3& p_HG_D) noexcept {
-  const Effort force_effort = space_.smallest({f_D, Vec3::Zero()});
+Allocation Allocator::algorithm1(const Wrench& F_H_D, const Vec3& p_HG_D) const noexcept {
+  const Effort force_effort = space_.smallest(F_H_D);
   const double gamma = largest_share(force_effort, taken_);
   Shares shares{gamma, gamma, gamma * force_effort};
   if (gamma < 1) {
-    const Effort moment_effort = space_.smallest({Vec3::Zero(), -(1 - gamma) * p_HG_D.cross(f_D)});
+    const Vec3 felt = p_HG_D.cross(F_H_D.force) - F_H_D.torque;
+    const Effort moment_effort = space_.smallest({Vec3::Zero(), -(1 - gamma) * felt});
     const double delta = largest_share(moment_effort, taken_ + shares.effort);
     shares.effort += delta * moment_effort;
     shares.moment = gamma + delta * (1 - gamma);
   }
-  return given({f_D, Vec3::Zero()}, shares);
+  return given(F_H_D, shares);
 }
 
 // The largest part of `effort` that no motor is too weak for. SCALE of the paper.
@@ -131,10 +130,10 @@ double Allocator::largest_share(const Effort& effort, const Effort& beside) cons
 }
 
 // Where all of it is there, what was wanted, to the bit.
-Allocation Allocator::given(const Wrench& wanted, const Shares& shares) noexcept {
+Allocation Allocator::given(const Wrench& wanted, const Shares& shares) const noexcept {
   Allocation allocation{shares.effort, wanted, shares.force, shares.moment};
   if (allocation.clamped() || !space_.complete()) allocation.F_H_D = space_.wrench(shares.effort);
-  taken_ += shares.effort;
+  if (actuators_.rows() == 3 && !allocation.F_H_D.torque.isZero(0)) allocation.F_H_D.torque.setZero();
   return allocation;
 }
 

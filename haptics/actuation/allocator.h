@@ -36,18 +36,19 @@ class Allocator {
 public:
   explicit Allocator(const DeviceDesc& device, const AllocationDesc& desc = {});
 
-  // A tick: the handle is at X_DH, and no motor does anything yet. Each of the calls that follow gets what
-  // those before it left.
+  // A tick: the handle is at X_DH, and no motor does anything yet.
   void begin(const Pose& X_DH) noexcept;
+  // What one of the calls below found: later ones of the tick get the motors that are left.
+  void take(const Allocation& allocation) noexcept { taken_ += allocation.effort; }
 
   // Force and torque each in their direction, as much as there can be.
-  Allocation wrench(const Wrench& F_H_D) noexcept;
+  Allocation wrench(const Wrench& F_H_D) const noexcept;
   // All of it, or the same part of force and torque: what it points to is not changed.
-  Allocation whole(const Wrench& F_H_D) noexcept;
-  // A pulse f (3) N at H that a hand holding the handle at G, p_HG_D (3) m away, would feel as a moment p_HG
-  // x f too. A moment stands in for the part of f that is beyond the motors: what the hand feels is m_r =
-  // p_HG x f - m, and never more than p_HG x f.
-  Allocation pulse(const Vec3& f_D, const Vec3& p_HG_D) noexcept;
+  Allocation whole(const Wrench& F_H_D) const noexcept;
+  // A pulse that a hand which holds the handle at G, p_HG_D (3) m away, would feel as a moment
+  // m_r = p_HG x f - m too. Where the motors have not force enough, a moment makes up for it: m_r in its
+  // direction, and never more than the whole pulse would make it. lever m: what counts it beside force.
+  Allocation pulse(const Wrench& F_H_D, const Vec3& p_HG_D, double lever) const noexcept;
 
   int motors() const { return actuators_.count(); }
   const Effort& taken() const { return taken_; }  // so far in this tick, within the limits
@@ -55,11 +56,11 @@ public:
   const Actuators& actuators() const { return actuators_; }
 
 private:
-  Allocation scaled(const Wrench& F_H_D, bool use_spare) noexcept;
-  Allocation algorithm1(const Vec3& f_D, const Vec3& p_HG_D) noexcept;
-  Allocation shared(const Vec3& force, const Vec3& felt, const Vec3& p_HG_D, double lever) noexcept;
+  Allocation scaled(const Wrench& F_H_D, bool use_spare) const noexcept;
+  Allocation algorithm1(const Wrench& F_H_D, const Vec3& p_HG_D) const noexcept;
+  Allocation shared(const Wrench& F_H_D, const Vec3& p_HG_D, double lever) const noexcept;
   double largest_share(const Effort& effort, const Effort& beside) const noexcept;
-  Allocation given(const Wrench& wanted, const Shares& shares) noexcept;
+  Allocation given(const Wrench& wanted, const Shares& shares) const noexcept;
 
   AllocationDesc desc_;
   Actuators actuators_;

@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "haptics/device/device.h"
+#include "haptics/effects/impact_cues.h"
+#include "haptics/effects/pulse_cues.h"
 #include "haptics/effects/torque_cues.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
@@ -22,13 +25,17 @@ struct TickRecord {
   double depth_max = 0;                            // m, deepest shell point by the field
   Wrench device_F_H_D;                             // commanded, on the handle
   std::array<double, kMaxMotors> actuator_load{};  // fraction of each motor's limit, signed
+  Wrench missing_F_H_D;          // what was wanted, continuous or not, less what was commanded
   double energy_port = 0;        // J, passivity observer: below its bound the loop has given out energy
   double energy_unrendered = 0;  // J, brought in by turning against torque that the device does not render
   double force_gain = 0;         // 0 stopped to 1 running
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
-  TorqueCues torque;  // of torque substitution; zero where it is not built
+  TorqueCues torque;                             // of torque substitution; zero where it is not built
+  std::optional<ImpactTick> impact{};            // where impacts are detected
+  std::optional<ImpactCues> impact_vibration{};  // where it is built
+  std::optional<PulseCues> pulse{};              // likewise
 };
 
 }  // namespace fulcrum

@@ -25,12 +25,15 @@ World::World(SceneDesc desc)
       motion_(build_motion(desc_)),
       velocity_(desc_.velocity, desc_.tick_s),
       motors_(desc_.device, desc_.allocation),
-      guard_(desc_.device, desc_.tick_s, has_transients(desc_)),
+      guard_(desc_.device, desc_.tick_s, transient_sources(desc_)),
       counted_(encoder_steps(desc_)),
       ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale, desc_.device.renders_force,
               desc_.device.renders_torque),
       passivity_(desc_.device, desc_.tick_s),
-      torque_substitution_(build_torque_substitution(desc_)) {
+      torque_substitution_(build_torque_substitution(desc_)),
+      impact_detector_(build_impact_detector(desc_)),
+      impact_vibration_(build_impact_vibration(desc_)),
+      braking_pulse_(build_braking_pulse(desc_)) {
   X_WH_ = desc_.tool.X_WT_start * desc_.tool.X_HT.inverse();
   X_DH_good_ = desc_.mapping.handle_in_device(X_WH_);
 }
@@ -72,6 +75,112 @@ Vec3 World::substitute_torque(const ToolAnswer& answer, const Vec3& felt_D) noex
   return demand.vibration_D;
 }
 
+void World::demand_transients(const ToolAnswer& answer, const Wanted& wanted, const Vec3& felt_D,
+                              const Vec3& p_WH) noexcept {
+  const auto of = [this](TransientSource source) -> Wrench& {
+    return transients_[static_cast<std::size_t>(source)];
+  };
+  of(TransientSource::torque_substitution) = {substitute_torque(answer, felt_D), Vec3::Zero()};
+  if (impact_vibration_) of(TransientSource::impact_vibration) = impact_vibration_->process(impacts(), p_WH);
+  if (!braking_pulse_) return;
+  pulse_ = braking_pulse_->process({.impacts = impacts(),
+                                    .p_WH = p_WH,
+                                    .q_WH = answer.X_WT.q * desc_.tool.X_HT.q.conjugate(),
+                                    .X_WG = wanted.X_WG,
+                                    .V_WG = wanted.V_WG,
+                                    .engaged = !clutched_});
+  of(TransientSource::braking_pulse) = pulse_.F_H_D;
+}
+
+// A pulse asks for far more than there is. What the motors can do of it is found first, and then bounded.
+Allocation World::allocate_pulse(const Wrench& commanded_F_H_D, const Vec6& moved_D,
+                                 std::uint32_t& faults) noexcept {
+  const Allocation able =
+      pulse_.moment ? motors_.pulse(pulse_.F_H_D, pulse_.p_HG_D, pulse_.lever) : motors_.whole(pulse_.F_H_D);
+  const Wrench allowed =
+      guard_.limit_transient(TransientSource::braking_pulse, able.F_H_D, commanded_F_H_D, moved_D, faults);
+  Allocation allocation = able;
+  if (allowed.force != able.F_H_D.force || allowed.torque != able.F_H_D.torque) {
+    const auto share = [](const Vec3& of, const Vec3& whole) {
+      const double size = whole.norm();
+      return size > 0 ? std::min(1.0, of.norm() / size) : 0.0;
+    };
+    const auto felt = [this](const Wrench& F_H_D) {
+      return Vec3(pulse_.p_HG_D.cross(F_H_D.force) - F_H_D.torque);
+    };
+    allocation = motors_.whole(allowed);
+    allocation.force_share = share(allocation.F_H_D.force, pulse_.F_H_D.force);
+    allocation.moment_share = share(felt(allocation.F_H_D), felt(pulse_.F_H_D));
+  }
+  pulse_shares_ = {allocation.force_share, allocation.moment_share};
+  return allocation;
+}
+
+// Each transient in turn, with the motors that those before it left. Adds what they do to the command.
+void World::render_transients(const Vec6& moved_D, Wrench& commanded_F_H_D, std::uint32_t& faults) noexcept {
+  for (std::size_t i = 0; i < kTransientSources; ++i) {
+    const TransientSource source{i};
+    if (guard_.budget(source) == nullptr) continue;
+    const Wrench wanted_F_H_D = transients_[i];
+    Wrench& F_H_D = transients_[i];
+    if (source == TransientSource::braking_pulse && !wanted_F_H_D.is_zero()) {
+      const Allocation allocation = allocate_pulse(commanded_F_H_D, moved_D, faults);
+      motors_.take(allocation);
+      F_H_D = allocation.F_H_D;
+      if (allocation.clamped()) faults |= kMotorClamped;
+    } else {
+      F_H_D = guard_.limit_transient(source, wanted_F_H_D, commanded_F_H_D, moved_D, faults);
+      if (!F_H_D.is_zero()) {
+        const Allocation allocation = motors_.whole(F_H_D);
+        motors_.take(allocation);
+        F_H_D = allocation.F_H_D;
+        if (allocation.clamped()) faults |= kMotorClamped;
+      }
+    }
+    guard_.commanded(source, F_H_D);
+    missing_.force += wanted_F_H_D.force - F_H_D.force;
+    missing_.torque += wanted_F_H_D.torque - F_H_D.torque;
+    if (!F_H_D.force.isZero(0)) commanded_F_H_D.force += F_H_D.force;  // or -0 would become 0
+    if (!F_H_D.torque.isZero(0)) commanded_F_H_D.torque += F_H_D.torque;
+  }
+}
+
+void World::record_effects(TickRecord& record) const noexcept {
+  const auto energy = [this](TransientSource source) {
+    const TransientBudget* budget = guard_.budget(source);
+    return budget ? budget->energy() : 0.0;
+  };
+  if (torque_substitution_) {
+    record.torque = torque_substitution_->cues();
+    record.torque.energy = energy(TransientSource::torque_substitution);
+  }
+  if (impact_detector_) {
+    ImpactTick& impact = record.impact.emplace();
+    impact.count = static_cast<std::int32_t>(impacts().size());
+    for (const Impact& each : impacts()) {
+      if (each.speed > impact.hardest.speed) impact.hardest = each;
+    }
+  }
+  if (braking_pulse_) {
+    PulseCues& cues = record.pulse.emplace(braking_pulse_->cues());
+    cues.F_H_D = transients_[static_cast<std::size_t>(TransientSource::braking_pulse)];
+    if (!cues.wanted_F_H_D.is_zero()) {
+      cues.force_share = pulse_shares_.force;
+      cues.moment_share = pulse_shares_.moment;
+    }
+    if (const TransientBudget* budget = guard_.budget(TransientSource::braking_pulse)) {
+      cues.energy = budget->force_energy();
+      cues.moment_energy = budget->torque_energy();
+    }
+  }
+  record.missing_F_H_D = missing_;
+  if (impact_vibration_) {
+    record.impact_vibration = impact_vibration_->cues();
+    record.impact_vibration->F_H_D = transients_[static_cast<std::size_t>(TransientSource::impact_vibration)];
+    record.impact_vibration->energy = energy(TransientSource::impact_vibration);
+  }
+}
+
 StepResult step(World& w, const DeviceSample& sample, std::span<const Command> commands) noexcept {
   const SceneDesc& desc = w.desc_;
 
@@ -79,6 +188,12 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   std::uint32_t faults = w.guard_.watch(sample, commands);
   if (w.torque_substitution_) {
     for (const Command& command : commands) w.torque_substitution_->obey(command);
+  }
+  if (w.impact_vibration_) {
+    for (const Command& command : commands) w.impact_vibration_->obey(command);
+  }
+  if (w.braking_pulse_) {
+    for (const Command& command : commands) w.braking_pulse_->obey(command);
   }
   const Pose X_WH = w.follow_handle(sample, faults);
   Vec6 moved;
@@ -98,6 +213,11 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if ((faults & kStoppingFaults) != 0) w.guard_.stop(faults & kStoppingFaults);
   faults |= w.guard_.reason();
 
+  // Events.
+  if (w.impact_detector_)
+    w.impact_detector_->process(
+        {.X_WT = answer.X_WT, .X_WG = X_WG, .V_WG = V_WG, .touching = w.motion_->touching()});
+
   // Guard and allocate. The device's own weight is held up here, so that the hand feels the tool's alone.
   const Wrench wanted_F_H_W = w.clutched_ ? Wrench{} : F_H_W;
   Wrench wanted_F_H_D = desc.mapping.wrench_in_device(wanted_F_H_W);
@@ -113,20 +233,15 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Wrench limited_F_H_D = w.guard_.limit(wanted_F_H_D + own_weight, faults);
   const Vec6 moved_D = desc.mapping.motion_in_device(moved);
   const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
-  const Vec3 transient_D = w.guard_.limit_transient(w.substitute_torque(answer, felt_D), limited_F_H_D.force,
-                                                    moved_D.head<3>(), faults);
   w.motors_.begin(w.X_DH_good_);
   const Allocation continuous = w.motors_.wrench(limited_F_H_D);
+  w.motors_.take(continuous);
+  w.guard_.commanded(continuous.F_H_D);
   if (continuous.clamped()) faults |= kMotorClamped;
   DeviceCommand command{.F_H_D = continuous.F_H_D};
-  Vec3 rendered_transient_D = Vec3::Zero();
-  if (!transient_D.isZero(0)) {
-    const Allocation transient = w.motors_.whole({transient_D, Vec3::Zero()});
-    if (transient.clamped()) faults |= kMotorClamped;
-    rendered_transient_D = transient.F_H_D.force;
-    command.F_H_D += transient.F_H_D;
-  }
-  w.guard_.commanded(continuous.F_H_D, rendered_transient_D);
+  w.missing_ = limited_F_H_D + -continuous.F_H_D;
+  w.demand_transients(answer, {X_WG, V_WG}, felt_D, answer.X_WT.p + p_TH_W);
+  w.render_transients(moved_D, command.F_H_D, faults);
 
   // Book what the hand did, against what it felt and feels from here on.
   Wrench felt_F_H_W = desc.mapping.wrench_in_world(continuous.F_H_D + own_weight * -w.guard_.gain());
@@ -140,10 +255,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if (w.ledger_.port() < kPortBound) faults |= kEnergyBound;
 
   StepResult result;
-  TorqueCues cues;
   if (w.torque_substitution_) {
-    cues = w.torque_substitution_->cues();
-    if (w.guard_.transients()) cues.energy = w.guard_.transients()->energy();
+    const TorqueCues& cues = w.torque_substitution_->cues();
     command.cues = {cues.vibration, cues.ghost, desc.mapping.X_WD.q.conjugate() * -answer.turn_W};
   }
   TickRecord& record = result.record;
@@ -168,7 +281,7 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   record.faults = faults;
   record.stopped = w.guard_.stopped();
   record.clutched = w.clutched_;
-  record.torque = cues;
+  w.record_effects(record);
   return result;
 }
 

@@ -51,7 +51,7 @@ DeviceDesc planar() {
 TEST(Allocator, PlanarOracle) {
   const Vec3 f(0, 5, 0), r(0.085, 0, 0);
   Allocator by_algorithm(planar(), {.method = AllocationMethod::algorithm1});
-  const Allocation algorithm = by_algorithm.pulse(f, r);
+  const Allocation algorithm = by_algorithm.pulse({f, Vec3::Zero()}, r, r.norm());
   EXPECT_NEAR(algorithm.force_share, 0.5, 1e-12);
   EXPECT_NEAR((algorithm.moment_share - 0.5) / 0.5, 0.941176, 5e-7);  // delta
   EXPECT_NEAR(algorithm.effort[0], 0.3, 1e-12);
@@ -59,7 +59,7 @@ TEST(Allocator, PlanarOracle) {
   EXPECT_NEAR(felt(algorithm, r).z(), 0.4125, 1e-12);
 
   Allocator exactly(planar());
-  const Allocation exact = exactly.pulse(f, r);
+  const Allocation exact = exactly.pulse({f, Vec3::Zero()}, r, r.norm());
   EXPECT_NEAR(exact.F_H_D.force.y(), 3.2456, 5e-5);
   EXPECT_NEAR(exact.F_H_D.force.y(), 0.925 / 0.285, 1e-12);
   EXPECT_NEAR(felt(exact, r).z(), 0.425, 1e-12);
@@ -100,7 +100,8 @@ TEST(Allocator, Algorithm1FindsNoMomentOnTheW6DsAxes) {
   const Vec3 r = 0.12 * Vec3(0.4, 0.7, 0.6).normalized();
   for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
     Allocator motors(w6d::device(0.255, 0.145), {.method = AllocationMethod::algorithm1});
-    const Allocation allocation = motors.pulse(10 * axis, r);
+    const Allocation allocation = motors.pulse({10 * axis, Vec3::Zero()}, r, r.norm());
+    motors.take(allocation);
     EXPECT_LT(allocation.force_share, 1);
     EXPECT_GE(allocation.moment_share, allocation.force_share);
     expect_within_limits(motors);
@@ -129,7 +130,8 @@ TEST(Allocator, ExactIsNeverWorseThanTheOthersAndKeepsItsWord) {
       for (const AllocationMethod method : kMethods) {
         Allocator motors(device, {.method = method});
         motors.begin(X_DH);
-        const Allocation allocation = motors.pulse(f_D, p_HG_D);
+        const Allocation allocation = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
+        motors.take(allocation);
         expect_within_limits(motors);
         const double size = f_D.norm();
         EXPECT_NEAR(allocation.F_H_D.force.cross(f_D).norm(), 0, 1e-8 * size * size);
@@ -157,7 +159,7 @@ TEST(Allocator, NoPairOfSharesOnAGridIsBetterThanExact) {
     const auto [X_DH, f_D, p_HG_D] = random_case(random);
     Allocator motors(device);
     motors.begin(X_DH);
-    const Allocation exact = motors.pulse(f_D, p_HG_D);
+    const Allocation exact = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
     MotorSpace space(motors.actuators());
     space.factorise(motors.actuators().wrenches(), 0.05);
     const Effort none = space.spare().col(0), limits = motors.actuators().limits();
@@ -216,6 +218,7 @@ TEST(Allocator, SaturationKeepsTheDirections) {
       if (!device.renders_torque) wanted.torque.setZero();
       const Allocation allocation = motors.wrench(wanted);
       EXPECT_TRUE(allocation.clamped());
+      motors.take(allocation);
       expect_within_limits(motors);
       double largest = 0;
       for (int m = 0; m < motors.motors(); ++m) largest = std::max(largest, std::abs(motors.load(m)));
@@ -236,8 +239,11 @@ TEST(Allocator, WrenchesOfOneTickShareTheMotors) {
     const auto [X_DH, f_D, p_HG_D] = random_case(random);
     motors.begin(X_DH);
     const Allocation continuous = motors.wrench({0.02 * f_D, Vec3::Zero()});
-    const Allocation pulse = motors.pulse(f_D, p_HG_D);
+    motors.take(continuous);
+    const Allocation pulse = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
+    motors.take(pulse);
     const Allocation tone = motors.whole({Vec3(0.1, 0.2, 0), Vec3(0.01, 0, 0)});
+    motors.take(tone);
     expect_within_limits(motors);
     EXPECT_NEAR((continuous.effort + pulse.effort + tone.effort - motors.taken()).norm(), 0, 1e-15);
     const Vec3 t = tone.F_H_D.force;
@@ -260,7 +266,8 @@ TEST(Allocator, AMotorWithoutALimitsWorthTakesNoPart) {
     for (int i = 0; i < 300; ++i) {
       const auto [X_DH, f_D, p_HG_D] = random_case(random);
       motors.begin(X_DH);
-      const Allocation allocation = motors.pulse(f_D, p_HG_D);
+      const Allocation allocation = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
+      motors.take(allocation);
       EXPECT_EQ(motors.taken()[dead], 0.0);
       EXPECT_EQ(motors.load(dead), 0.0);
       expect_within_limits(motors);
@@ -277,8 +284,9 @@ TEST(Allocator, SingularAndFarPosesGiveFiniteEffortsWithinLimits) {
       Allocator motors(device, {.method = method});
       for (int i = 0; i < 300; ++i) {
         motors.begin({quaternion_exp(3 * arms::random_vector(random)), 0.4 * arms::random_vector(random)});
-        const Allocation allocation =
-            motors.pulse(20 * arms::random_vector(random), 0.1 * arms::random_vector(random));
+        const Allocation allocation = motors.pulse({20 * arms::random_vector(random), Vec3::Zero()},
+                                                   0.1 * arms::random_vector(random), 0.1);
+        motors.take(allocation);
         EXPECT_TRUE(allocation.F_H_D.is_finite());
         EXPECT_TRUE(allocation.effort.allFinite());
         expect_within_limits(motors);
@@ -289,7 +297,7 @@ TEST(Allocator, SingularAndFarPosesGiveFiniteEffortsWithinLimits) {
 
 TEST(Allocator, NothingWantedIsNothing) {
   Allocator motors(w6d::device(0.255, 0.145));
-  EXPECT_TRUE(motors.pulse(Vec3::Zero(), Vec3(0, 0.1, 0)).F_H_D.is_zero());
+  EXPECT_TRUE(motors.pulse({}, Vec3(0, 0.1, 0), 0.1).F_H_D.is_zero());
   EXPECT_TRUE(motors.wrench({}).F_H_D.is_zero());
   EXPECT_TRUE(motors.whole({}).F_H_D.is_zero());
   EXPECT_TRUE(motors.taken().isZero(0));
@@ -301,7 +309,7 @@ TEST(Allocator, AMouseHasNoMotors) {
   Allocator motors(desc);
   EXPECT_EQ(motors.motors(), 0);
   EXPECT_TRUE(motors.wrench({Vec3(1, 0, 0), Vec3::Zero()}).F_H_D.is_zero());
-  EXPECT_TRUE(motors.pulse(Vec3(1, 0, 0), Vec3::UnitX()).F_H_D.is_zero());
+  EXPECT_TRUE(motors.pulse({Vec3(1, 0, 0), Vec3::Zero()}, Vec3::UnitX(), 1).F_H_D.is_zero());
 }
 
 }  // namespace

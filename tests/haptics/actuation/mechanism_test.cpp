@@ -128,8 +128,8 @@ TEST(Mechanism, StretchedFoldedAndOutOfReachWrenchesAreFinite) {
   }
 }
 
-// The handle pulled out until the elbow is at its stop, just before the arm is straight, beyond, and back: the
-// way in which the wrenches change has no jump in it.
+// The handle pulled out until the elbow is at its stop, just before the arm is straight, beyond, and back:
+// the way in which the wrenches change has no jump in it.
 TEST(Mechanism, GoesToItsStopAndBackWithoutAJump) {
   Mechanism mechanism(arms::phantom().mechanism);
   WrenchMatrix last = mechanism.wrenches();
