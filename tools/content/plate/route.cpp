@@ -1,0 +1,83 @@
+#include "tools/content/plate/route.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/content/plate/faces.h"
+#include "tools/content/plate/stylus.h"
+
+namespace fulcrum::content {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double height = 30.0 * mm;  // over the face, from where a tap begins
+constexpr double down = 0.32;         // s: the tip meets the face with 0.15 m/s
+constexpr double up = 0.5;            // s
+constexpr double rest = 0.4;          // s, before a tap
+constexpr double pace = 0.12;         // m/s, from tap to tap
+constexpr double sphere = 3.0 * mm;   // radius of a checkpoint
+
+// Away from the face's normal and towards the trainee, then turned about the normal.
+Vector3d leaning(const Vector3d& nhat_W, double lean, double around) {
+  const Vector3d towards = (Vector3d::UnitZ() - nhat_W.z() * nhat_W).normalized();
+  return Eigen::AngleAxisd(around, nhat_W) * (std::cos(lean) * nhat_W + std::sin(lean) * towards);
+}
+
+// The rod's z axis along a direction, by the shortest turn from upright: it is not rolled on the way.
+Eigen::Matrix3d held(const Vector3d& stylus_W) {
+  const Eigen::Quaterniond upright(Eigen::AngleAxisd(-0.5 * pi, Vector3d::UnitX()));
+  return (Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), stylus_W) * upright).toRotationMatrix();
+}
+
+}  // namespace
+
+std::vector<Tap> make_taps() {
+  const auto all = faces();
+  const auto tap = [&](const char* name, std::size_t face, double along, double z, double lean,
+                       double around) {
+    const Face& f = all[face];
+    return Tap{name, f.centre_W + along * f.along_W() + z * Vector3d::UnitZ(), f.nhat_W,
+               leaning(f.nhat_W, lean, around)};
+  };
+  return {
+      tap("level", 0, 0.0, 0.0, 45 * degree, 0.0),
+      tap("level and steep", 0, -16 * mm, 12 * mm, 15 * degree, 0.0),
+      tap("level and low", 0, 10 * mm, 14 * mm, 65 * degree, -20 * degree),
+      tap("tilted by 30", 1, 0.0, 0.0, 45 * degree, 0.0),
+      tap("tilted by 60", 2, 0.0, 0.0, 45 * degree, 30 * degree),
+      tap("upright", 3, -4 * mm, 0.0, 45 * degree, 45 * degree),
+  };
+}
+
+std::vector<RoutePose> make_route(const std::vector<Tap>& taps, double press) {
+  std::vector<RoutePose> route;
+  const auto go = [&](const std::string& note, const Tap& tap, double above, double travel, double dwell) {
+    RoutePose pose{.note = note, .X_WT = Eigen::Isometry3d::Identity(), .travel = travel, .dwell = dwell};
+    pose.X_WT.linear() = held(tap.stylus_W);
+    pose.X_WT.translation() = tap.p_W + (stylus_tip_radius + above) * tap.nhat_W;
+    route.push_back(pose);
+  };
+  for (const Tap& tap : taps) {
+    double travel = 0.0;
+    if (!route.empty()) {
+      const Vector3d over = tap.p_W + (stylus_tip_radius + height) * tap.nhat_W;
+      travel = std::max(0.5, (over - route.back().X_WT.translation()).norm() / pace);
+    }
+    go("over: " + tap.name, tap, height, travel, rest);
+    go(tap.name, tap, -press, down, 0.0);
+    route.back().presses = true;
+    go("", tap, height, up, 0.0);
+  }
+  return route;
+}
+
+std::string taps_yaml(const std::vector<Tap>& taps) {
+  std::string text;
+  for (const Tap& tap : taps) {
+    text += checkpoint_yaml(tap.name, tap.p_W + stylus_tip_radius * tap.nhat_W, sphere);
+  }
+  return text;
+}
+
+}  // namespace fulcrum::content
