@@ -51,7 +51,7 @@ Solid shape(double length, double collar, double collar_height) {
     profile.push_back({peg_radius, z});
   }
   for (int k = 0; k < 9; ++k) {
-    const double angle = 0.5 * pi * (k / 9.0) * 0.98;
+    const double angle = 0.5 * pi * k / 8.15;
     profile.push_back({peg_radius * std::cos(angle), straight + peg_radius * std::sin(angle)});
   }
   return lathe(profile, columns);
@@ -77,7 +77,7 @@ Model make_steel_pegs() {
     all.push_back(peg("steel/row/" + std::to_string(++number), {row_x, floor_y, z}, {row_x, row_top, z}));
   }
   return pegs("pegs_steel",
-              {.name = "steel peg", .base_colour = {0.56, 0.56, 0.57}, .metallic = 1.0, .roughness = 0.2},
+              {.name = "steel peg", .base_colour = {0.64, 0.64, 0.65}, .metallic = 1.0, .roughness = 0.4},
               all, 4.0 * mm, 3.0 * mm);
 }
 

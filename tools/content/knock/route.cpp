@@ -13,10 +13,11 @@ using Eigen::Vector3d;
 constexpr double slope = 0.17;     // of the bar, where one end is to meet its pegs before the middle does
 constexpr double run = 15.0 * mm;  // of the bar, before it meets a peg
 constexpr double over_row = 21.0 * mm;  // y, between the right pegs and the ones above
-constexpr double down = 0.22;           // s: it meets the pegs with 0.15 m/s
+constexpr double down = 0.18;           // s: it meets the pegs with 0.15 m/s
 constexpr double travel = 0.4;          // s, from one place to the next
 constexpr double rest = 0.2;            // s
-constexpr double sphere = 5.0 * mm;     // radius of a checkpoint
+constexpr double end_sphere = 8.0 * mm;
+constexpr double sphere = 4.0 * mm;  // radius of a checkpoint
 
 // The bar points along -z, turned towards `motion` by the slope.
 Eigen::Matrix3d turned(const Vector3d& motion_W, double rise) {
@@ -24,10 +25,11 @@ Eigen::Matrix3d turned(const Vector3d& motion_W, double rise) {
   return Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), rod).toRotationMatrix();
 }
 
-Knock at_station(std::size_t i, const std::string& from, const Vector3d& motion_W) {
+Knock at_station(std::size_t i, const std::string& from, const char* peg, const Vector3d& motion_W) {
   const Station& station = stations_of_bar[i];
   const double rise = (static_cast<double>(i) - 1.0) * slope;  // the near end, neither, the far end
   Knock knock{.name = std::string(station.material) + " from " + from,
+              .pegs = std::string(station.material) + "/" + peg,
               .X_WT = Eigen::Isometry3d::Identity(),
               .motion_W = motion_W,
               .run = run};
@@ -43,13 +45,14 @@ Knock at_station(std::size_t i, const std::string& from, const Vector3d& motion_
 std::vector<Knock> make_knocks() {
   std::vector<Knock> knocks;
   for (std::size_t i = 0; i < stations_of_bar.size(); ++i) {
-    knocks.push_back(at_station(i, "above", -Vector3d::UnitY()));
-    knocks.push_back(at_station(i, "below", Vector3d::UnitY()));
-    knocks.push_back(at_station(i, "the right", -Vector3d::UnitX()));
-    knocks.push_back(at_station(i, "the left", Vector3d::UnitX()));
+    knocks.push_back(at_station(i, "above", "below", -Vector3d::UnitY()));
+    knocks.push_back(at_station(i, "below", "above", Vector3d::UnitY()));
+    knocks.push_back(at_station(i, "the right", "left", -Vector3d::UnitX()));
+    knocks.push_back(at_station(i, "the left", "right", Vector3d::UnitX()));
   }
   const double meets = row_top + bar_radius;
   Knock row{.name = "row of five",
+            .pegs = "steel/row/",
             .X_WT = Eigen::Isometry3d::Identity(),
             .motion_W = -Vector3d::UnitY(),
             .run = over_row - meets};
@@ -74,7 +77,7 @@ std::vector<RoutePose> make_route(const std::vector<Knock>& knocks, double press
     } else {
       go("before: " + knock.name, along(-knock.run), travel, rest);
     }
-    go(knock.name, along(press), down * knock.run / run, 0.0);
+    go(knock.name, along(press), down * std::sqrt(knock.run / run), 0.0);
     route.back().presses = true;
     go("", along(-knock.run), travel, 0.0);
     if (!is_row) go("", at(0.0, 0.0), travel, 0.0);
@@ -87,7 +90,9 @@ std::string knocks_yaml(const std::vector<Knock>& knocks) {
   for (const Knock& knock : knocks) {
     text += checkpoint_yaml(knock.name, knock.X_WT * bar_middle, sphere);
   }
-  return text;
+  // A run ends with the last checkpoint: it is over the row, so that the last knock is felt to its end.
+  const Knock& last = knocks.back();
+  return text + checkpoint_yaml("off again", last.X_WT * bar_middle - last.run * last.motion_W, end_sphere);
 }
 
 }  // namespace fulcrum::content

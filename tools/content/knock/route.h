@@ -10,6 +10,7 @@ namespace fulcrum::content {
 
 struct Knock {
   std::string name;          // of its checkpoint
+  std::string pegs;          // what the names begin with of the pegs that it meets
   Eigen::Isometry3d X_WT;    // of the bar where it meets the peg
   Eigen::Vector3d motion_W;  // unit, the way it comes
   double run = 0.0;          // m, how far it comes that way

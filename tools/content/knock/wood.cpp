@@ -74,6 +74,12 @@ Part board(const std::string& name, const Vector3d& half, const Wood& wood) {
   sections.push_back(board_section(half, board_bevel, half.z()));
   Part part{.name = name, .material = 0, .solid = loft(sections)};
   part.coat = grained(part.solid, wood);
+  // Across the grain wood is darker, and even: the outermost sections and the middles of the two ends.
+  const std::size_t ring = sections.front().size();
+  const std::size_t points = part.solid.points.size();
+  for (std::size_t i = 0; i < points; ++i) {
+    if (i < ring || i + ring + 2 >= points) part.coat.colours[i] = 0.8 * mixed(wood.early, wood.late, 0.6);
+  }
   return part;
 }
 

@@ -9,9 +9,11 @@
 #include "tools/content/mesh/mass.h"
 #include "tools/content/mesh/solid_check.h"
 #include "tools/content/mesh/way_check.h"
+#include "tools/content/plate/marks.h"
 #include "tools/content/plate/route.h"
 #include "tools/content/plate/stand.h"
 #include "tools/content/plate/stylus.h"
+#include "tools/content/plate/table.h"
 
 namespace fulcrum::content {
 namespace {
@@ -36,9 +38,11 @@ bool check_taps(const TriangleTree& scene, const Model& stylus) {
 }
 
 bool check() {
-  const std::array scene{make_plates(), make_stand(), make_bench()};
+  const std::array scene{make_plates(), make_stand()};
   const Model stylus = make_stylus();
   bool good = check_solids(stylus);
+  good &= check_solids(make_marks());
+  good &= check_solids(make_table());
   for (const Model& model : scene) good &= check_solids(model);
   good &= check_taps(tree_of(scene), stylus);
   return good;
@@ -49,7 +53,9 @@ bool check() {
 
 int main(int argc, char** argv) {
   using namespace fulcrum::content;
-  const auto models = [] { return std::vector{make_plates(), make_stand(), make_bench(), make_stylus()}; };
+  const auto models = [] {
+    return std::vector{make_plates(), make_stand(), make_marks(), make_table(), make_stylus()};
+  };
   const auto route = [] {
     return route_yaml("over each place, straight onto it, and off again at once", "make_plate",
                       make_route(make_taps(), press));

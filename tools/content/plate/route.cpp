@@ -16,7 +16,8 @@ constexpr double down = 0.32;         // s: the tip meets the face with 0.15 m/s
 constexpr double up = 0.5;            // s
 constexpr double rest = 0.4;          // s, before a tap
 constexpr double pace = 0.12;         // m/s, from tap to tap
-constexpr double sphere = 3.0 * mm;   // radius of a checkpoint
+constexpr double end_sphere = 5.0 * mm;
+constexpr double sphere = 2.0 * mm;  // radius of a checkpoint
 
 // Away from the face's normal and towards the trainee, then turned about the normal.
 Vector3d leaning(const Vector3d& nhat_W, double lean, double around) {
@@ -77,7 +78,10 @@ std::string taps_yaml(const std::vector<Tap>& taps) {
   for (const Tap& tap : taps) {
     text += checkpoint_yaml(tap.name, tap.p_W + stylus_tip_radius * tap.nhat_W, sphere);
   }
-  return text;
+  // A run ends with the last checkpoint: it is over the last plate, so that the last tap is felt to its end.
+  const Tap& last = taps.back();
+  return text +
+         checkpoint_yaml("off again", last.p_W + (stylus_tip_radius + height) * last.nhat_W, end_sphere);
 }
 
 }  // namespace fulcrum::content

@@ -113,7 +113,7 @@ Model make_stand() {
       .parts = {}};
   model.parts.push_back({.name = "frame",
                          .material = 0,
-                         .solid = bevelled_frame(frame_outline(), 26 * mm, 17 * mm, 1.2 * mm),
+                         .solid = bevelled_frame(frame_outline(), frame_half_depth, frame_bar, 1.2 * mm),
                          .crease = 25 * degree});
   constexpr RadiusHeight column[] = {{30 * mm, 0.0},     {31 * mm, 1 * mm},    {31 * mm, 7 * mm},
                                      {30 * mm, 8 * mm},  {24 * mm, 8.4 * mm},  {22.6 * mm, 9.2 * mm},
@@ -129,23 +129,6 @@ Model make_stand() {
                          .material = 0,
                          .solid = placed(transformed(chamfered_box(half, 1.5 * mm), lying), base_middle)});
   add_feet(&model, 1, 2);
-  return model;
-}
-
-Model make_bench() {
-  Model model{.name = "bench",
-              .materials = {{.name = "worktop",
-                             .base_colour = {0.30, 0.31, 0.32},
-                             .metallic = 0.0,
-                             .roughness = 0.55}},
-              .parts = {}};
-  constexpr double thickness = 30.0 * mm;
-  const Vector3d half(0.7, 0.5, 0.5 * thickness);
-  const Eigen::Isometry3d lying(Eigen::AngleAxisd(-0.5 * pi, Vector3d::UnitX()));
-  const Vector3d middle(0.1, bench_height - 0.5 * thickness, -0.1);
-  model.parts.push_back({.name = "worktop",
-                         .material = 0,
-                         .solid = placed(transformed(chamfered_box(half, 2.0 * mm), lying), middle)});
   return model;
 }
 
