@@ -15,7 +15,7 @@ const app::Prepared& knock() {
   return *prepared;
 }
 
-constexpr Shot kShots[] = {{"overview", 0.2, 0}, {"trainee", 7.5, 4}, {"row", 21.0, 12}};
+constexpr Shot kShots[] = {{"overview", 0.2, 0}, {"trainee", 8.9, 2}, {"row", 20.9, 6}};
 
 TEST(Picture, Knock) {
   expect_goldens(knock(), kShots);

@@ -15,7 +15,7 @@ const app::Prepared& plate() {
   return *prepared;
 }
 
-constexpr Shot kShots[] = {{"overview", 0.2, 0}, {"faces", 9.1, 5}, {"trainee", 4.05, 2}};
+constexpr Shot kShots[] = {{"overview", 0.2, 0}, {"faces", 7.45, 4}, {"trainee", 9.15, 5}};
 
 TEST(Picture, Plate) {
   expect_goldens(plate(), kShots);

@@ -9,7 +9,8 @@
 namespace fulcrum::content {
 
 struct Knock {
-  std::string name;          // of its checkpoint
+  std::string name;
+  bool counts = false;       // it is a checkpoint
   std::string pegs;          // what the names begin with of the pegs that it meets
   Eigen::Isometry3d X_WT;    // of the bar where it meets the peg
   Eigen::Vector3d motion_W;  // unit, the way it comes

@@ -1,11 +1,11 @@
 #include "tools/content/plate/marks.h"
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <utility>
 
-#include "tools/content/mesh/tube.h"
+#include "tools/content/mesh/loft.h"
 #include "tools/content/plate/faces.h"
 #include "tools/content/plate/stand.h"
 
@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 // Strokes in the unit of a figure's height, x to the right and y up.
 constexpr double height = 6.5 * mm;
-constexpr double stroke = 0.42 * mm;  // half its width
+constexpr double stroke = 0.55 * mm;  // half its width
 constexpr double advance = 0.78;      // from figure to figure
 constexpr double figure_width = 0.56;
 
@@ -33,9 +33,10 @@ Line arc(const Vector2d& centre, const Vector2d& radii, double from_deg, double 
   return line;
 }
 
-// Nearly closed: the stroke's width fills the rest.
 Line ring(const Vector2d& centre, const Vector2d& radii) {
-  return arc(centre, radii, 90.0, 436.0);
+  Line line = arc(centre, radii, 0.0, 360.0);
+  line.back() = line.front();
+  return line;
 }
 
 std::vector<Line> six() {
@@ -62,15 +63,26 @@ std::vector<Line> strokes(char figure) {
   }
 }
 
-// Half sunk into the face that it is on.
+// A round stroke that is sunk into its face as deep as it can be and still be seen. A line that ends where it
+// begins is a ring.
 Solid drawn(const Line& line, const Eigen::Isometry3d& X_WF) {
-  std::vector<Station> stations;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const Vector2d along = line[std::min(i + 1, line.size() - 1)] - line[i == 0 ? 0 : i - 1];
-    stations.push_back({X_WF * Vector3d(height * line[i].x(), height * line[i].y(), 0.0),
-                        X_WF.linear() * Vector3d(along.x(), along.y(), 0.0).normalized()});
+  constexpr int corners = 10;
+  const std::size_t last = line.size() - 1;
+  const bool closed = (line.front() - line.back()).norm() < 1e-9;
+  std::vector<Section> sections;
+  for (std::size_t i = 0; i < line.size() - (closed ? 1 : 0); ++i) {
+    const Vector2d& before = i > 0 ? line[i - 1] : closed ? line[last - 1] : line[0];
+    const Vector2d along = (line[std::min(i + 1, last)] - before).normalized();
+    const Vector3d across(along.y(), -along.x(), 0.0);
+    const Vector3d middle(height * line[i].x(), height * line[i].y(), -0.7 * stroke);
+    Section& section = sections.emplace_back();
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2.0 * pi * (k + 0.5) / corners;
+      section.push_back(X_WF *
+                        (middle + stroke * (std::cos(angle) * across + std::sin(angle) * Vector3d::UnitZ())));
+    }
   }
-  return tube(stations, stroke, 10, TubeEnd::flat, TubeEnd::flat);
+  return closed ? closed_loft(sections) : loft(sections);
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ void add_feet(Model* model, std::size_t metal, std::size_t rubber) {
 Model make_plates() {
   Model model{.name = "plate",
               .materials = {{.name = "brushed steel",
-                             .base_colour = {0.62, 0.62, 0.63},
+                             .base_colour = {0.68, 0.68, 0.69},
                              .metallic = 1.0,
                              .roughness = 0.34}},
               .parts = {}};

@@ -39,7 +39,7 @@ Model make_table() {
   Model model{
       .name = "table",
       .materials =
-          {{.name = "table", .base_colour = {0.30, 0.305, 0.31}, .metallic = 0.35, .roughness = 0.5},
+          {{.name = "table", .base_colour = {0.19, 0.2, 0.21}, .metallic = 0.35, .roughness = 0.5},
            {.name = "countersink", .base_colour = {0.55, 0.55, 0.55}, .metallic = 0.6, .roughness = 0.4},
            {.name = "hole", .base_colour = {0.012, 0.012, 0.012}, .metallic = 0.0, .roughness = 0.9}},
       .parts = {}};
