@@ -51,7 +51,7 @@ Solid grip() {
 Model make_bar() {
   Model model{
       .name = "bar",
-      .materials = {{.name = "steel", .base_colour = {0.56, 0.56, 0.57}, .metallic = 1.0, .roughness = 0.34},
+      .materials = {{.name = "steel", .base_colour = {0.56, 0.56, 0.57}, .metallic = 1.0, .roughness = 0.42},
                     {.name = "grip", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.38},
                     {.name = "brass", .base_colour = {0.72, 0.52, 0.24}, .metallic = 1.0, .roughness = 0.28}},
       .parts = {}};
