@@ -18,7 +18,6 @@ namespace {
 
 constexpr double press = 3.0 * mm;
 constexpr double stride = 1.0 * mm;
-
 constexpr double widest_gap = 0.15 * mm;      // to the pegs that a knock meets
 constexpr double least_clearance = 2.0 * mm;  // to all else, then and on the way
 
@@ -68,7 +67,8 @@ bool check() {
     points.insert(points.end(), part.solid.points.begin(), part.solid.points.end());
   }
   for (const Knock& knock : make_knocks()) good &= check_knock(knock, scene, points);
-  // The way as far as a little before the pegs.
+  // The way, if every knock ended short of its pegs by as much as has to be clear; that is what is nearest
+  // then.
   const double least =
       clearance_on_way(make_route(make_knocks(), -least_clearance), tree_of(scene), points, points, stride);
   const bool free = least >= 0.9 * least_clearance;

@@ -12,9 +12,9 @@ namespace fulcrum::content {
 
 TriangleTree tree_of(std::span<const Model> models);
 
-// The least distance (m, at most 5 mm) of a tool's points to the scene on the way, which is looked at every
-// `stride` (m) of any of the tool's ends. Where a pose presses, on the way there and back, only the points
-// `may_not_touch` are asked.
+// The least distance (m, at most 5 mm) of a tool's points to the scene on the way. It is looked at so often
+// that no point moves farther than `stride` (m) in between. On the ways to and from a pose that presses, only
+// the points `may_not_touch` are asked.
 double clearance_on_way(const std::vector<RoutePose>& route, const TriangleTree& scene,
                         const std::vector<Eigen::Vector3d>& points_T,
                         const std::vector<Eigen::Vector3d>& may_not_touch_T, double stride);
