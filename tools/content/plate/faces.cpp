@@ -34,10 +34,16 @@ std::array<Face, face_count> faces() {
     const Vector2d normal = outward(tilt);
     result[i] = {.tilt = tilt,
                  .width = width_of(i),
-                 .centre_W = {centre.x(), centre.y(), 0.0},
-                 .nhat_W = {normal.x(), normal.y(), 0.0}};
+                 .centre_W = drawing_in_world() * Eigen::Vector3d(centre.x(), centre.y(), 0.0),
+                 .nhat_W = drawing_in_world() * Eigen::Vector3d(normal.x(), normal.y(), 0.0)};
   }
   return result;
+}
+
+Eigen::Isometry3d drawing_in_world() {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear().diagonal() << -1.0, 1.0, -1.0;
+  return X;
 }
 
 std::array<Vector2d, face_count + 1> chain(double depth) {

@@ -11,43 +11,44 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double height = 30.0 * mm;  // over the face, from where a tap begins
-constexpr double down = 0.32;         // s: the tip meets the face with 0.15 m/s
-constexpr double up = 0.5;            // s
-constexpr double rest = 0.4;          // s, before a tap
-constexpr double pace = 0.12;         // m/s, from tap to tap
+constexpr double rest_lean = 45.0 * degree;  // of the stylus to the left, as the device holds it
+constexpr double height = 30.0 * mm;         // over the face, from where a tap begins
+constexpr double down = 0.32;                // s: the tip meets the face with 0.15 m/s
+constexpr double up = 0.5;                   // s
+constexpr double rest = 0.4;                 // s, before a tap
+constexpr double pace = 0.12;                // m/s, from tap to tap
 constexpr double end_sphere = 5.0 * mm;
 constexpr double sphere = 2.0 * mm;  // radius of a checkpoint
 
-// Away from the face's normal and towards the trainee, then turned about the normal.
-Vector3d leaning(const Vector3d& nhat_W, double lean, double around) {
-  const Vector3d towards = (Vector3d::UnitZ() - nhat_W.z() * nhat_W).normalized();
-  return Eigen::AngleAxisd(around, nhat_W) * (std::cos(lean) * nhat_W + std::sin(lean) * towards);
+// From upright to the left, then about the vertical towards the trainee.
+Vector3d leaning(double left, double forward) {
+  return Eigen::AngleAxisd(forward, Vector3d::UnitY()) * Vector3d(-std::sin(left), std::cos(left), 0.0);
 }
 
-// The rod's z axis along a direction, by the shortest turn from upright: it is not rolled on the way.
+// The rod's z axis along a direction, by the shortest turn from how the handle holds it at rest.
 Eigen::Matrix3d held(const Vector3d& stylus_W) {
-  const Eigen::Quaterniond upright(Eigen::AngleAxisd(-0.5 * pi, Vector3d::UnitX()));
-  return (Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), stylus_W) * upright).toRotationMatrix();
+  const Vector3d at_rest_W = leaning(rest_lean, 0.0);
+  const auto q_rest = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), at_rest_W);
+  return (Eigen::Quaterniond::FromTwoVectors(at_rest_W, stylus_W) * q_rest).toRotationMatrix();
 }
 
 }  // namespace
 
 std::vector<Tap> make_taps() {
   const auto all = faces();
-  const auto tap = [&](const char* name, std::size_t face, double along, double z, double lean,
-                       double around) {
+  const auto tap = [&](const char* name, std::size_t face, double along, double z, double left,
+                       double forward) {
     const Face& f = all[face];
     return Tap{name, f.centre_W + along * f.along_W() + z * Vector3d::UnitZ(), f.nhat_W,
-               leaning(f.nhat_W, lean, around)};
+               leaning(left, forward)};
   };
   return {
-      tap("level", 0, 0.0, 0.0, 45 * degree, 0.0),
-      tap("level and steep", 0, -16 * mm, 12 * mm, 15 * degree, 0.0),
-      tap("level and low", 0, 10 * mm, 14 * mm, 65 * degree, -20 * degree),
-      tap("tilted by 30", 1, 0.0, 0.0, 45 * degree, 0.0),
-      tap("tilted by 60", 2, 0.0, 0.0, 45 * degree, 30 * degree),
-      tap("upright", 3, -4 * mm, 0.0, 45 * degree, 45 * degree),
+      tap("level", 0, 0.0, 0.0, rest_lean, 0.0),
+      tap("level and steep", 0, 16 * mm, 12 * mm, 15 * degree, 0.0),
+      tap("level and low", 0, -10 * mm, 14 * mm, 65 * degree, 30 * degree),
+      tap("tilted by 30", 1, 0.0, 0.0, 30 * degree, 0.0),  // along the normal
+      tap("tilted by 60", 2, 0.0, 0.0, rest_lean, 40 * degree),
+      tap("upright", 3, 4 * mm, 0.0, rest_lean, 0.0),
   };
 }
 

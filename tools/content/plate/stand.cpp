@@ -17,7 +17,7 @@ constexpr double brush_step = 0.35 * mm;
 constexpr double frame_foot = -124.0 * mm;  // y of the frame's underside
 constexpr double base_top = -172.0 * mm;
 constexpr double base_bottom = -190.0 * mm;
-const Vector3d base_middle(28.0 * mm, 0.5 * (base_top + base_bottom), 0.0);
+const Vector3d base_middle(-28.0 * mm, 0.5 * (base_top + base_bottom), 0.0);
 const Vector3d base_half(112.0 * mm, 0.5 * (base_top - base_bottom), 78.0 * mm);
 
 // A section through a plate: mitred where it meets its neighbour.
@@ -95,7 +95,8 @@ Model make_plates() {
               .parts = {}};
   const char* names[] = {"level", "tilted_30", "tilted_60", "upright"};
   for (std::size_t i = 0; i < face_count; ++i) {
-    Solid solid = bevelled_prism(plate_outline(i), face_half_depth, 0.8 * mm, brush_step);
+    Solid solid = transformed(bevelled_prism(plate_outline(i), face_half_depth, 0.8 * mm, brush_step),
+                              drawing_in_world());
     Coat coat = brushed(solid, static_cast<unsigned>(i + 1));
     model.parts.push_back(
         {.name = names[i], .material = 0, .solid = std::move(solid), .coat = std::move(coat)});
@@ -111,10 +112,12 @@ Model make_stand() {
            {.name = "turned steel", .base_colour = {0.5, 0.5, 0.51}, .metallic = 1.0, .roughness = 0.28},
            {.name = "rubber", .base_colour = {0.02, 0.02, 0.02}, .metallic = 0.0, .roughness = 0.8}},
       .parts = {}};
-  model.parts.push_back({.name = "frame",
-                         .material = 0,
-                         .solid = bevelled_frame(frame_outline(), frame_half_depth, frame_bar, 1.2 * mm),
-                         .crease = 25 * degree});
+  model.parts.push_back(
+      {.name = "frame",
+       .material = 0,
+       .solid = transformed(bevelled_frame(frame_outline(), frame_half_depth, frame_bar, 1.2 * mm),
+                            drawing_in_world()),
+       .crease = 25 * degree});
   constexpr RadiusHeight column[] = {{30 * mm, 0.0},     {31 * mm, 1 * mm},    {31 * mm, 7 * mm},
                                      {30 * mm, 8 * mm},  {24 * mm, 8.4 * mm},  {22.6 * mm, 9.2 * mm},
                                      {22 * mm, 11 * mm}, {22 * mm, 40 * mm},   {22.6 * mm, 42 * mm},

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 constexpr double pitch = 25.0 * mm;  // of the threaded holes
 constexpr int columns = 51;
 constexpr int rows = 37;
-const Vector3d middle(112.5 * mm, bench_height, -75.0 * mm);
+const Vector3d middle(-12.5 * mm, bench_height, -75.0 * mm);
 
 // A flat disc for each hole, a little above the table's face: what is not touched need not be a hole.
 Solid discs(double radius, double height) {
