@@ -17,7 +17,8 @@ layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;
 layout(location = 2) flat in vec4 base_colour;
 layout(location = 3) flat in vec4 surface;
-layout(location = 4) in vec3 absorbed;
+// Within the triangle: extrapolated to the middle of a pixel at an outline, colours that change fast get out of range.
+layout(location = 4) centroid in vec3 absorbed;
 layout(location = 0) out vec4 colour;
 
 const float kPi = 3.14159265;

@@ -2,28 +2,10 @@
 # The expert completes the task without a hard touch; the clumsy hand does not, touches hard, and neither gets more than
 # 0.1 mm into what it touches. What the summary says of hard touches is what the trace ends with, and a replay says the
 # same.
-set -euo pipefail
-box=$(mktemp -d)
-trap 'rm -rf "$box"' EXIT
-fail() {
-  echo "FAILED: $*"
-  exit 1
-}
-figure() { # FILE KEY
-  sed -nE "s/.*\"$2\": ([0-9.e-]+).*/\1/p" "$1"
-}
+. "$(dirname "$0")/../support/hands.sh"
 run() { # HAND CODE
-  local code=0
-  "$FULCRUM" run ear --headless --hand "$1" --size 64x36 --out "$box/$1" >"$box/log" 2>&1 || code=$?
-  [ "$code" = "$2" ] || { cat "$box/log"; fail "$1 ended with $code"; }
-  local depth force hard
-  depth=$(figure "$box/$1/summary.json" max_penetration_m)
-  force=$(figure "$box/$1/summary.json" peak_force_N)
-  hard=$(figure "$box/$1/summary.json" hard_touches)
-  echo "$1: $depth m deep, at most $force N, $hard hard touches"
-  awk -v d="$depth" -v f="$force" 'BEGIN { exit !(d != "" && d <= 1e-4 && f > 0 && f <= 7.9) }' ||
-    fail "$1 goes too deep or pushes too hard"
-  awk -F, -v hard="$hard" '
+  run_hand ear "$1" "$2" 7.9
+  awk -F, -v hard="$(figure "$box/$1/summary.json" hard_touches)" '
     NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "task/hard_touches") at = i; next }
     $at < before { print "FAILED: the count falls"; exit 1 }
     { before = $at }

@@ -29,6 +29,8 @@ endfunction()
 fulcrum_models(piping piping.glb spanner.glb)
 fulcrum_models(teeth jaw.glb explorer.glb)
 fulcrum_models(ear ear.glb ear_open.glb needle.glb)
+fulcrum_models(plate plate.glb stand.glb marks.glb table.glb stylus.glb)
+fulcrum_models(knock boards.glb pegs_steel.glb pegs_wood.glb pegs_rubber.glb bench.glb bar.glb)
 
 file(GLOB_RECURSE texts RELATIVE ${CMAKE_SOURCE_DIR}/content CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/content/*.yaml)
 foreach(text IN LISTS texts)

@@ -84,7 +84,8 @@ tinygltf::Material gltf_material(const Material& material) {
 }
 
 void add_part(tinygltf::Model* gltf, const Part& part) {
-  const ShadedMesh shaded = part.coat.normals.empty() ? shade(part.solid, part.crease) : coated(part);
+  const ShadedMesh shaded =
+      part.coat.normals.empty() ? shade(part.solid, part.crease, part.coat.colours) : coated(part);
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
   primitive.material = static_cast<int>(part.material);

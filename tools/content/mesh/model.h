@@ -19,9 +19,9 @@ struct Material {
 // Wider than the 30 degrees between the sides of a twelve-sided stud, narrower than a 45 degree chamfer.
 inline constexpr double default_crease = 38.0 * degree;
 
-// What a surface that is known as a formula knows of itself at each point of its solid.
+// What is known at each point of a solid, where there is more to know than its shape.
 struct Coat {
-  std::vector<Eigen::Vector3d> normals;  // (n x 3) unit
+  std::vector<Eigen::Vector3d> normals;  // (n x 3) unit, of a surface that is known as a formula; or none
   std::vector<Eigen::Vector3d> colours;  // (n x 3) linear, times the material's
 };
 
@@ -29,7 +29,7 @@ struct Part {
   std::string name;  // "bolt/07/a/3": kind, line, place
   std::size_t material = 0;
   Solid solid;
-  double crease = default_crease;  // rad: sharper edges are drawn sharp, of a solid without a coat
+  double crease = default_crease;  // rad: sharper edges are drawn sharp, where no normals are known
   Coat coat{};
 };
 

@@ -25,7 +25,7 @@ double corner_angle(const Solid& solid, const Triangle& t, std::size_t k) {
 
 }  // namespace
 
-ShadedMesh shade(const Solid& solid, double crease) {
+ShadedMesh shade(const Solid& solid, double crease, const std::vector<Eigen::Vector3d>& colours) {
   std::vector<Eigen::Vector3d> unit_normals;
   std::vector<std::vector<Corner>> corners_at(solid.points.size());
   for (std::uint32_t i = 0; i < solid.triangles.size(); ++i) {
@@ -57,6 +57,7 @@ ShadedMesh shade(const Solid& solid, double crease) {
       const auto vertex = static_cast<std::uint32_t>(mesh.positions.size());
       mesh.positions.push_back(solid.points[point].cast<float>());
       mesh.normals.push_back(normal);
+      if (!colours.empty()) mesh.colours.push_back(colours[point].cast<float>());
       mesh.indices.push_back(vertex);
       drawn.push_back(vertex);
     }

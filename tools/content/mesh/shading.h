@@ -16,6 +16,7 @@ struct ShadedMesh {
 };
 
 // Smooth normals within surfaces, split where neighbouring triangles turn by more than `crease` (rad).
-ShadedMesh shade(const Solid& solid, double crease);
+// `colours`: of the solid's points, or none.
+ShadedMesh shade(const Solid& solid, double crease, const std::vector<Eigen::Vector3d>& colours);
 
 }  // namespace fulcrum::content

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/content/mesh/way_check.h"
 #include "tools/content/teeth/tooth_table.h"
 
 namespace fulcrum::content {
@@ -16,7 +17,7 @@ constexpr double widest_gap = 0.0;            // mm, between neighbours
 constexpr double deepest_overlap = 0.15;      // mm
 constexpr double least_clearance = 0.3 * mm;  // of the explorer on its way
 constexpr double tip_region = 1.5 * mm;  // of the explorer, which may come near to what it is let down to
-constexpr double stride = 1.0 * mm;      // along the way
+constexpr double stride = 1.0 * mm;      // of any of its points, along the way
 
 ToothSize measured(const Tooth& tooth, const Solid& solid) {
   Eigen::AlignedBox3d box;
@@ -35,14 +36,6 @@ bool alike(const ToothSize& a, const ToothSize& b) {
   const auto near = [](double u, double v) { return std::abs(u - v) <= tolerance; };
   return near(a.crown_length, b.crown_length) && near(a.width, b.width) && near(a.depth, b.depth) &&
          near(a.cervix_width, b.cervix_width) && near(a.cervix_depth, b.cervix_depth);
-}
-
-// The smallest distance of the points, at one pose of the explorer.
-double clearance(const std::vector<Vector3d>& points_T, const Eigen::Isometry3d& X_WT,
-                 const TriangleTree& scene) {
-  double least = 5 * mm;
-  for (const Vector3d& p_T : points_T) least = scene.distance(X_WT * p_T, least);
-  return least;
 }
 
 }  // namespace
@@ -79,26 +72,11 @@ bool check_contacts(const Dentition& dentition) {
 }
 
 bool check_way(const std::vector<RoutePose>& route, const TriangleTree& scene, const Model& explorer) {
-  std::vector<Vector3d> all = explorer.parts.front().solid.points;
+  const std::vector<Vector3d>& all = explorer.parts.front().solid.points;
   std::vector<Vector3d> behind_tip;
   std::copy_if(all.begin(), all.end(), std::back_inserter(behind_tip),
                [](const Vector3d& p) { return p.norm() > tip_region; });
-  double least = 5 * mm;
-  for (std::size_t i = 0; i + 1 < route.size(); ++i) {
-    const bool lets_down = route[i].presses || route[i + 1].presses;
-    const Vector3d from = route[i].X_WT.translation();
-    const Vector3d step = route[i + 1].X_WT.translation() - from;
-    const int steps = std::max(1, static_cast<int>(std::ceil(step.norm() / stride)));
-    const Eigen::Quaterniond q_from(route[i].X_WT.linear());
-    const Eigen::Quaterniond q_to(route[i + 1].X_WT.linear());
-    for (int k = 0; k <= steps; ++k) {
-      const double u = static_cast<double>(k) / steps;
-      Eigen::Isometry3d X_WT = Eigen::Isometry3d::Identity();
-      X_WT.linear() = q_from.slerp(u, q_to).toRotationMatrix();
-      X_WT.translation() = from + u * step;
-      least = std::min(least, clearance(lets_down ? behind_tip : all, X_WT, scene));
-    }
-  }
+  const double least = clearance_on_way(route, scene, all, behind_tip, stride);
   const bool fits = least >= least_clearance;
   std::printf("clearance of the explorer on its way: %.2f mm%s\n", least / mm, fits ? "" : ": TOO LITTLE");
   return fits;
