@@ -9,6 +9,13 @@
 
 namespace fulcrum {
 
+// What touches in a tick: each contact, and the region that it is of.
+struct Touching {
+  std::span<const Contact> contacts;         // at most kMaxContacts
+  std::span<const std::uint16_t> region_of;  // (contacts) index into regions
+  std::span<const ContactRegion> regions;
+};
+
 class RegionTracker {
 public:
   // radius m: touching points nearer than this whose normals differ by less than 60 degrees are of one
@@ -20,6 +27,10 @@ public:
               const BodyState& tool) noexcept;
 
   std::span<const ContactRegion> regions() const { return {regions_.data(), count_}; }
+  // contacts: those of the last update().
+  Touching touching(std::span<const Contact> contacts) const {
+    return {contacts, {label_.data(), contacts.size()}, regions()};
+  }
 
 private:
   std::size_t cluster(std::span<const Contact> contacts) noexcept;

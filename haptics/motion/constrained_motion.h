@@ -28,7 +28,7 @@ public:
 
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   const BodyState& tool() const override { return tool_.state(); }
-  std::span<const ContactRegion> regions() const override { return regions_.regions(); }
+  Touching touching() const override { return regions_.touching({touching_.data(), touching_count_}); }
   double depth_max() const override { return contacts_.depth_max(); }
   double stored_energy() const noexcept override { return tool_.coupling().stored(); }
   std::vector<BuiltPart> parts() const override;

@@ -21,7 +21,7 @@ public:
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   void limit_torque(double limit) noexcept override { coupling_.limit_torque(limit); }
   const BodyState& tool() const override { return tool_; }
-  std::span<const ContactRegion> regions() const override { return regions_.regions(); }
+  Touching touching() const override { return regions_.touching(contacts_.contacts()); }
   double depth_max() const override { return contacts_.depth_max(); }
   double stored_energy() const noexcept override;
   std::vector<BuiltPart> parts() const override;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/contact/contact_set.h"
+#include "haptics/contact/regions.h"
 #include "haptics/math/wrench.h"
 #include "haptics/tool/rigid_body.h"
 
@@ -42,7 +42,8 @@ public:
   virtual void limit_torque(double) noexcept {}
 
   virtual const BodyState& tool() const = 0;
-  virtual std::span<const ContactRegion> regions() const = 0;
+  virtual Touching touching() const = 0;  // as the last advance() found it, at the pose of its answer
+  std::span<const ContactRegion> regions() const { return touching().regions; }
   virtual double depth_max() const = 0;  // m, deepest shell point at the last query
   // J, what the coupling's springs and the tool's motion can give back now.
   virtual double stored_energy() const noexcept = 0;
