@@ -1,5 +1,6 @@
 #include "engine/app/bridge.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -19,10 +20,24 @@ render::MarkerState marker_state(const scenario::TaskState& task, std::size_t i)
   return {task.inside ? Show::dwelling : Show::next, static_cast<float>(task.dwell_progress)};
 }
 
-std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TorqueCues& cues) {
+// 0 to 1: of what a voice may have at its strongest.
+double level_of(const SceneDesc& scene, const ImpactCues& cues) {
+  const double peak = figures_of(TransientSource::impact_vibration).peak;
+  const auto part = [peak](const Vec3& v, double largest) {
+    return largest > 0 ? v.norm() / (0.5 * peak * largest) : 0.0;
+  };
+  return std::min(1.0, std::max(part(cues.F_H_D.force, scene.device.max_force),
+                                part(cues.F_H_D.torque, scene.device.max_torque)));
+}
+
+std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record) {
+  const TorqueCues& cues = record.torque;
   std::vector<ui::CueLine> lines;
   for (const Command::Kind kind : cue_commands(scene)) {
-    if (kind == Command::Kind::ghost_gain) {
+    if (kind == Command::Kind::impact_gain) {
+      const ImpactCues impacts = record.impact_vibration.value_or(ImpactCues());
+      lines.push_back({"Impacts", "I", impacts.gain, level_of(scene, impacts)});
+    } else if (kind == Command::Kind::ghost_gain) {
       lines.push_back({"Ghost", "G", cues.ghost_gain, cues.ghost});
     } else {
       const double most = scene.torque_substitution->amplitude;
@@ -94,8 +109,9 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
 
 std::vector<Command::Kind> cue_commands(const SceneDesc& scene) {
   std::vector<Command::Kind> kinds;
-  if (has_transients(scene)) kinds.push_back(Command::Kind::vibration_gain);
+  if (vibrates_for_torque(scene)) kinds.push_back(Command::Kind::vibration_gain);
   if (shows_ghost(scene)) kinds.push_back(Command::Kind::ghost_gain);
+  if (vibrates_at_impacts(scene)) kinds.push_back(Command::Kind::impact_gain);
   return kinds;
 }
 
@@ -114,8 +130,9 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.torque_Nm = {record.force_gain * record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
-  state.cues = cue_lines(scene, record.torque);
-  state.variant = variant_text(record.torque);
+  state.cues = cue_lines(scene, record);
+  state.tells_torque = vibrates_for_torque(scene) || shows_ghost(scene);
+  if (state.tells_torque) state.variant = variant_text(record.torque);
   state.torque_bad = record.torque.bad;
   if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
   if (record.stopped)

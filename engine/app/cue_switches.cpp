@@ -7,10 +7,19 @@
 
 namespace fulcrum::app {
 
+namespace {
+
+// What a cue that is off is switched on to.
+double gain_of(const SceneDesc& scene, Command::Kind kind) {
+  if (kind == Command::Kind::ghost_gain) return scene.torque_substitution->ghost_gain;
+  if (kind == Command::Kind::vibration_gain) return scene.torque_substitution->vibration_gain;
+  return scene.impact_vibration->gain > 0 ? scene.impact_vibration->gain : 1.0;
+}
+
+}  // namespace
+
 CueSwitches::CueSwitches(const SceneDesc& scene) : kinds_(cue_commands(scene)) {
-  for (const Command::Kind kind : kinds_)
-    switched_on_.push_back(kind == Command::Kind::ghost_gain ? scene.torque_substitution->ghost_gain
-                                                             : scene.torque_substitution->vibration_gain);
+  for (const Command::Kind kind : kinds_) switched_on_.push_back(gain_of(scene, kind));
 }
 
 Command CueSwitches::set(std::size_t cue, double gain) {

@@ -1,5 +1,7 @@
 #include "engine/app/inventory.h"
 
+#include "haptics/math/number_text.h"
+
 namespace fulcrum::app {
 namespace {
 
@@ -16,9 +18,36 @@ void leave_out_of_torque_substitution(const SceneDesc& scene, const Add& add) {
     add("stiffness limit", "under the response constraint the tool stays out whatever the torque");
 }
 
+template <class Add>
+void leave_out_of_impact_vibration(const SceneDesc& scene, const Add& add) {
+  const DeviceDesc& device = scene.device;
+  if (!scene.impact_vibration) return add("impact vibration", "the scenario does not name it");
+  if (!vibrates_at_impacts(scene))
+    return add("impact vibration", "the device '" + device.name + "' has no motors");
+  if (!device.renders_torque)
+    add("vibration about an axis", "the device '" + device.name + "' renders no torque: " +
+                                       (scene.impact_vibration->render == ImpactRender::torque
+                                            ? "only impacts along the lever are felt, as a force"
+                                            : "impacts are felt as a force"));
+  if (!device.renders_force)
+    add("vibration along a normal", "the device '" + device.name + "' renders no force");
+  // Beside the hand a sinusoid is highest, and a beam's modes are the same everywhere.
+  const double highest = highest_vibration(device.bandwidth_Hz, scene.tick_s);
+  for (const ImpactMaterial& material : scene.impact_vibration->materials) {
+    const VibrationModes modes =
+        vibration_modes(scene.impact_vibration->distance, material.frequency_Hz, 0, 1);
+    for (std::size_t n = 0; n < modes.count; ++n) {
+      if (modes.modes[n].frequency_Hz <= highest) continue;
+      add("a mode of " + material.name, number_text(modes.modes[n].frequency_Hz) +
+                                            " Hz, and device and tick rate render up to " +
+                                            number_text(highest) + " Hz");
+    }
+  }
+}
+
 void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vector<InventoryItem>& out) {
   const SceneDesc& scene = world.desc();
-  const auto add = [&out](const char* name, const std::string& why) {
+  const auto add = [&out](const std::string& name, const std::string& why) {
     out.push_back({name, "haptics", 0, 0, why});
   };
   const VelocityEstimatorKind kind = scene.velocity.kind;
@@ -39,6 +68,8 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (!scene.device.renders_torque) add("torque motors", "the device '" + scene.device.name + "' has none");
   if (!scene.device.renders_force) add("force motors", "the device '" + scene.device.name + "' has none");
   leave_out_of_torque_substitution(scene, add);
+  if (!detects_impacts(scene)) add("impacts", "nothing in the scene asks for them");
+  leave_out_of_impact_vibration(scene, add);
   if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
   if (!scene.tool.weight) add("tool weight", "tool.weight is off");
   if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");

@@ -66,7 +66,7 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
   VirtualCoupling coupling(scene.coupling, body);
   VelocityEstimator velocity(scene.velocity, scene.tick_s);
   Allocator motors(scene.device, scene.allocation);
-  Guard guard(scene.device, scene.tick_s, has_transients(scene));
+  Guard guard(scene.device, scene.tick_s, transient_sources(scene));
   std::optional<TorqueSubstitution> torque = build_torque_substitution(scene);
   ContactSet set;
   double unused = 0;  // summed up so that no call is optimised away
@@ -115,12 +115,16 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
       unused += torque->process(tick).vibration_D.x();
     });
   }
-  if (guard.transients()) {
-    us["transient budget"] = mean_us(moments, [&](const Moment& m) {
+  const auto budget_us = [&](TransientSource source) {
+    return mean_us(moments, [&](const Moment& m) {
       std::uint32_t faults = 0;
-      unused += guard.limit_transient(0.01 * m.coupling_F_T_W.force, Vec3::Zero(), Vec3::Zero(), faults).x();
+      unused += guard.limit_transient(source, m.coupling_F_T_W * 0.01, {}, Vec6::Zero(), faults).force.x();
     });
-  }
+  };
+  if (guard.budget(TransientSource::torque_substitution))
+    us["transient budget"] = budget_us(TransientSource::torque_substitution);
+  if (guard.budget(TransientSource::impact_vibration))
+    us["impact budget"] = budget_us(TransientSource::impact_vibration);
   volatile double kept = unused;
   static_cast<void>(kept);
   return us;

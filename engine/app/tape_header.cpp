@@ -66,7 +66,9 @@ record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskD
           motors,
           {.hard_touches = task.hard_touch.has_value(),
            .torque_substitution = substitutes_torque(scene),
-           .transients = has_transients(scene)}};
+           .transients = vibrates_for_torque(scene),
+           .impacts = detects_impacts(scene),
+           .impact_vibration = vibrates_at_impacts(scene)}};
 }
 
 }  // namespace fulcrum::app

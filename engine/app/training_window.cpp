@@ -144,6 +144,9 @@ void TrainingWindow::on_key(int key, int action) {
     case GLFW_KEY_G:
       send(cues_.toggle(Command::Kind::ghost_gain, shown_));
       break;
+    case GLFW_KEY_I:
+      send(cues_.toggle(Command::Kind::impact_gain, shown_));
+      break;
     case GLFW_KEY_F1:
       keys_visible_ = !keys_visible_;
       break;

@@ -51,7 +51,8 @@ private:
 std::uint64_t digest(const TickRecord& record) {
   // A field that is added to TickRecord does not compile here until it is added to this list.
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load,
-               energy_port, energy_unrendered, force_gain, faults, stopped, clutched, torque] = record;
+               energy_port, energy_unrendered, force_gain, faults, stopped, clutched, torque, impact,
+               impact_vibration] = record;
   Fnv fnv;
   fnv.add(tick);
   fnv.add(X_WH);
@@ -75,6 +76,26 @@ std::uint64_t digest(const TickRecord& record) {
   for (const double value : {torque.magnitude, torque.stiffness, torque.vibration, torque.ghost,
                              torque.vibration_gain, torque.ghost_gain, torque.energy}) {
     fnv.add(value);
+  }
+  // Nothing of what is not there: a scene without it keeps the digests of its tapes.
+  if (impact) {
+    fnv.add(impact->count);
+    fnv.add(impact->hardest.p_W);
+    fnv.add(impact->hardest.nhat_W);
+    fnv.add(impact->hardest.speed);
+    fnv.add(impact->hardest.object);
+  }
+  if (impact_vibration) {
+    const auto& [gain, voices, dropped, frequency_Hz, radius, axis_W, amplitude_D, F_H_D, energy] =
+        *impact_vibration;
+    fnv.add(voices);
+    fnv.add(dropped);
+    for (const double value : {gain, frequency_Hz, radius, energy}) {
+      fnv.add(value);
+    }
+    fnv.add(axis_W);
+    fnv.add(amplitude_D);
+    fnv.add(F_H_D);
   }
   return fnv.hash();
 }

@@ -69,6 +69,41 @@ void add_torque_substitution(Columns& c) {
       [](const TickRecord& record) { return record.torque.ghost_gain; });
 }
 
+void add_impacts(Columns& c) {
+  add(c, {"impact/count", "1", "", "Impacts in this tick."},
+      [](const TickRecord& record) { return std::int64_t{record.impact->count}; });
+  add(c,
+      {"impact/speed", "m/s", "", "Of the hand towards the scene at the hardest of them; 0: there was none."},
+      [](const TickRecord& record) { return record.impact->hardest.speed; });
+  add(c, {"impact/object", "1", "", "Which of the scene's models it struck, from 0; -1: there was none."},
+      [](const TickRecord& record) {
+        return std::int64_t{record.impact->count > 0 ? record.impact->hardest.object : -1};
+      });
+  add_vector(c, {"impact/p", "m", "W", "Where it was; zero: there was none."},
+             [](const TickRecord& record) -> const Vec3& { return record.impact->hardest.p_W; });
+  add_vector(c, {"impact/normal", "1", "W", "The scene's normal there, towards the tool."},
+             [](const TickRecord& record) -> const Vec3& { return record.impact->hardest.nhat_W; });
+}
+
+void add_impact_vibration(Columns& c) {
+  add(c, {"vibration/gain", "1", "", "What the vibration at impacts is set to; 0: off."},
+      [](const TickRecord& record) { return record.impact_vibration->gain; });
+  add(c, {"vibration/voices", "1", "", "Vibrations that sound together."},
+      [](const TickRecord& record) { return std::int64_t{record.impact_vibration->voices}; });
+  add(c, {"vibration/dropped", "1", "", "Vibrations so far that were dropped for stronger ones."},
+      [](const TickRecord& record) { return std::int64_t{record.impact_vibration->dropped}; });
+  add(c, {"vibration/frequency_Hz", "Hz", "", "Of the newest vibration; 0: there was none yet."},
+      [](const TickRecord& record) { return record.impact_vibration->frequency_Hz; });
+  add(c, {"vibration/radius", "m", "", "From the handle to the impact that it tells of."},
+      [](const TickRecord& record) { return record.impact_vibration->radius; });
+  add_vector(c, {"vibration/axis", "1", "W", "About which it turns; zero where it pushes alone."},
+             [](const TickRecord& record) -> const Vec3& { return record.impact_vibration->axis_W; });
+  add_wrench(c, {"vibration/amplitude", "", "D", "Of the newest vibration, at its onset"},
+             [](const TickRecord& record) -> const Wrench& { return record.impact_vibration->amplitude_D; });
+  add_wrench(c, {"vibration", "", "D", "All of them together, as commanded on the handle, about H"},
+             [](const TickRecord& record) -> const Wrench& { return record.impact_vibration->F_H_D; });
+}
+
 }  // namespace
 
 TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, Extras extras)
@@ -116,7 +151,14 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, E
   if (extras.transients)
     add(c, {"energy/vibration", "J", "", "What the vibration has given to the hand since the start."},
         [](const TickRecord& record) { return record.torque.energy; });
+  if (extras.impact_vibration)
+    add(c,
+        {"energy/impact_vibration", "J", "",
+         "What the vibration at impacts has given to the hand since the start."},
+        [](const TickRecord& record) { return record.impact_vibration->energy; });
   if (extras.torque_substitution) add_torque_substitution(c);
+  if (extras.impacts) add_impacts(c);
+  if (extras.impact_vibration) add_impact_vibration(c);
   add(c,
       {"fault", "1", "", "Bits of Fault: 0 to 15 stop the force, the others are limits that were applied."},
       [](const TickRecord& record) { return std::int64_t{record.faults}; });

@@ -35,7 +35,9 @@ public:
   struct Extras {
     bool hard_touches = false;  // the task counts them
     bool torque_substitution = false;
-    bool transients = false;
+    bool transients = false;  // of torque substitution
+    bool impacts = false;
+    bool impact_vibration = false;
   };
   // motors: their names, in the order of TickRecord::actuator_load; empty for a device without motors.
   TraceColumns(double tick_s, std::span<const std::string> motors, Extras extras);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/scenario/assemble.h"
+#include "haptics/bake/surface_samples.h"
 
 namespace fulcrum::scenario {
 
@@ -26,6 +27,39 @@ Result<Solid> scene_solid(const Scenario& scenario, const LoadedModels& models) 
   if (!solid) return Error{names + ": the models that are touched: " + solid.error().sentence};
   for (std::string& note : solid->notes) note = "the models that are touched: " + note;
   return solid;
+}
+
+// Of the models that are touched, by their numbers.
+std::vector<ImpactMaterial> materials_of(const Scenario& scenario) {
+  std::vector<ImpactMaterial> materials;
+  for (const ModelEntry& model : scenario.models) {
+    if (model.role != ModelRole::scene) continue;
+    materials.push_back(scenario.impact_materials.at(
+        model.material.empty() ? scenario.impact_vibration->material : model.material));
+  }
+  return materials;
+}
+
+// About this many samples in all, whatever the scene's size.
+constexpr double kObjectSamples = 20000;
+
+std::shared_ptr<const ObjectMap> objects_of(const Scenario& scenario, const LoadedModels& models) {
+  std::vector<TriangleMesh> meshes;
+  double area = 0;
+  for (std::size_t i = 0; i < scenario.models.size(); ++i) {
+    if (scenario.models[i].role != ModelRole::scene) continue;
+    area += surface_area(meshes.emplace_back(to_triangle_mesh(models.models[i])));
+  }
+  if (meshes.size() < 2) return nullptr;
+  std::vector<Vec3> samples;
+  std::vector<std::int32_t> objects;
+  for (std::size_t object = 0; object < meshes.size(); ++object) {
+    for (const SurfacePoint& point : sample_surface(meshes[object], area / kObjectSamples, 1).points) {
+      samples.push_back(point.position);
+      objects.push_back(static_cast<std::int32_t>(object));
+    }
+  }
+  return std::make_shared<const ObjectMap>(samples, objects);
 }
 
 // Wraps a bake: tells the progress and notes how the result came about.
@@ -113,6 +147,12 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   scene.device = scenario.device.desc;
   scene.allocation = scenario.device.allocation;
   scene.torque_substitution = scenario.torque_substitution;
+  scene.impact = scenario.impact;
+  if (scenario.impact_vibration) {
+    scene.impact_vibration = scenario.impact_vibration->desc;
+    scene.impact_vibration->materials = materials_of(scenario);
+  }
+  if (detects_impacts(scene)) scene.scene_objects = objects_of(scenario, models);
   scene.coupling = suit_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
 

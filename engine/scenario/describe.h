@@ -20,6 +20,9 @@ void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints);
 // content/devices/NAME.yaml
 void describe_device_file(KeyVisitor& visitor, DeviceDesc& device);
 
+// content/materials/NAME.yaml
+void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material);
+
 // Parts of describe_scenario(), in files of their own.
 void describe_tool(KeyVisitor& visitor, ToolEntry& tool);
 void describe_mechanics(KeyVisitor& visitor, Scenario& scenario);  // field to device

@@ -55,6 +55,8 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
                  device.handle_inertia, above_to(0, 10));
   visitor.number({"handle_weight", "N", "what the mechanism leaves uncompensated"}, device.handle_weight,
                  from_to(0, 1000));
+  visitor.number({"bandwidth_Hz", "", "of the forces and torques that it renders"}, device.bandwidth_Hz,
+                 above_to(0, 20000));
   visitor.number({"damping", "N s/m", "of the mechanism"}, device.damping, from_to(0, 1000));
   visitor.number({"angular_damping", "N m s/rad", "of the mechanism"}, device.angular_damping,
                  from_to(0, 100));

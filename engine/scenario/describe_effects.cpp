@@ -4,7 +4,10 @@ namespace fulcrum::scenario {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kVariants{"A", "B", "C"};  // in the order of TorqueVariant
+constexpr std::array<std::string_view, 3> kVariants{"A", "B", "C"};      // in the order of TorqueVariant
+constexpr std::array<std::string_view, 2> kRenders{"wrench", "torque"};  // in the order of ImpactRender
+constexpr std::array<std::string_view, 2> kDistanceModels{"beam",
+                                                          "sinusoid"};  // in the order of DistanceModel
 constexpr Range kTorque = above_to(0, 100);
 
 void describe_vibration(KeyVisitor& visitor, TorqueSubstitutionDesc& effect) {
@@ -50,13 +53,54 @@ void describe_torque_substitution(KeyVisitor& visitor, TorqueSubstitutionDesc& e
                   [&](KeyVisitor& inner) { describe_ghost(inner, effect); });
 }
 
+void describe_impact(KeyVisitor& visitor, ImpactDetectorDesc& impact) {
+  visitor.number({"retreat", "m", "from the scene, after which a place can be struck again"}, impact.retreat,
+                 above_to(0, 1));
+  visitor.number({"least_speed", "m/s", "of approach; slower is no impact"}, impact.least_speed,
+                 from_to(0, 10));
+}
+
+void describe_impact_vibration(KeyVisitor& visitor, ImpactVibrationEntry& entry) {
+  ImpactVibrationDesc& effect = entry.desc;
+  visitor.choice_of({"render", "", "wrench: the blow's force and its moment; torque: the moment alone"},
+                    effect.render, kRenders);
+  visitor.choice_of(
+      {"distance", "",
+       "how the distance from the hand is told; beam: by the modes of a clamped beam; sinusoid: "
+       "by a tone that falls"},
+      effect.distance, kDistanceModels);
+  visitor.number({"gain", "", "of the amplitude; 0: off at the start"}, effect.gain, kFraction);
+  auto voices = static_cast<std::int64_t>(effect.voices);
+  visitor.integer({"voices", "", "that sound together at most; one more drops the weakest"}, voices, 1,
+                  static_cast<std::int64_t>(ImpactVoices::kMost));
+  effect.voices = static_cast<std::size_t>(voices);
+  visitor.number({"hand_stiffness", "N m/rad", "of the hand that is to turn by 0.02 rad at most"},
+                 effect.hand_stiffness, above_to(0, 100));
+  visitor.word({"material", "", "of models that name none: content/materials/MATERIAL.yaml"}, entry.material);
+}
+
 }  // namespace
+
+void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material) {
+  visitor.version({"fulcrum", "", "version of the file's format", true}, kFormatVersion);
+  visitor.text({"name", "", "as lists show it", true}, material.name);
+  visitor.number({"attack", "kg/s", "A: amplitude, in N for each m/s of approach", true}, material.attack,
+                 from_to(0, 1000));
+  visitor.number({"decay", "1/s", "B: of the amplitude", true}, material.decay, from_to(0.5, 1000));
+  visitor.number({"frequency_Hz", "", "f: of an impact beside the hand", true}, material.frequency_Hz,
+                 from_to(12, 1000));
+}
 
 void describe_effects(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping({"torque_substitution", "", "tells of torque that the device cannot push back"},
                   [&](KeyVisitor& inner) {
                     describe_torque_substitution(inner, scenario.torque_substitution.emplace());
                   });
+  visitor.mapping({"impact", "", "what counts as an impact, for the effects that begin at one"},
+                  [&](KeyVisitor& inner) { describe_impact(inner, scenario.impact); });
+  visitor.mapping(
+      {"impact_vibration", "", "a vibration that tells where an impact fell"},
+      [&](KeyVisitor& inner) { describe_impact_vibration(inner, scenario.impact_vibration.emplace()); });
 }
 
 }  // namespace fulcrum::scenario

@@ -27,6 +27,13 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
             model.cut_of);
         each.rule("cut_of", model.cut_of.empty() || model.role == ModelRole::decor,
                   "is for a model with 'role: decor'");
+        each.word(
+            {"material", "",
+             "of a scene: what a blow on it sounds like, content/materials/MATERIAL.yaml; without it that "
+             "of impact_vibration"},
+            model.material);
+        each.rule("material", model.material.empty() || model.role == ModelRole::scene,
+                  "is for a model with 'role: scene'");
       });
   const auto count = [&](ModelRole role) { return std::ranges::count(models, role, &ModelEntry::role); };
   visitor.rule("models", count(ModelRole::tool) == 1, "must have exactly one model with 'role: tool'");

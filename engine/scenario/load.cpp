@@ -52,28 +52,44 @@ Faults read_hand(HandEntry& hand, const Node& root, const std::filesystem::path&
                    [&](KeyVisitor& visitor) { describe_hand_path(visitor, hand.waypoints); });
 }
 
-std::vector<std::filesystem::path> device_folders(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> folders{(folder / ".." / ".." / "devices").lexically_normal()};
-  for (const auto& root : content_roots()) folders.push_back(root / "devices");
-  return folders;
+// A file of content that a scenario names without its folder and end: content/KIND/NAME.yaml. `at`: the path
+// of the key that names it.
+Faults read_content(std::string_view kind, const std::string& named, const Node& root,
+                    std::initializer_list<std::string_view> at, const std::filesystem::path& folder,
+                    TextStore& texts, const Describe& describe) {
+  const std::string file = named + ".yaml";
+  std::vector<std::filesystem::path> folders{(folder / ".." / ".." / kind).lexically_normal()};
+  for (const auto& content : content_roots()) folders.push_back(content / kind);
+  std::vector<std::filesystem::path> places;
+  for (const auto& each : folders) places.push_back(each / file);
+  const std::string name = std::string(kind) + "/" + file;
+  const auto text = texts.get(name, places);
+  if (!text) {
+    return {mark_of(root, at).fault("cannot read " + in_quotes(name) + ": " + text.error().sentence +
+                                    nearby_names(named, folders))};
+  }
+  return read_text(*text, name, folder, describe);
 }
 
 Faults read_device(DeviceEntry& device, const Node& root, const std::filesystem::path& folder,
                    TextStore& texts) {
   if (device.model.empty()) return {};
-  const std::string file = device.model + ".yaml";
-  const auto folders = device_folders(folder);
-  std::vector<std::filesystem::path> places;
-  for (const auto& each : folders) places.push_back(each / file);
-  const std::string name = "devices/" + file;
-  const auto text = texts.get(name, places);
-  if (!text) {
-    const Mark mark = mark_of(root, {"device", "model"});
-    return {mark.fault("cannot read " + in_quotes(name) + ": " + text.error().sentence +
-                       nearby_names(device.model, folders))};
-  }
-  return read_text(*text, name, folder,
-                   [&](KeyVisitor& visitor) { describe_device_file(visitor, device.desc); });
+  return read_content("devices", device.model, root, {"device", "model"}, folder, texts,
+                      [&](KeyVisitor& visitor) { describe_device_file(visitor, device.desc); });
+}
+
+// Each material that is named, once.
+Faults read_materials(Scenario& scenario, const Node& root, TextStore& texts) {
+  Faults faults;
+  const auto read = [&](const std::string& name, std::initializer_list<std::string_view> at) {
+    if (name.empty() || scenario.impact_materials.contains(name)) return;
+    ImpactMaterial& material = scenario.impact_materials[name];
+    append(faults, read_content("materials", name, root, at, scenario.folder, texts,
+                                [&](KeyVisitor& visitor) { describe_material_file(visitor, material); }));
+  };
+  for (const ModelEntry& model : scenario.models) read(model.material, {"models", model.name, "material"});
+  if (scenario.impact_vibration) read(scenario.impact_vibration->material, {"impact_vibration", "material"});
+  return faults;
 }
 
 // `source`: how faults call the text. `name`: what it is called among the texts that are kept.
@@ -101,6 +117,7 @@ Checked<Scenario> load(const std::string& text, const std::string& source, const
     append(faults, read_hand(hand, *root, scenario.folder, texts));
   }
   append(faults, read_device(scenario.device, *root, scenario.folder, texts));
+  append(faults, read_materials(scenario, *root, texts));
   if (!faults.empty()) return faults;
 
   texts.put(name, text);

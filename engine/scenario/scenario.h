@@ -35,6 +35,8 @@ struct ModelEntry {
   FileRef file;
   ModelRole role = ModelRole::scene;
   std::string cut_of;  // the name of the model that it shows cut open; empty: none
+  std::string
+      material;  // what a blow on it sounds like, content/materials/MATERIAL.yaml; empty: the effect's
 };
 
 // Replaces what the models' material of this name says.
@@ -75,6 +77,11 @@ struct View {
   bool cut = false;  // shows models cut open, where there are such
 };
 
+struct ImpactVibrationEntry {
+  ImpactVibrationDesc desc;        // all but its materials
+  std::string material = "steel";  // of models that name none
+};
+
 // The exact text of the scenario and of every file of text that it read, so that a tape can embed them.
 struct SourceTexts {
   std::string scenario;  // the key in `files` of the scenario itself
@@ -100,6 +107,9 @@ struct Scenario {
   VelocityEstimatorDesc velocity_estimator;
   DeviceEntry device;
   std::optional<TorqueSubstitutionDesc> torque_substitution;
+  ImpactDetectorDesc impact;
+  std::optional<ImpactVibrationEntry> impact_vibration;
+  std::map<std::string, ImpactMaterial> impact_materials;  // that are named, what their files say
   std::vector<Checkpoint> checkpoints;
   double dwell = TaskDesc{}.dwell;   // s
   std::optional<double> hard_touch;  // N

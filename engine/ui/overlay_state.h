@@ -35,7 +35,7 @@ struct KeyLine {
   std::string meaning;  // "stop all force"
 };
 
-/// Something that tells of torque: a switch, a gain and how strongly it tells now.
+/// Something that tells of torque or of impacts: a switch, a gain and how strongly it tells now.
 struct CueLine {
   std::string name;    // "Vibration"
   std::string key;     // that switches it
@@ -55,6 +55,7 @@ struct OverlayState {
   std::vector<CueLine> cues;                 // empty: no panel
   std::string variant;                       // of the study that the switches amount to; read with the cues
   bool torque_bad = false;                   // no force tells of it; likewise
+  bool tells_torque = true;                  // some of the cues do
   TickHealth ticks;
   Force force = Force::on;
   std::string stop_reason;  // "Esc pressed"; shown while stopped

@@ -57,7 +57,7 @@ Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& des
                  " m: 0.00005 suits hand tools."};
   }
   const double spacing_squared = desc.spacing_m * desc.spacing_m;
-  const double area = surface_area(solid);
+  const double area = surface_area(solid.mesh);
   const double expected = kPointsPerSpacingSquared * area / spacing_squared;
   if (expected > kMostPoints) {
     return Error{"A pointshell with " + spell_mm(desc.spacing_m) + " spacing would have about " +
@@ -69,7 +69,7 @@ Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& des
   PointGrid grid(desc.spacing_m);
   for (const SurfacePoint& point : sharp_points(solid, desc.sharp_angle_rad, desc.spacing_m)) grid.add(point);
   const SurfaceSamples samples =
-      sample_surface(solid, spacing_squared / (kPointsPerSpacingSquared * kSamplesPerPoint), desc.seed);
+      sample_surface(solid.mesh, spacing_squared / (kPointsPerSpacingSquared * kSamplesPerPoint), desc.seed);
   for (const SurfacePoint& sample : samples.points) {
     const auto near = grid.nearest(sample.position, kDiscSpacings * desc.spacing_m, facing(sample.normal));
     if (near.index == PointGrid::kNone) grid.add(sample);

@@ -66,7 +66,7 @@ double value_between_corners(const TriangleDistance& exact, const Vec3& p, doubl
 }  // namespace
 
 double contact_error(const Solid& solid, const TriangleDistance& exact, double voxel_m, unsigned threads) {
-  const SurfaceSamples all = sample_surface(solid, surface_area(solid) / kSamples, 1);
+  const SurfaceSamples all = sample_surface(solid.mesh, surface_area(solid.mesh) / kSamples, 1);
   const std::size_t count = std::min(all.points.size(), static_cast<std::size_t>(kSamples));
   struct Measured {
     double error, area;
@@ -99,7 +99,7 @@ public:
   Choice(const Solid& solid, const TriangleDistance& exact, const ThinSpot& thinnest, const FieldDesc& desc)
       : solid_(solid), exact_(exact), thinnest_(thinnest), desc_(desc) {
     const double bytes_per_value = desc.format == FieldFormat::int16 ? 2.0 : 4.0;
-    affordable_ = std::sqrt(bytes_per_value * kValuesPerFace * surface_area(solid) / kMostChosen);
+    affordable_ = std::sqrt(bytes_per_value * kValuesPerFace * surface_area(solid.mesh) / kMostChosen);
   }
 
   Result<Resolution> make() {

@@ -24,18 +24,17 @@ private:
   std::uint64_t state_;
 };
 
-std::array<Vec3, 3> corners(const Solid& solid, const Triangle& triangle) {
-  return {solid.mesh.vertices[triangle[0]], solid.mesh.vertices[triangle[1]],
-          solid.mesh.vertices[triangle[2]]};
+std::array<Vec3, 3> corners(const TriangleMesh& mesh, const Triangle& triangle) {
+  return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
 }
 
 }  // namespace
 
-SurfaceSamples sample_surface(const Solid& solid, double area_m2, std::uint64_t seed) {
+SurfaceSamples sample_surface(const TriangleMesh& mesh, double area_m2, std::uint64_t seed) {
   SurfaceSamples samples;
   Random random(seed);
-  for (const Triangle& triangle : solid.mesh.triangles) {
-    const auto [a, b, c] = corners(solid, triangle);
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto [a, b, c] = corners(mesh, triangle);
     const Vec3 cross = (b - a).cross(c - a);
     const double area = 0.5 * cross.norm();
     if (area == 0.0) continue;
@@ -56,10 +55,10 @@ SurfaceSamples sample_surface(const Solid& solid, double area_m2, std::uint64_t 
   return samples;
 }
 
-double surface_area(const Solid& solid) {
+double surface_area(const TriangleMesh& mesh) {
   double area = 0.0;
-  for (const Triangle& triangle : solid.mesh.triangles) {
-    const auto [a, b, c] = corners(solid, triangle);
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto [a, b, c] = corners(mesh, triangle);
     area += 0.5 * (b - a).cross(c - a).norm();
   }
   return area;

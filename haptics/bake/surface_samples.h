@@ -1,5 +1,5 @@
 #pragma once
-// Many points spread over a solid's surface in proportion to its area, in an order without pattern.
+// Many points spread over a surface in proportion to its area, in an order without pattern.
 
 #include <cstdint>
 #include <vector>
@@ -14,8 +14,8 @@ struct SurfaceSamples {
 };
 
 // One sample for about every area_m2 of surface and at least one for every triangle. Same seed, same samples.
-SurfaceSamples sample_surface(const Solid& solid, double area_m2, std::uint64_t seed);
+SurfaceSamples sample_surface(const TriangleMesh& mesh, double area_m2, std::uint64_t seed);
 
-double surface_area(const Solid& solid);  // m^2
+double surface_area(const TriangleMesh& mesh);  // m^2
 
 }  // namespace fulcrum

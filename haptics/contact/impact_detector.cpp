@@ -35,7 +35,7 @@ std::span<const Impact> ImpactDetector::process(const Tick& tick) noexcept {
              {X_TW * contact.p_W, contact.nhat_W, contact.nhat_W.dot(contact.p_W) + contact.depth, tick_});
   forget(tick.X_WT);
   ++tick_;
-  return {impacts_.data(), impact_count_};
+  return impacts();
 }
 
 void ImpactDetector::strike(const Tick& tick, std::size_t region, const Pose& X_TW) noexcept {

@@ -50,11 +50,12 @@ public:
     Twist V_WG;  // how fast
     Touching touching;
   };
-  // The impacts of this tick, one for each new region, in the order of the regions. Valid until the next
-  // call. May: change its memory. Must not: allocate, lock, throw.
+  // Answers impacts(): one for each new region, in the order of the regions. May: change its memory. Must
+  // not: allocate, lock, throw.
   std::span<const Impact> process(const Tick& tick) noexcept;
 
-  std::size_t places() const { return count_; }  // remembered now
+  std::span<const Impact> impacts() const { return {impacts_.data(), impact_count_}; }  // of the last tick
+  std::size_t places() const { return count_; }                                         // remembered now
 
 private:
   struct Place {

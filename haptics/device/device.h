@@ -55,6 +55,7 @@ struct DeviceDesc {
   double handle_mass = 0.072;           // kg, apparent, at the handle
   double handle_inertia = 2.0e-5;       // kg m^2, apparent, about any axis of the handle
   double handle_weight = 0.3;           // N, what the mechanism leaves uncompensated; the tick holds it up
+  double bandwidth_Hz = 500;            // of forces and torques that it renders
   double damping = 0.005;               // N s/m
   double angular_damping = 2.0e-5;      // N m s
   double friction = 0.038;              // N, Coulomb, each axis

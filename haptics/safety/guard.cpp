@@ -9,18 +9,20 @@ namespace fulcrum {
 namespace {
 
 // The longest part of `transient` that keeps the sum within the limit.
-Vec3 beside(const Vec3& continuous, const Vec3& transient, double limit) {
+Vec3 beside(const Vec3& there, const Vec3& transient, double limit) {
   const double a = transient.squaredNorm();
-  const double c = continuous.squaredNorm() - limit * limit;
+  const double c = there.squaredNorm() - limit * limit;
   if (a == 0.0 || c >= 0.0) return Vec3::Zero();
-  const double b = continuous.dot(transient);
+  const double b = there.dot(transient);
   return std::min(1.0, (std::sqrt(b * b - a * c) - b) / a) * transient;
 }
 
 }  // namespace
 
-Guard::Guard(const DeviceDesc& device, double tick_s, bool transients) : device_(device), tick_s_(tick_s) {
-  if (transients) transients_.emplace(device, tick_s);
+Guard::Guard(const DeviceDesc& device, double tick_s, std::span<const TransientSource> transients)
+    : device_(device), tick_s_(tick_s) {
+  for (const TransientSource source : transients)
+    budgets_[static_cast<std::size_t>(source)].emplace(figures_of(source), device, tick_s);
 }
 
 std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> commands) noexcept {
@@ -46,6 +48,7 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
         break;
       case Command::Kind::vibration_gain:
       case Command::Kind::ghost_gain:
+      case Command::Kind::impact_gain:
         break;
     }
   }
@@ -92,17 +95,24 @@ Wrench Guard::limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept 
   return F;
 }
 
-Vec3 Guard::limit_transient(const Vec3& wanted_D, const Vec3& continuous_D, const Vec3& moved_D,
-                            std::uint32_t& faults) noexcept {
-  if (!transients_) return Vec3::Zero();
-  const Vec3 allowed = transients_->allow(wanted_D * gain(), moved_D);
-  if (allowed != wanted_D * gain()) faults |= kTransientLimited;
-  return beside(continuous_D, allowed, device_.max_force);
+Wrench Guard::limit_transient(TransientSource source, const Wrench& wanted_F_H_D, const Wrench& beside_F_H_D,
+                              const Vec6& moved_D, std::uint32_t& faults) noexcept {
+  std::optional<TransientBudget>& budget = budgets_[static_cast<std::size_t>(source)];
+  if (!budget) return {};
+  const Wrench wanted = wanted_F_H_D * gain();
+  const Wrench allowed = budget->allow(wanted, moved_D);
+  if (allowed.force != wanted.force || allowed.torque != wanted.torque) faults |= kTransientLimited;
+  return {beside(beside_F_H_D.force, allowed.force, device_.max_force),
+          beside(beside_F_H_D.torque, allowed.torque, device_.max_torque)};
 }
 
-void Guard::commanded(const Wrench& continuous_F_H_D, const Vec3& transient_D) noexcept {
+void Guard::commanded(const Wrench& continuous_F_H_D) noexcept {
   last_ = continuous_F_H_D;
-  if (transients_) transients_->commanded(transient_D);
+}
+
+void Guard::commanded(TransientSource source, const Wrench& transient_F_H_D) noexcept {
+  std::optional<TransientBudget>& budget = budgets_[static_cast<std::size_t>(source)];
+  if (budget) budget->commanded(transient_F_H_D);
 }
 
 }  // namespace fulcrum

@@ -2,6 +2,7 @@
 // The last word on what reaches the motors: stop, ramp-in, clamp, slew limit and the budget of transients.
 // Its figures come from the device alone. Nothing in a scene, an effect or a plug-in can change or pass it.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -23,8 +24,8 @@ inline constexpr double kSlewTime = 5e-3;  // s, from nothing to the device's li
 
 class Guard {
 public:
-  // transients: something in the scene asks for them.
-  Guard(const DeviceDesc& device, double tick_s, bool transients);
+  // transients: what in the scene asks for them.
+  Guard(const DeviceDesc& device, double tick_s, std::span<const TransientSource> transients);
 
   // What the sample and the commands of this tick ask for. Returns the faults that are present now.
   std::uint32_t watch(const DeviceSample& sample, std::span<const Command> commands) noexcept;
@@ -34,20 +35,25 @@ public:
   // The wrench on the handle that may be commanded, in D: the continuous wrench after ramp, clamp and slew,
   // or the fall to zero while stopped. Adds the bits of the limits that acted.
   Wrench limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept;
-  // After limit(): the transient force (3) N that may be added to the continuous one, both in D. It keeps out
-  // of the way of the continuous wrench: together they stay within the device's limit. moved_D (3) m: the
-  // handle's way in this tick.
-  Vec3 limit_transient(const Vec3& wanted_D, const Vec3& continuous_D, const Vec3& moved_D,
-                       std::uint32_t& faults) noexcept;
+  // After limit(): the transient wrench that may be added to what is there already, the continuous wrench and
+  // the transients before it. It keeps out of their way: together they stay within the device's limits.
+  // moved_D (6) m and rad: the handle's way in this tick. Nothing of a source that was not asked for.
+  Wrench limit_transient(TransientSource source, const Wrench& wanted_F_H_D, const Wrench& beside_F_H_D,
+                         const Vec6& moved_D, std::uint32_t& faults) noexcept;
   // What was commanded in the end; slew and stop go on from the continuous wrench.
-  void commanded(const Wrench& continuous_F_H_D, const Vec3& transient_D) noexcept;
+  void commanded(const Wrench& continuous_F_H_D) noexcept;
+  void commanded(TransientSource source, const Wrench& transient_F_H_D) noexcept;
 
   bool stopped() const { return stopped_; }
   // The faults that stopped the force, until it is acknowledged.
   std::uint32_t reason() const { return stopped_ ? reason_ : 0; }
   // The part of the wanted wrench that was let through by ramp and stop at the last limit(), 0 to 1.
   double gain() const { return stopped_ ? gain_ * fall_ : gain_; }
-  const std::optional<TransientBudget>& transients() const { return transients_; }
+  // Null: nothing asked for it.
+  const TransientBudget* budget(TransientSource source) const {
+    const std::optional<TransientBudget>& budget = budgets_[static_cast<std::size_t>(source)];
+    return budget ? &*budget : nullptr;
+  }
 
 private:
   DeviceDesc device_;
@@ -58,7 +64,7 @@ private:
   double fall_ = 0;  // part of the fall that is left, 1 to 0
   Wrench falling_;   // what was commanded when the stop came
   Wrench last_;
-  std::optional<TransientBudget> transients_;
+  std::array<std::optional<TransientBudget>, kTransientSources> budgets_;
 };
 
 }  // namespace fulcrum

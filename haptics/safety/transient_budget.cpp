@@ -6,33 +6,39 @@
 
 namespace fulcrum {
 
-TransientBudget::TransientBudget(const DeviceDesc& device, double tick_s)
-    : tick_s_(tick_s),
-      peak_(kPeak * device.max_force),
+TransientBudget::TransientBudget(const TransientFigures& figures, const DeviceDesc& device, double tick_s)
+    : figures_(figures),
+      tick_s_(tick_s),
+      peak_(device.renders_force ? figures.peak * device.max_force : 0.0),
+      peak_torque_(device.renders_torque ? figures.peak * device.max_torque : 0.0),
       spent_(static_cast<std::size_t>(std::ceil(kWindow / tick_s))) {}
 
-Vec3 TransientBudget::allow(const Vec3& wanted, const Vec3& moved) noexcept {
-  quiet_ = last_.isZero(0) ? quiet_ + 1 : 0;
-  if (quiet_ > spent_.size() && wanted.isZero(0)) return Vec3::Zero();
-  const double given = last_.dot(moved);
+Wrench TransientBudget::allow(const Wrench& wanted, const Vec6& moved) noexcept {
+  quiet_ = last_.is_zero() ? quiet_ + 1 : 0;
+  if (quiet_ > spent_.size() && wanted.is_zero()) return {};
+  const double given = last_.force.dot(moved.head<3>()) + last_.torque.dot(moved.tail<3>());
   energy_ += given;
-  spent_[at_] = {tick_s_ * last_, tick_s_ * last_.norm(), given};
+  spent_[at_] = {last_ * tick_s_, tick_s_ * last_.force.norm(), tick_s_ * last_.torque.norm(), given};
   at_ = at_ + 1 == spent_.size() ? 0 : at_ + 1;
   Spent sum;  // anew each time: running sums would gather rounding, and a hundred additions are soon made
   for (const Spent& spent : spent_) {
     sum.impulse += spent.impulse;
     sum.length += spent.length;
+    sum.turn_length += spent.turn_length;
     sum.energy += spent.energy;
   }
 
-  const Vec3 force = shortened(wanted, peak_);
-  const bool pushes = (sum.impulse + tick_s_ * force).norm() > peak_ * kPush;
-  const bool lasts = sum.length + tick_s_ * force.norm() > peak_ * kLength;
-  return pushes || lasts || sum.energy > kEnergy ? Vec3(Vec3::Zero()) : force;
+  const Wrench F{shortened(wanted.force, peak_), shortened(wanted.torque, peak_torque_)};
+  const Wrench impulse = sum.impulse + F * tick_s_;
+  const bool pushes =
+      impulse.force.norm() > peak_ * figures_.push || impulse.torque.norm() > peak_torque_ * figures_.push;
+  const bool lasts = sum.length + tick_s_ * F.force.norm() > peak_ * figures_.length ||
+                     sum.turn_length + tick_s_ * F.torque.norm() > peak_torque_ * figures_.length;
+  return pushes || lasts || sum.energy > figures_.energy ? Wrench() : F;
 }
 
-void TransientBudget::commanded(const Vec3& force) noexcept {
-  last_ = force;
+void TransientBudget::commanded(const Wrench& F) noexcept {
+  last_ = F;
 }
 
 }  // namespace fulcrum

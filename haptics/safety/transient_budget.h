@@ -1,53 +1,87 @@
 #pragma once
-// What transients may do: forces that no slew limit slows down, because they are there to be sudden. Whatever
-// asks for them, over any 100 ms they are bounded in
-//     peak        kPeak of the device's largest force, the part that a coupling that suits the device leaves
-//                 free (coupling_gains.h)
-//     impulse     |sum F dt| at most the peak for 5 ms: none pushes to one side for longer
-//     length      sum |F| dt at most the peak for 70 ms: a tone at the peak has 64
-//     energy      5 mJ given to the hand, what a handle of 70 g has at 0.38 m/s
-// A force beyond the first is shortened. One that would go beyond another is left out, in this tick and until
-// there is room for it.
+// What transients may do: wrenches that no slew limit slows down, because they are there to be sudden. Each
+// source has a budget of its own, with figures that suit it, and an account of the energy that it gives to
+// the hand. Over any 100 ms force and torque are bounded in
+//     peak        a part of the device's largest force, and of its largest torque
+//     impulse     |sum F dt| at most the peak for `push`: none pushes to one side for longer
+//     length      sum |F| dt at most the peak for `length`
+//     energy      given to the hand
+// A force or torque beyond the first is shortened. A wrench that would go beyond another is left out, in this
+// tick and until there is room for it.
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "haptics/device/device.h"
+#include "haptics/math/wrench.h"
 
 namespace fulcrum {
 
+// In the order in which they are let through, the first one first.
+enum class TransientSource : std::size_t { torque_substitution, impact_vibration };
+inline constexpr std::size_t kTransientSources = 2;
+
+struct TransientFigures {
+  double peak;    // of the device's largest force and torque
+  double push;    // s, at the peak, to one side
+  double length;  // s, at the peak, to any
+  double energy;  // J
+};
+
+inline constexpr std::array<TransientFigures, kTransientSources> kTransientFigures{{
+    // A tone of 80 Hz or more, for as long as torque is bad. The peak is the part that a coupling that suits
+    // the
+    // device leaves free (coupling_gains.h). A half wave at the peak pushes for 4 ms; a tone at it has a
+    // length
+    // of 64 ms. The energy is what a handle of 70 g has at 0.38 m/s.
+    {.peak = 0.1, .push = 5e-3, .length = 70e-3, .energy = 5e-3},
+    // Tones of 12 to 40 Hz that die away within a second, several at once. Twice the peak, which a blow
+    // mostly
+    // finds free: the coupling has only begun to press. At 12 Hz a half wave lasts 42 ms, and no sum of such
+    // tones pushes to one side for longer. The energy is what a hand of 0.4 kg has at 0.32 m/s, less than it
+    // brings to a hard blow. A voice at its strongest (impact_vibration.h) gives 0.4 mJ to a hand of 400 N/m
+    // and
+    // 4 N s/m that resonates with it; 12 Hz at the peak would give 31 mJ, and is what the bound is for.
+    {.peak = 0.2, .push = 42e-3, .length = 70e-3, .energy = 20e-3},
+}};
+
+constexpr const TransientFigures& figures_of(TransientSource source) {
+  return kTransientFigures[static_cast<std::size_t>(source)];
+}
+
 class TransientBudget {
 public:
-  static constexpr double kWindow = 0.1;    // s
-  static constexpr double kPeak = 0.1;      // of the device's largest force
-  static constexpr double kPush = 5e-3;     // s, at the peak, to one side
-  static constexpr double kLength = 70e-3;  // s, at the peak, to any
-  static constexpr double kEnergy = 5e-3;   // J
+  static constexpr double kWindow = 0.1;  // s
 
-  TransientBudget(const DeviceDesc& device, double tick_s);
+  TransientBudget(const TransientFigures& figures, const DeviceDesc& device, double tick_s);
 
-  // One tick: `wanted` (3) N, as much of it as may be. moved (3) m: the handle's way since the last call,
-  // under the force that it answered. Both in one frame.
-  Vec3 allow(const Vec3& wanted, const Vec3& moved) noexcept;
-  // What was commanded of it in the end (3) N.
-  void commanded(const Vec3& force) noexcept;
+  // One tick: `wanted`, as much of it as may be. moved (6) m and rad: the handle's way since the last call,
+  // under the wrench that it answered. Both in one frame.
+  Wrench allow(const Wrench& wanted, const Vec6& moved) noexcept;
+  // What was commanded of it in the end.
+  void commanded(const Wrench& F) noexcept;
 
-  double energy() const { return energy_; }  // J, given to the hand since the start
-  double peak() const { return peak_; }      // N
+  const TransientFigures& figures() const { return figures_; }
+  double energy() const { return energy_; }            // J, given to the hand since the start
+  double peak() const { return peak_; }                // N
+  double peak_torque() const { return peak_torque_; }  // N m
   std::size_t bytes() const { return spent_.capacity() * sizeof(Spent); }
 
 private:
   struct Spent {
-    Vec3 impulse = Vec3::Zero();  // (3) N s
-    double length = 0;            // N s
-    double energy = 0;            // J
+    Wrench impulse;          // N s, N m s
+    double length = 0;       // N s
+    double turn_length = 0;  // N m s
+    double energy = 0;       // J
   };
 
-  double tick_s_, peak_;
+  TransientFigures figures_;
+  double tick_s_, peak_, peak_torque_;
   std::vector<Spent> spent_;  // of the last kWindow, one a tick
   std::size_t at_ = 0;        // the oldest of them
   std::size_t quiet_ = 0;  // ticks since the last transient: from the window's length on it holds zeros alone
-  Vec3 last_ = Vec3::Zero();
+  Wrench last_;
   double energy_ = 0;
 };
 

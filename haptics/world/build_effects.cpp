@@ -1,5 +1,7 @@
 #include "haptics/world/build_effects.h"
 
+#include <algorithm>
+
 namespace fulcrum {
 
 std::optional<TorqueSubstitution> build_torque_substitution(const SceneDesc& desc) {
@@ -12,6 +14,27 @@ std::optional<TorqueSubstitution> build_torque_substitution(const SceneDesc& des
                              .renders_force = desc.device.renders_force,
                              .senses_rotation = desc.device.senses_rotation,
                              .springs = desc.contact.response != ContactResponse::constraint});
+}
+
+std::optional<ImpactDetector> build_impact_detector(const SceneDesc& desc) {
+  if (!detects_impacts(desc)) return std::nullopt;
+  return ImpactDetector(desc.impact, desc.contact.region_radius, desc.scene_field, desc.scene_objects);
+}
+
+std::optional<ImpactVibration> build_impact_vibration(const SceneDesc& desc) {
+  if (!vibrates_at_impacts(desc)) return std::nullopt;
+  const Vec3 p_TH = desc.tool.X_HT.inverse().p;
+  double reach = 0;
+  for (const Vec3& p_T : desc.tool_shell->positions) reach = std::max(reach, (p_T - p_TH).norm());
+  const DeviceDesc& device = desc.device;
+  const double peak = figures_of(TransientSource::impact_vibration).peak;
+  return ImpactVibration(*desc.impact_vibration,
+                         {.tick_s = desc.tick_s,
+                          .reach = reach,
+                          .mapping = desc.mapping,
+                          .largest_force = device.renders_force ? peak * device.max_force : 0.0,
+                          .largest_torque = device.renders_torque ? peak * device.max_torque : 0.0,
+                          .highest_Hz = highest_vibration(device.bandwidth_Hz, desc.tick_s)});
 }
 
 }  // namespace fulcrum

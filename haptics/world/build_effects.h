@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "haptics/contact/impact_detector.h"
+#include "haptics/effects/impact_vibration.h"
 #include "haptics/effects/torque_substitution.h"
 #include "haptics/world/scene_desc.h"
 
@@ -10,5 +12,11 @@ namespace fulcrum {
 
 // Absent where the scene does not name it or has no use for it, see substitutes_torque().
 std::optional<TorqueSubstitution> build_torque_substitution(const SceneDesc& desc);
+
+// Absent where nothing in the scene asks for impacts.
+std::optional<ImpactDetector> build_impact_detector(const SceneDesc& desc);
+
+// Absent where the scene does not name it or the device has no motors.
+std::optional<ImpactVibration> build_impact_vibration(const SceneDesc& desc);
 
 }  // namespace fulcrum

@@ -12,6 +12,7 @@ struct Command {
     watchdog = 3,        // the live loop lost ticks to a stall
     vibration_gain = 4,  // of the vibration that tells of torque: value 0 (off) to 1
     ghost_gain = 5,      // of the ghost, likewise
+    impact_gain = 6,     // of the vibration at impacts, likewise
   };
   Kind kind = Kind::stop;
   double value = 0;  // what it is set to; 0 where there is nothing to set

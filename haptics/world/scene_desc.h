@@ -3,16 +3,21 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "haptics/actuation/allocator.h"
 #include "haptics/contact/contact_desc.h"
+#include "haptics/contact/impact_detector.h"
 #include "haptics/device/device.h"
 #include "haptics/device/mapping.h"
+#include "haptics/effects/impact_vibration.h"
 #include "haptics/effects/torque_substitution.h"
 #include "haptics/estimate/velocity.h"
 #include "haptics/geometry/distance_field.h"
+#include "haptics/geometry/object_map.h"
 #include "haptics/geometry/pointshell.h"
 #include "haptics/math/pose.h"
+#include "haptics/safety/transient_budget.h"
 #include "haptics/tool/rigid_body.h"
 #include "haptics/tool/virtual_coupling.h"
 
@@ -48,7 +53,10 @@ struct SceneDesc {
   MappingDesc mapping;
   DeviceDesc device;
   AllocationDesc allocation;
+  ImpactDetectorDesc impact;                         // where something asks for impacts
+  std::shared_ptr<const ObjectMap> scene_objects{};  // likewise; null: the scene is one object
   std::optional<TorqueSubstitutionDesc> torque_substitution;
+  std::optional<ImpactVibrationDesc> impact_vibration{};
 };
 
 // A device that renders torque has nothing to substitute.
@@ -61,9 +69,27 @@ inline bool shows_ghost(const SceneDesc& desc) {
   return substitutes_torque(desc) && desc.device.senses_rotation;
 }
 
-// Something in the scene asks for forces that no slew limit slows down.
-inline bool has_transients(const SceneDesc& desc) {
+// It vibrates the handle, where the device has motors.
+inline bool vibrates_for_torque(const SceneDesc& desc) {
   return substitutes_torque(desc) && desc.device.renders_force;
+}
+
+// A device without motors has nothing to vibrate with.
+inline bool vibrates_at_impacts(const SceneDesc& desc) {
+  return desc.impact_vibration && (desc.device.renders_force || desc.device.renders_torque);
+}
+
+// Something in the scene asks for impacts.
+inline bool detects_impacts(const SceneDesc& desc) {
+  return vibrates_at_impacts(desc);
+}
+
+// What in the scene asks for wrenches that no slew limit slows down.
+inline std::vector<TransientSource> transient_sources(const SceneDesc& desc) {
+  std::vector<TransientSource> sources;
+  if (vibrates_for_torque(desc)) sources.push_back(TransientSource::torque_substitution);
+  if (vibrates_at_impacts(desc)) sources.push_back(TransientSource::impact_vibration);
+  return sources;
 }
 
 }  // namespace fulcrum

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "haptics/device/device.h"
+#include "haptics/effects/impact_cues.h"
 #include "haptics/effects/torque_cues.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
@@ -28,7 +30,9 @@ struct TickRecord {
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
-  TorqueCues torque;  // of torque substitution; zero where it is not built
+  TorqueCues torque;                             // of torque substitution; zero where it is not built
+  std::optional<ImpactTick> impact{};            // where impacts are detected
+  std::optional<ImpactCues> impact_vibration{};  // where it is built
 };
 
 }  // namespace fulcrum

@@ -25,12 +25,14 @@ World::World(SceneDesc desc)
       motion_(build_motion(desc_)),
       velocity_(desc_.velocity, desc_.tick_s),
       motors_(desc_.device, desc_.allocation),
-      guard_(desc_.device, desc_.tick_s, has_transients(desc_)),
+      guard_(desc_.device, desc_.tick_s, transient_sources(desc_)),
       counted_(encoder_steps(desc_)),
       ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale, desc_.device.renders_force,
               desc_.device.renders_torque),
       passivity_(desc_.device, desc_.tick_s),
-      torque_substitution_(build_torque_substitution(desc_)) {
+      torque_substitution_(build_torque_substitution(desc_)),
+      impact_detector_(build_impact_detector(desc_)),
+      impact_vibration_(build_impact_vibration(desc_)) {
   X_WH_ = desc_.tool.X_WT_start * desc_.tool.X_HT.inverse();
   X_DH_good_ = desc_.mapping.handle_in_device(X_WH_);
 }
@@ -72,6 +74,37 @@ Vec3 World::substitute_torque(const ToolAnswer& answer, const Vec3& felt_D) noex
   return demand.vibration_D;
 }
 
+void World::demand_transients(const ToolAnswer& answer, const Vec3& felt_D, const Vec3& p_WH) noexcept {
+  const auto of = [this](TransientSource source) -> Wrench& {
+    return transients_[static_cast<std::size_t>(source)];
+  };
+  of(TransientSource::torque_substitution) = {substitute_torque(answer, felt_D), Vec3::Zero()};
+  if (impact_vibration_) of(TransientSource::impact_vibration) = impact_vibration_->process(impacts(), p_WH);
+}
+
+void World::record_effects(TickRecord& record) const noexcept {
+  const auto energy = [this](TransientSource source) {
+    const TransientBudget* budget = guard_.budget(source);
+    return budget ? budget->energy() : 0.0;
+  };
+  if (torque_substitution_) {
+    record.torque = torque_substitution_->cues();
+    record.torque.energy = energy(TransientSource::torque_substitution);
+  }
+  if (impact_detector_) {
+    ImpactTick& impact = record.impact.emplace();
+    impact.count = static_cast<std::int32_t>(impacts().size());
+    for (const Impact& each : impacts()) {
+      if (each.speed > impact.hardest.speed) impact.hardest = each;
+    }
+  }
+  if (impact_vibration_) {
+    record.impact_vibration = impact_vibration_->cues();
+    record.impact_vibration->F_H_D = transients_[static_cast<std::size_t>(TransientSource::impact_vibration)];
+    record.impact_vibration->energy = energy(TransientSource::impact_vibration);
+  }
+}
+
 StepResult step(World& w, const DeviceSample& sample, std::span<const Command> commands) noexcept {
   const SceneDesc& desc = w.desc_;
 
@@ -79,6 +112,9 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   std::uint32_t faults = w.guard_.watch(sample, commands);
   if (w.torque_substitution_) {
     for (const Command& command : commands) w.torque_substitution_->obey(command);
+  }
+  if (w.impact_vibration_) {
+    for (const Command& command : commands) w.impact_vibration_->obey(command);
   }
   const Pose X_WH = w.follow_handle(sample, faults);
   Vec6 moved;
@@ -98,6 +134,11 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if ((faults & kStoppingFaults) != 0) w.guard_.stop(faults & kStoppingFaults);
   faults |= w.guard_.reason();
 
+  // Events.
+  if (w.impact_detector_)
+    w.impact_detector_->process(
+        {.X_WT = answer.X_WT, .X_WG = X_WG, .V_WG = V_WG, .touching = w.motion_->touching()});
+
   // Guard and allocate. The device's own weight is held up here, so that the hand feels the tool's alone.
   const Wrench wanted_F_H_W = w.clutched_ ? Wrench{} : F_H_W;
   Wrench wanted_F_H_D = desc.mapping.wrench_in_device(wanted_F_H_W);
@@ -113,20 +154,28 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Wrench limited_F_H_D = w.guard_.limit(wanted_F_H_D + own_weight, faults);
   const Vec6 moved_D = desc.mapping.motion_in_device(moved);
   const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
-  const Vec3 transient_D = w.guard_.limit_transient(w.substitute_torque(answer, felt_D), limited_F_H_D.force,
-                                                    moved_D.head<3>(), faults);
+  w.demand_transients(answer, felt_D, answer.X_WT.p + p_TH_W);
+  Wrench allowed_F_H_D = limited_F_H_D;
+  for (std::size_t i = 0; i < kTransientSources; ++i) {
+    w.transients_[i] =
+        w.guard_.limit_transient(TransientSource{i}, w.transients_[i], allowed_F_H_D, moved_D, faults);
+    allowed_F_H_D += w.transients_[i];
+  }
   w.motors_.begin(w.X_DH_good_);
   const Allocation continuous = w.motors_.wrench(limited_F_H_D);
   if (continuous.clamped()) faults |= kMotorClamped;
   DeviceCommand command{.F_H_D = continuous.F_H_D};
-  Vec3 rendered_transient_D = Vec3::Zero();
-  if (!transient_D.isZero(0)) {
-    const Allocation transient = w.motors_.whole({transient_D, Vec3::Zero()});
-    if (transient.clamped()) faults |= kMotorClamped;
-    rendered_transient_D = transient.F_H_D.force;
-    command.F_H_D += transient.F_H_D;
+  w.guard_.commanded(continuous.F_H_D);
+  for (std::size_t i = 0; i < kTransientSources; ++i) {
+    Wrench& F_H_D = w.transients_[i];
+    if (!F_H_D.is_zero()) {
+      const Allocation transient = w.motors_.whole(F_H_D);
+      if (transient.clamped()) faults |= kMotorClamped;
+      F_H_D = transient.F_H_D;
+      command.F_H_D += F_H_D;
+    }
+    w.guard_.commanded(TransientSource{i}, F_H_D);
   }
-  w.guard_.commanded(continuous.F_H_D, rendered_transient_D);
 
   // Book what the hand did, against what it felt and feels from here on.
   Wrench felt_F_H_W = desc.mapping.wrench_in_world(continuous.F_H_D + own_weight * -w.guard_.gain());
@@ -140,10 +189,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if (w.ledger_.port() < kPortBound) faults |= kEnergyBound;
 
   StepResult result;
-  TorqueCues cues;
   if (w.torque_substitution_) {
-    cues = w.torque_substitution_->cues();
-    if (w.guard_.transients()) cues.energy = w.guard_.transients()->energy();
+    const TorqueCues& cues = w.torque_substitution_->cues();
     command.cues = {cues.vibration, cues.ghost, desc.mapping.X_WD.q.conjugate() * -answer.turn_W};
   }
   TickRecord& record = result.record;
@@ -168,7 +215,7 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   record.faults = faults;
   record.stopped = w.guard_.stopped();
   record.clutched = w.clutched_;
-  record.torque = cues;
+  w.record_effects(record);
   return result;
 }
 

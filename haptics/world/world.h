@@ -1,6 +1,7 @@
 #pragma once
 // A scene that ticks.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,9 +29,9 @@ struct StepResult {
 
 class World;
 
-// One tick: read, estimate, query, solve, couple, allocate, guard. The only function that advances a World,
-// live, offline, in replay, test and benchmark alike. May: read the sample and the commands, change the
-// World. Must not and does not: lock, read a clock, touch a file, allocate, throw.
+// One tick: read, estimate, query, solve, couple, events, effects, guard, allocate. The only function that
+// advances a World, live, offline, in replay, test and benchmark alike. May: read the sample and the
+// commands, change the World. Must not and does not: lock, read a clock, touch a file, allocate, throw.
 StepResult step(World& world, const DeviceSample& sample, std::span<const Command> commands) noexcept;
 
 class World {
@@ -41,6 +42,10 @@ public:
   const SceneDesc& desc() const { return desc_; }
   std::span<const ContactRegion> regions() const { return motion_->regions(); }
   std::vector<BuiltPart> parts() const;
+  // Of this scene's last tick; none where nothing asks for impacts.
+  std::span<const Impact> impacts() const {
+    return impact_detector_ ? impact_detector_->impacts() : std::span<const Impact>();
+  }
   // Of torque; null: not built.
   const TorqueSubstitution* substitution() const {
     return torque_substitution_ ? &*torque_substitution_ : nullptr;
@@ -53,6 +58,10 @@ private:
 
   Pose follow_handle(const DeviceSample& sample, std::uint32_t faults) noexcept;
   Vec3 substitute_torque(const ToolAnswer& answer, const Vec3& felt_D) noexcept;
+  // Fills transients_ with what the effects want on the handle in this tick. p_WH (3) m: where the tool has
+  // it.
+  void demand_transients(const ToolAnswer& answer, const Vec3& felt_D, const Vec3& p_WH) noexcept;
+  void record_effects(TickRecord& record) const noexcept;
 
   SceneDesc desc_;
   std::unique_ptr<ToolMotion> motion_;
@@ -63,6 +72,9 @@ private:
   EnergyLedger ledger_;
   PassivityControl passivity_;
   std::optional<TorqueSubstitution> torque_substitution_;
+  std::optional<ImpactDetector> impact_detector_;
+  std::optional<ImpactVibration> impact_vibration_;
+  std::array<Wrench, kTransientSources> transients_{};  // on the handle, in D; what was commanded at last
 
   std::int64_t tick_ = 0;
   Pose X_DH_good_;  // the last handle pose that could be used

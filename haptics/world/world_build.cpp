@@ -63,6 +63,21 @@ std::optional<Error> refuse_torque_substitution(const TorqueSubstitutionDesc& de
   return std::nullopt;
 }
 
+std::optional<Error> refuse_impact_vibration(const ImpactVibrationDesc& desc) {
+  if (!within(desc.gain, 0, 1) || desc.voices < 1 || desc.voices > ImpactVoices::kMost ||
+      !positive(desc.hand_stiffness))
+    return Error{"In impact_vibration the gain must be from 0 to 1, voices from 1 to " +
+                 std::to_string(ImpactVoices::kMost) + " and hand_stiffness positive."};
+  if (desc.materials.empty()) return Error{"impact_vibration needs a material for what is struck."};
+  for (const ImpactMaterial& material : desc.materials) {
+    if (!(material.attack >= 0) || !std::isfinite(material.attack) || !positive(material.decay) ||
+        !positive(material.frequency_Hz))
+      return Error{"The material '" + material.name +
+                   "' needs an attack that is not negative, and a positive decay and frequency_Hz."};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<World> World::build(SceneDesc desc) {
@@ -125,6 +140,11 @@ Result<World> World::build(SceneDesc desc) {
     return Error{"The velocity estimator's window must be 1 to 1000 ticks and its cutoff_Hz positive."};
   if (desc.torque_substitution) {
     if (auto error = refuse_torque_substitution(*desc.torque_substitution, desc.tick_s)) return *error;
+  }
+  if (!positive(desc.impact.retreat) || !(desc.impact.least_speed >= 0))
+    return Error{"The retreat of impact must be positive, and its least_speed not negative."};
+  if (desc.impact_vibration) {
+    if (auto error = refuse_impact_vibration(*desc.impact_vibration)) return *error;
   }
   return World(std::move(desc));
 }

@@ -63,6 +63,40 @@ BuiltPart torque_part(const TorqueSubstitution& effect) {
   return {"torque substitution", what, sizeof(TorqueSubstitution)};
 }
 
+BuiltPart impact_part(const SceneDesc& desc) {
+  std::string what = "new contact regions met at " + number_text(desc.impact.least_speed * 1e3) +
+                     " mm/s or more; armed again " + number_text(desc.impact.retreat * 1e3) + " mm off";
+  std::size_t bytes = sizeof(ImpactDetector);
+  if (desc.scene_objects) {
+    what += "; which object is struck, by " + std::to_string(desc.scene_objects->size()) + " samples";
+    bytes += desc.scene_objects->bytes();
+  }
+  return {"impacts", what, bytes};
+}
+
+BuiltPart vibration_part(const ImpactVibrationDesc& desc, const ImpactVibration& effect) {
+  const ImpactSurroundings& around = effect.around();
+  std::string what = desc.render == ImpactRender::wrench ? "wrench" : "torque";
+  what += desc.distance == DistanceModel::beam ? ", a beam" : ", a sinusoid";
+  what += " of " + number_text(around.reach * 1e3) + " mm, at most " + std::to_string(desc.voices) +
+          " voices, up to " + number_text(around.highest_Hz) + " Hz;";
+  for (std::size_t i = 0; i < desc.materials.size(); ++i)
+    what += (i == 0 ? " " : ", ") + desc.materials[i].name + " " +
+            number_text(desc.materials[i].frequency_Hz) + " Hz";
+  return {"impact vibration", what, sizeof(ImpactVibration)};
+}
+
+BuiltPart budget_part(const char* name, const TransientBudget& budget) {
+  std::string peak;
+  if (budget.peak() > 0) peak = number_text(budget.peak()) + " N";
+  if (budget.peak_torque() > 0)
+    peak += (peak.empty() ? "" : " and ") + number_text(budget.peak_torque()) + " N m";
+  return {name,
+          "over any 100 ms: peak " + peak + ", " + number_text(budget.figures().push * 1e3) +
+              " ms of it to one side, " + number_text(budget.figures().energy * 1e3) + " mJ to the hand",
+          sizeof(TransientBudget) + budget.bytes()};
+}
+
 std::size_t bytes_of(const Pointshell& shell) {
   return shell.size() * (2 * sizeof(Vec3) + sizeof(double));
 }
@@ -103,12 +137,12 @@ std::vector<BuiltPart> World::parts() const {
          field_part("tool field", *desc_.tool_field)});
   }
   if (torque_substitution_) parts.push_back(torque_part(*torque_substitution_));
-  if (guard_.transients())
-    parts.push_back({"transient budget",
-                     "over any 100 ms: peak " + number_text(guard_.transients()->peak()) + " N, " +
-                         number_text(TransientBudget::kPush * 1e3) + " ms of it to one side, " +
-                         number_text(TransientBudget::kEnergy * 1e3) + " mJ to the hand",
-                     sizeof(TransientBudget) + guard_.transients()->bytes()});
+  if (const TransientBudget* budget = guard_.budget(TransientSource::torque_substitution))
+    parts.push_back(budget_part("transient budget", *budget));
+  if (impact_detector_) parts.push_back(impact_part(desc_));
+  if (impact_vibration_) parts.push_back(vibration_part(*desc_.impact_vibration, *impact_vibration_));
+  if (const TransientBudget* budget = guard_.budget(TransientSource::impact_vibration))
+    parts.push_back(budget_part("impact budget", *budget));
   const std::vector<BuiltPart> motion = motion_->parts();
   parts.insert(parts.begin() + (desc_.scene_edges ? 4 : 2), motion.begin(), motion.end());
   return parts;

@@ -79,7 +79,7 @@ TEST(Torque, TheClumsyHandIsTold) {
   EXPECT_GT(bad, 100);
   EXPECT_GT(vibration, 0.35);
   EXPECT_EQ(ghost, 1.0);
-  EXPECT_LT(energy, TransientBudget::kEnergy);
+  EXPECT_LT(energy, figures_of(TransientSource::torque_substitution).energy);
   EXPECT_EQ(faults & (kTransientLimited | kEnergyBound), 0u);
 }
 

@@ -30,7 +30,7 @@ TEST(PointshellBake, CoversTheSurfaceWithinWhatItStates) {
   ASSERT_TRUE(shell) << shell.error().sentence;
   EXPECT_LT(shell->covering_radius_m, 2e-3);
   double farthest = 0.0;
-  for (const SurfacePoint& sample : sample_surface(solid, 1e-6, 99).points) {
+  for (const SurfacePoint& sample : sample_surface(solid.mesh, 1e-6, 99).points) {
     farthest = std::max(farthest, nearest(*shell, sample.position));
   }
   EXPECT_LE(farthest, shell->covering_radius_m);
@@ -41,7 +41,7 @@ TEST(PointshellBake, WeightsSumToTheSurface) {
   const Solid solid = solid_of(shapes::torus(0.03, 0.01, 60, 24));
   const auto shell = bake_pointshell(solid, {2e-3});
   ASSERT_TRUE(shell);
-  const double area = surface_area(solid);
+  const double area = surface_area(solid.mesh);
   EXPECT_NEAR(std::accumulate(shell->areas_m2.begin(), shell->areas_m2.end(), 0.0), area, 1e-9 * area);
   // As many points as a triangular lattice of that spacing has.
   EXPECT_NEAR(static_cast<double>(shell->size()), 1.1547 * area / 4e-6, 0.15 * area / 4e-6);
