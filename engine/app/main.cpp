@@ -129,6 +129,11 @@ int dispatch(int argc, char** argv) {
   CLI::App* devices = program.add_subcommand("devices", "Which devices are there, and why others are not");
   devices->add_flag("--json", json, "As JSON");
   CLI::App* compare = add_compare(program, compare_options, variants);
+  CLI::App* ambiguity = program.add_subcommand(
+      "ambiguity", "Which impacts on the tool feel alike, and where to hold it instead");
+  ambiguity->add_option("scenario", options.scenario, "Its name or file")->required()->type_name("NAME|FILE");
+  add_set(ambiguity, options.overrides);
+  add_out(ambiguity, options);
   CLI::App* stability =
       program.add_subcommand("stability", "How stiff a wall each device can hold: simulated, and by theory");
   add_out(stability, options);
@@ -138,8 +143,8 @@ int dispatch(int argc, char** argv) {
   add_out(workprecision, options);
   workprecision->add_flag("--json", options.json, "Print the figures as JSON");
   CLI::App* schema = program.add_subcommand("schema", "The JSON Schema of a file, for an editor");
-  schema->add_option("of", schema_of, "scenario (default), hand or device")
-      ->check(CLI::IsMember({"scenario", "hand", "device"}));
+  schema->add_option("of", schema_of, "scenario (default), hand, device or material")
+      ->check(CLI::IsMember({"scenario", "hand", "device", "material"}));
 
   try {
     program.parse(argc, argv);
@@ -153,6 +158,7 @@ int dispatch(int argc, char** argv) {
   if (*explain) return explain_command(scenario, options.overrides, json);
   if (*devices) return devices_command(json);
   if (*compare) return compare_command(compare_options);
+  if (*ambiguity) return ambiguity_command(options);
   if (*stability) return stability_command(options);
   if (*workprecision) return workprecision_command(options);
   return schema_command(schema_of);
