@@ -48,9 +48,10 @@ int check_command(const std::vector<std::string>& files, bool json) {
 }
 
 int schema_command(const std::string& of) {
-  const std::string schema = of == "hand"     ? scenario::hand_path_schema()
-                             : of == "device" ? scenario::device_schema()
-                                              : scenario::scenario_schema();
+  const std::string schema = of == "hand"       ? scenario::hand_path_schema()
+                             : of == "device"   ? scenario::device_schema()
+                             : of == "material" ? scenario::material_schema()
+                                                : scenario::scenario_schema();
   std::printf("%s\n", schema.c_str());
   return kCompleted;
 }

@@ -17,8 +17,9 @@ int check_command(const std::vector<std::string>& files, bool json);
 int explain_command(const std::string& scenario, const std::vector<std::string>& overrides, bool json);
 int devices_command(bool json);
 int compare_command(const CompareOptions& options);
+int ambiguity_command(const RunOptions& options);      // its scenario, overrides, out and force
 int stability_command(const RunOptions& options);      // its out, force and json
 int workprecision_command(const RunOptions& options);  // likewise
-int schema_command(const std::string& of);             // scenario, hand or device
+int schema_command(const std::string& of);             // scenario, hand, device or material
 
 }  // namespace fulcrum::app

@@ -45,7 +45,8 @@ CLI::App* add_run(CLI::App& program, RunOptions& options, std::string& size) {
   run->add_option("--hand", options.hand,
                   "The simulated hand: expert, clumsy, still, or another of the scenario's")
       ->type_name("HAND");
-  run->add_option("--device", options.device, "simulated, simulated:MODEL, mouse or replay:FILE (fulcrum devices)")
+  run->add_option("--device", options.device,
+                  "simulated, simulated:MODEL, mouse or replay:FILE (fulcrum devices)")
       ->type_name("DEVICE");
   run->add_flag("--realtime", options.realtime, "Headless, but by the clock, in the haptic thread");
   run->add_option("--seconds", options.seconds, "End after this much simulated time")
@@ -129,6 +130,11 @@ int dispatch(int argc, char** argv) {
   CLI::App* devices = program.add_subcommand("devices", "Which devices are there, and why others are not");
   devices->add_flag("--json", json, "As JSON");
   CLI::App* compare = add_compare(program, compare_options, variants);
+  CLI::App* ambiguity = program.add_subcommand(
+      "ambiguity", "Which impacts on the tool feel alike, and where to hold it instead");
+  ambiguity->add_option("scenario", options.scenario, "Its name or file")->required()->type_name("NAME|FILE");
+  add_set(ambiguity, options.overrides);
+  add_out(ambiguity, options);
   CLI::App* stability =
       program.add_subcommand("stability", "How stiff a wall each device can hold: simulated, and by theory");
   add_out(stability, options);
@@ -138,8 +144,8 @@ int dispatch(int argc, char** argv) {
   add_out(workprecision, options);
   workprecision->add_flag("--json", options.json, "Print the figures as JSON");
   CLI::App* schema = program.add_subcommand("schema", "The JSON Schema of a file, for an editor");
-  schema->add_option("of", schema_of, "scenario (default), hand or device")
-      ->check(CLI::IsMember({"scenario", "hand", "device"}));
+  schema->add_option("of", schema_of, "scenario (default), hand, device or material")
+      ->check(CLI::IsMember({"scenario", "hand", "device", "material"}));
 
   try {
     program.parse(argc, argv);
@@ -153,6 +159,7 @@ int dispatch(int argc, char** argv) {
   if (*explain) return explain_command(scenario, options.overrides, json);
   if (*devices) return devices_command(json);
   if (*compare) return compare_command(compare_options);
+  if (*ambiguity) return ambiguity_command(options);
   if (*stability) return stability_command(options);
   if (*workprecision) return workprecision_command(options);
   return schema_command(schema_of);

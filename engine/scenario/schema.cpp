@@ -28,4 +28,9 @@ std::string device_schema() {
   return text_of("Fulcrum device", [&](KeyVisitor& visitor) { describe_device_file(visitor, device); });
 }
 
+std::string material_schema() {
+  ImpactMaterial material;
+  return text_of("Fulcrum material", [&](KeyVisitor& visitor) { describe_material_file(visitor, material); });
+}
+
 }  // namespace fulcrum::scenario

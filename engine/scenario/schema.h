@@ -9,5 +9,6 @@ namespace fulcrum::scenario {
 std::string scenario_schema();   // scenario.yaml
 std::string hand_path_schema();  // the file a hand's `path` names
 std::string device_schema();     // content/devices/NAME.yaml
+std::string material_schema();   // content/materials/NAME.yaml
 
 }  // namespace fulcrum::scenario

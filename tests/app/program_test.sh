@@ -9,7 +9,7 @@ cd "$work" || exit 1
 # --- commands
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
-for command in list run replay check explain devices stability compare schema; do expect 0 '.' "$FULCRUM" $command --help; done
+for command in list run replay check explain devices stability compare ambiguity schema; do expect 0 '.' "$FULCRUM" $command --help; done
 expect 2 '.' "$FULCRUM"
 expect 2 '.' "$FULCRUM" run
 expect 2 'no size' "$FULCRUM" run piping --size big

@@ -84,6 +84,40 @@ TEST(Trace, TorqueSubstitutionHasColumnsWhereItIsNamed) {
   EXPECT_EQ(cell(columns, "energy/vibration", record), "1e-06");
 }
 
+TEST(Trace, ImpactsAndTheirVibrationHaveColumnsWhereTheyAreNamed) {
+  const std::string without = TraceColumns(1e-3, kArm).header();
+  const TraceColumns columns(1e-3, kArm, {.impacts = true, .impact_vibration = true});
+  const std::string energy = "energy/impact_vibration,";
+  const std::string added =
+      "impact/count,impact/speed,impact/object,impact/p/x,impact/p/y,impact/p/z,impact/normal/x,"
+      "impact/normal/y,impact/normal/z,vibration/gain,vibration/voices,vibration/dropped,"
+      "vibration/frequency_Hz,vibration/radius,vibration/axis/x,vibration/axis/y,vibration/axis/z,"
+      "vibration/amplitude/force/x,vibration/amplitude/force/y,vibration/amplitude/force/z,"
+      "vibration/amplitude/torque/x,vibration/amplitude/torque/y,vibration/amplitude/torque/z,"
+      "vibration/force/x,vibration/force/y,vibration/force/z,vibration/torque/x,vibration/torque/y,"
+      "vibration/torque/z,";
+  const std::string with = columns.header();
+  const std::size_t at = with.find(energy + added);
+  ASSERT_NE(at, std::string::npos) << with;
+  EXPECT_EQ(with.substr(0, at) + with.substr(at + energy.size() + added.size()), without);
+  TickRecord record;
+  record.impact.emplace();
+  record.impact_vibration.emplace();
+  EXPECT_EQ(cell(columns, "impact/object", record), "-1");
+  record.impact->count = 2;
+  record.impact->hardest.object = 3;
+  record.impact->hardest.speed = 0.125;
+  record.impact_vibration->frequency_Hz = 18.5;
+  record.impact_vibration->F_H_D.torque.z() = -0.25;
+  record.impact_vibration->energy = 2e-6;
+  EXPECT_EQ(cell(columns, "impact/count", record), "2");
+  EXPECT_EQ(cell(columns, "impact/object", record), "3");
+  EXPECT_EQ(cell(columns, "impact/speed", record), "0.125");
+  EXPECT_EQ(cell(columns, "vibration/frequency_Hz", record), "18.5");
+  EXPECT_EQ(cell(columns, "vibration/torque/z", record), "-0.25");
+  EXPECT_EQ(cell(columns, "energy/impact_vibration", record), "2e-06");
+}
+
 TEST(Trace, TimesAreThoseOnePrints) {
   TickRecord record;
   const TraceColumns kilohertz(0.001, {});

@@ -202,6 +202,73 @@ TEST_F(Assemble, AGhostIsThereWhereTheSceneShowsOne) {
   EXPECT_FALSE(read({}).torque_substitution);
 }
 
+// Models are numbered as they stand in the file, those of the scene alone.
+TEST_F(Assemble, EachModelOfTheSceneHasItsMaterialAndItsNumber) {
+  folder_.write("materials/wood.yaml", "fulcrum: 1\nname: Wood\nattack: 0.1\ndecay: 9\nfrequency_Hz: 20\n");
+  folder_.write("scenarios/peg/post.glb", box_glb({0.05F, 0.0F, 0.05F}, {0.07F, 0.1F, 0.07F}));
+  const std::string text = replaced(
+      replaced(kScenario, "  peg: {file",
+               "  post: {file: post.glb, role: scene, material: wood}\n  peg: {file"),
+      "contact:",
+      "impact: {retreat: 0.005, least_speed: 0.02}\nimpact_vibration: {distance: beam, gain: 0.5}\ncontact:");
+  const auto scenario = load_scenario_text(text, folder_.peg(), kCoarse);
+  ASSERT_TRUE(scenario) << to_text(scenario.faults());
+  const auto models = load_models(*scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  const auto haptic = assemble_haptic(*scenario, *models, cache_);
+  ASSERT_TRUE(haptic) << haptic.error().sentence;
+  const SceneDesc& scene = haptic->scene;
+  EXPECT_EQ(scene.impact.retreat, 0.005);
+  EXPECT_EQ(scene.impact.least_speed, 0.02);
+  ASSERT_TRUE(scene.impact_vibration);
+  EXPECT_EQ(scene.impact_vibration->distance, DistanceModel::beam);
+  EXPECT_EQ(scene.impact_vibration->gain, 0.5);
+  ASSERT_EQ(scene.impact_vibration->materials.size(), 2u);
+  EXPECT_EQ(scene.impact_vibration->materials[0].attack, 0.5);
+  EXPECT_EQ(scene.impact_vibration->materials[1].name, "Wood");
+  EXPECT_EQ(scene.impact_vibration->materials[1].frequency_Hz, 20);
+  ASSERT_TRUE(scene.scene_objects);
+  EXPECT_EQ(scene.scene_objects->nearest(Vec3(0.06, 0.1, 0.06)), 1);
+  EXPECT_EQ(scene.scene_objects->nearest(Vec3(0.05, 0.03, 0.06)), 1);
+  EXPECT_EQ(scene.scene_objects->nearest(Vec3(0.03, 0.0, 0.06)), 0);
+  EXPECT_EQ(scene.scene_objects->nearest(Vec3(-0.1, -0.01, 0)), 0);
+}
+
+TEST_F(Assemble, NobodyAsksForObjectsWhereNoImpactIsTold) {
+  const Scenario plain = read(kCoarse);
+  EXPECT_TRUE(plain.impact_materials.empty());
+  std::vector<std::string> named = kCoarse;
+  named.push_back("impact_vibration={}");
+  const Scenario one = read(named);
+  EXPECT_EQ(one.texts.files.count("materials/steel.yaml"), 1u) << "a tape keeps it";
+  const auto models = load_models(one);
+  ASSERT_TRUE(models) << models.error().sentence;
+  const auto haptic = assemble_haptic(one, *models, cache_);
+  ASSERT_TRUE(haptic) << haptic.error().sentence;
+  EXPECT_FALSE(haptic->scene.scene_objects) << "one object needs no telling apart";
+}
+
+TEST(Materials, ThoseOfTheContentAreWithinWhatWasTried) {
+  int read = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(FULCRUM_SOURCE_DIR) / "content/materials")) {
+    const Folder folder;
+    std::filesystem::copy(entry.path(), folder.root() / "materials",
+                          std::filesystem::copy_options::overwrite_existing);
+    const std::string name = entry.path().stem().string();
+    const auto scenario = load_scenario_text(
+        replaced(kScenario, "contact:", "impact_vibration: {material: " + name + "}\ncontact:"),
+        folder.peg());
+    ASSERT_TRUE(scenario) << to_text(scenario.faults());
+    const ImpactMaterial& material = scenario->impact_materials.at(name);
+    EXPECT_GE(material.frequency_Hz, 12) << name;
+    EXPECT_LE(material.frequency_Hz, 40) << name;
+    EXPECT_GE(material.decay, 5) << name;
+    ++read;
+  }
+  EXPECT_EQ(read, 3);
+}
+
 // What is cut open is drawn in the place of what it was cut from, in views that say so, and never touched.
 TEST_F(Assemble, DrawsAModelCutOpenWhereAViewSaysSo) {
   const std::string text =

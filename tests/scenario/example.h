@@ -42,6 +42,8 @@ waypoints:
 
 inline constexpr const char* kDevice = "fulcrum: 1\nname: Test arm\nmax_force: 3\n";
 
+inline constexpr const char* kMaterial = "fulcrum: 1\nname: Steel\nattack: 0.5\ndecay: 6\nfrequency_Hz: 35\n";
+
 // ROOT/scenarios/peg with kScenario and its files, removed at the end.
 class Folder {
 public:
@@ -54,6 +56,8 @@ public:
     write("scenarios/peg/scenario.yaml", kScenario);
     write("scenarios/peg/sure.yaml", kHandPath);
     write("devices/test_arm.yaml", kDevice);
+    std::filesystem::create_directories(root_ / "materials");
+    write("materials/steel.yaml", kMaterial);
   }
   ~Folder() {
     std::error_code ignored;

@@ -116,13 +116,18 @@ TEST(Mutation, OfAScenarioGivesAScenarioOrFaults) {
   const Folder folder;
   const auto piping =
       std::filesystem::path(FULCRUM_SOURCE_DIR) / "content" / "scenarios" / "piping" / "scenario.yaml";
-  Mutator mutator({kScenario, kScenario, file_text(piping)});
+  const std::string struck = replaced(
+      kScenario,
+      "contact:", "impact: {retreat: 0.004}\nimpact_vibration: {render: torque, voices: 4}\ncontact:");
+  Mutator mutator({kScenario, struck, file_text(piping)});
   int read = 0;
   for (int i = 0; i < kMutants; ++i) {
     const std::string text = mutator.next();
-    const SourceTexts texts{
-        "scenario.yaml",
-        {{"scenario.yaml", text}, {"sure.yaml", kHandPath}, {"devices/test_arm.yaml", kDevice}}};
+    const SourceTexts texts{"scenario.yaml",
+                            {{"scenario.yaml", text},
+                             {"sure.yaml", kHandPath},
+                             {"devices/test_arm.yaml", kDevice},
+                             {"materials/steel.yaml", kMaterial}}};
     const auto scenario = load_scenario_texts(texts, folder.peg());
     if (scenario) {
       ++read;
@@ -162,11 +167,14 @@ TEST(Mutation, OfTheFilesItNamesGivesAScenarioOrFaults) {
   const Folder folder;
   Mutator paths({kHandPath});
   Mutator devices({kDevice});
+  Mutator materials({kMaterial});
+  const std::string scenario_text = replaced(kScenario, "contact:", "impact_vibration: {}\ncontact:");
   for (int i = 0; i < kMutants / 3; ++i) {
     const SourceTexts texts{"scenario.yaml",
-                            {{"scenario.yaml", kScenario},
+                            {{"scenario.yaml", scenario_text},
                              {"sure.yaml", paths.next()},
-                             {"devices/test_arm.yaml", devices.next()}}};
+                             {"devices/test_arm.yaml", devices.next()},
+                             {"materials/steel.yaml", materials.next()}}};
     const auto scenario = load_scenario_texts(texts, folder.peg());
     ASSERT_TRUE(scenario || !scenario.faults().empty());
   }

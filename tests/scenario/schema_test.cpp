@@ -117,6 +117,7 @@ void expect_described(const Json& schema, const std::string& path) {
 TEST(Schema, DescribesEveryKey) {
   expect_described(Json::parse(scenario_schema()), "");
   expect_described(Json::parse(device_schema()), "");
+  expect_described(Json::parse(material_schema()), "");
 }
 
 }  // namespace
