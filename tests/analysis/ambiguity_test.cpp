@@ -52,16 +52,15 @@ TEST(Ambiguity, ARimHasAnAxisForEachPlaceOrNone) {
   EXPECT_EQ(of_inwards.without_axis, 1);
 }
 
-// All that strikes one side of a plate in the plane of the hand turns about one axis: whoever is as far away
-// is a twin. Held off the plate they are told apart.
 TEST(Ambiguity, RanksTheLeastAlikeFirst) {
-  std::vector<ImpactSite> sites;
-  for (int i = -10; i <= 10; ++i) sites.push_back({Vec3(0.01 * i, 0, 0), Vec3(0, i < 0 ? -1 : 1, 0)});
-  const Vec3 candidates[] = {Vec3::Zero(), Vec3(-0.12, 0, 0), Vec3(0, 0, 0.05)};
+  const ImpactSite sites[] = {kRight, kLeft};
+  const Vec3 candidates[] = {Vec3::Zero(), Vec3(-0.15, 0, 0), Vec3(0.15, 0, 0)};
   const std::vector<PointScore> ranked = rank_points(sites, candidates, {});
   ASSERT_EQ(ranked.size(), 3u);
-  for (std::size_t i = 1; i < 3; ++i) EXPECT_LE(ranked[i - 1].alike, ranked[i].alike);
-  EXPECT_EQ(ranked.back().p_T, Vec3::Zero());
+  EXPECT_EQ(ranked[0].p_T, candidates[1]);
+  EXPECT_EQ(ranked[1].p_T, candidates[2]) << "equal ones in their order";
+  EXPECT_EQ(ranked[2].p_T, candidates[0]);
+  EXPECT_EQ(ranked[2].alike, 1);
 }
 
 TEST(Ambiguity, NothingStruckIsNothingConfused) {
