@@ -86,5 +86,13 @@ TEST(Allocation, NoTickOfAnyShippedScenarioInAnyHandAllocates) {
   EXPECT_GE(runs, 5);
 }
 
+// Of the shipped hands, the clumsy one in the piping strikes most often.
+TEST(Allocation, NoTickWithImpactsAllocates) {
+  const std::optional<app::Prepared> prepared =
+      app::prepare("piping", std::vector<std::string>{"impact_vibration={voices: 4, distance: beam}"});
+  ASSERT_TRUE(prepared);
+  EXPECT_EQ(allocations_in(*prepared, "clumsy"), 0);
+}
+
 }  // namespace
 }  // namespace fulcrum::test
