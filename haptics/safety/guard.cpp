@@ -14,7 +14,8 @@ Vec3 beside(const Vec3& there, const Vec3& transient, double limit) {
   const double c = there.squaredNorm() - limit * limit;
   if (a == 0.0 || c >= 0.0) return Vec3::Zero();
   const double b = there.dot(transient);
-  return std::min(1.0, (std::sqrt(b * b - a * c) - b) / a) * transient;
+  constexpr double within = 1 - 1e-12;  // or rounding would take the sum beyond
+  return std::min(1.0, within * (std::sqrt(b * b - a * c) - b) / a) * transient;
 }
 
 }  // namespace

@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "haptics/math/rotation.h"
 #include "tests/haptics/scenes.h"
+#include "tests/haptics/world/knocks.h"
 
 namespace fulcrum::test {
 namespace {
 
 constexpr double kLever = 0.12;  // m, from the handle to the tool's tip, along x
-constexpr double kSpeed = 0.1;   // m/s
 
 DeviceDesc six_axis() {
   DeviceDesc device;
@@ -35,36 +33,6 @@ SceneDesc knock_scene(ContactResponse response) {
   desc.mapping.X_WD.q = quaternion_exp(Vec3(0.3, -0.8, 0.5));
   desc.impact_vibration.emplace();
   return desc;
-}
-
-// The handle of a tool whose tip is at `height`, for the scene above.
-Pose handle(const SceneDesc& desc, double height) {
-  return desc.mapping.handle_in_device({Quat::Identity(), Vec3(-kLever, height, 0)});
-}
-
-// Down to 1 mm below the floor and back up to 10 mm, at kSpeed, `times` over; after half a second of rest, in
-// which the force ramps in.
-std::vector<TickRecord> knock(const SceneDesc& desc, int times = 1, double height = 0.01) {
-  World world = expect(World::build(desc));
-  std::vector<TickRecord> records;
-  for (int i = 0; i < 600; ++i) records.push_back(step(world, at(handle(desc, height)), {}).record);
-  double y = height;
-  for (int i = 0; i < times; ++i) {
-    for (; y > -1e-3; y -= kSpeed * desc.tick_s)
-      records.push_back(step(world, at(handle(desc, y)), {}).record);
-    for (int k = 0; k < 200; ++k) records.push_back(step(world, at(handle(desc, y)), {}).record);
-    for (; y < height; y += kSpeed * desc.tick_s)
-      records.push_back(step(world, at(handle(desc, y)), {}).record);
-  }
-  return records;
-}
-
-std::vector<std::size_t> struck(const std::vector<TickRecord>& records) {
-  std::vector<std::size_t> ticks;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    for (int k = 0; k < records[i].impact->count; ++k) ticks.push_back(i);
-  }
-  return ticks;
 }
 
 class Impacts : public testing::TestWithParam<ContactResponse> {};
@@ -101,21 +69,6 @@ TEST_P(Impacts, EachBlowIsFeltFromTheNextTickOn) {
 // The wrench on the handle is the continuous one and the vibration, and off it is as if it were not there:
 // every number that both have, bit for bit (-0 is not 0).
 TEST_P(Impacts, OffIsAsIfTheyWereNotThere) {
-  const auto bytes_of = [](const TickRecord& record) {
-    std::vector<double> numbers;
-    for (const Vec3* v :
-         {&record.X_WH.p, &record.X_WT.p, &record.V_WT.v, &record.V_WT.w, &record.coupling_F_T_W.force,
-          &record.coupling_F_T_W.torque, &record.contact_F_T_W.force, &record.contact_F_T_W.torque,
-          &record.device_F_H_D.force, &record.device_F_H_D.torque})
-      numbers.insert(numbers.end(), v->begin(), v->end());
-    numbers.insert(numbers.end(), record.actuator_load.begin(), record.actuator_load.end());
-    numbers.push_back(record.energy_port);
-    numbers.push_back(record.depth_max);
-    numbers.push_back(record.faults);
-    std::string bytes(numbers.size() * sizeof(double), '\0');
-    std::memcpy(bytes.data(), numbers.data(), bytes.size());
-    return bytes;
-  };
   const SceneDesc on = knock_scene(GetParam());
   SceneDesc off = on, none = on;
   off.impact_vibration->gain = 0;
@@ -139,11 +92,6 @@ TEST_P(Impacts, OffIsAsIfTheyWereNotThere) {
 TEST_P(Impacts, ContactOnTheFirstTickIsNone) {
   const std::vector<TickRecord> records = knock(knock_scene(GetParam()), 1, -0.5e-3);
   EXPECT_TRUE(struck(records).empty());
-}
-
-std::string name_of(const testing::TestParamInfo<ContactResponse>& given) {
-  constexpr const char* names[] = {"Penalty", "Voxel", "Static", "Constraint"};
-  return names[static_cast<int>(given.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Impacts,
