@@ -1,0 +1,79 @@
+// The device files that come with the program: that they load, and what their motors add up to.
+
+#include <gtest/gtest.h>
+
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
+#include "haptics/actuation/allocator.h"
+#include "tests/haptics/actuation/w6d.h"
+
+namespace fulcrum::scenario {
+namespace {
+
+DeviceDesc shipped(const std::string& name) {
+  const auto device =
+      load_device(std::filesystem::path(FULCRUM_SOURCE_DIR) / "content" / "devices" / (name + ".yaml"));
+  EXPECT_TRUE(device) << (device ? "" : to_text(device.faults()));
+  return device ? *device : DeviceDesc();
+}
+
+// N or N m, the largest of this direction at home, the rest of the wrench zero.
+double largest(const DeviceDesc& device, const Wrench& direction,
+               AllocationMethod method = AllocationMethod::exact) {
+  Allocator motors(device, {.method = method});
+  const Wrench F = motors.whole(direction * 1e3).F_H_D;
+  return std::max(F.force.norm(), F.torque.norm());
+}
+
+TEST(DeviceFiles, AllLoadAndAreDevices) {
+  const auto files = device_files({std::filesystem::path(FULCRUM_SOURCE_DIR) / "content"});
+  EXPECT_GE(files.size(), 5u);
+  for (const auto& [name, file] : files) {
+    const DeviceDesc device = shipped(name);
+    if (device.kinematics != Kinematics::arms) continue;
+    const auto error = Mechanism::refuse(device.mechanism);
+    EXPECT_FALSE(error) << name << ": " << (error ? error->sentence : "");
+    EXPECT_EQ(device.renders_torque, Mechanism::motors(device.mechanism) >= 6) << name;
+  }
+}
+
+// The table in the file is the paper's, in the device's axes: its x is towards the person, ours to the right.
+TEST(DeviceFiles, TheW6DsMotorsAreThePapers) {
+  const DeviceDesc device = shipped("w6d");
+  const Mechanism of_file(device.mechanism), of_paper(w6d::device(0.511, 0.145).mechanism);
+  const Quat q_DK = device.mechanism.q_DK;
+  EXPECT_NEAR((q_DK * Vec3::UnitX() - Vec3::UnitZ()).norm(), 0, 1e-7);
+  EXPECT_NEAR((q_DK * Vec3::UnitY() - Vec3::UnitY()).norm(), 0, 1e-7);
+  for (int motor = 0; motor < 7; ++motor) {
+    const Vec3 force = q_DK * Vec3(of_paper.wrenches().col(motor).head<3>());
+    const Vec3 torque = q_DK * Vec3(of_paper.wrenches().col(motor).tail<3>());
+    EXPECT_NEAR((of_file.wrenches().col(motor).head<3>() - force).norm(), 0, 1e-5) << motor;
+    EXPECT_NEAR((of_file.wrenches().col(motor).tail<3>() - torque).norm(), 0, 1e-5) << motor;
+  }
+  const Vec3 x = Vec3::UnitZ(), y = Vec3::UnitY(), z = -Vec3::UnitX();  // the paper's
+  EXPECT_NEAR(largest(device, {x, Vec3::Zero()}), 6.663, 6e-4);
+  EXPECT_NEAR(largest(device, {y, Vec3::Zero()}), 3.969, 6e-4);
+  EXPECT_NEAR(largest(device, {z, Vec3::Zero()}), 3.969, 6e-4);
+  EXPECT_NEAR(largest(device, {x, Vec3::Zero()}, AllocationMethod::pseudoinverse), 5.211, 6e-4);
+  EXPECT_NEAR(largest(device, {y, Vec3::Zero()}, AllocationMethod::pseudoinverse), 2.794, 6e-4);
+  EXPECT_NEAR(largest(device, {z, Vec3::Zero()}, AllocationMethod::pseudoinverse), 2.595, 6e-4);
+}
+
+TEST(DeviceFiles, ASerialArmGivesWhatItsDataSheetSays) {
+  const DeviceDesc device = shipped("serial6");
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(largest(device, {Vec3::Unit(axis), Vec3::Zero()}), 8.5, 0.03) << axis;
+  EXPECT_NEAR(largest(device, {Vec3::Zero(), Vec3::UnitX()}), 0.188, 1e-9);
+  EXPECT_NEAR(largest(device, {Vec3::Zero(), Vec3::UnitY()}), 0.188, 1e-9);
+  EXPECT_NEAR(largest(device, {Vec3::Zero(), Vec3::UnitZ()}), 0.048, 1e-9);
+}
+
+TEST(DeviceFiles, TheDesktopArmGivesItsForceAlongEveryAxis) {
+  const DeviceDesc device = shipped("phantom_like");
+  EXPECT_EQ(device.max_force, 7.9);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_GE(largest(device, {Vec3::Unit(axis), Vec3::Zero()}), device.max_force) << axis;
+}
+
+}  // namespace
+}  // namespace fulcrum::scenario
