@@ -40,9 +40,9 @@ cmp -s A/trace.csv C/trace.csv || fail "the replay's trace differs"
 for file in summary.json trace.csv trace.json timing.csv tape frame.png; do [ -s "A/$file" ] || fail "no A/$file"; done
 expect 1 'holds results.*--force' "$FULCRUM" run piping --headless --out A
 expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --seconds 1 --out D
-expect 3 'Not completed' "$FULCRUM" run piping --headless --device simulated:w6d --seconds 0.5 --out W
-head -1 W/trace.csv | grep -q 'actuator/load/twist' || fail "a scene on the W6D has no column of its seventh motor"
-expect 0 'bit for bit' "$FULCRUM" replay W/tape --out V
+expect 3 'Not completed' "$FULCRUM" run piping --headless --device simulated:w6d --seconds 0.5 --out on_w6d
+head -1 on_w6d/trace.csv | grep -q 'actuator/load/twist' || fail "a scene on the W6D has no column of its seventh motor"
+expect 0 'bit for bit' "$FULCRUM" replay on_w6d/tape --out on_w6d_again
 expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/tape --seconds 1 --out E
 expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/trace.csv --seconds 1 --out F
 expect 3 'Late ticks: [0-9]+, lost: [0-9]+' "$FULCRUM" run piping --headless --realtime --seconds 2 --out G

@@ -42,8 +42,8 @@ TEST(Trace, HeaderIsTheContract) {
             "coupling/torque/x,coupling/torque/y,coupling/torque/z,contact/force/x,contact/force/y,"
             "contact/force/z,contact/torque/x,contact/torque/y,contact/torque/z,contact/regions,"
             "contact/depth_max,device/force/x,device/force/y,device/force/z,device/torque/x,device/torque/y,"
-            "device/torque/z,actuator/load/yaw,actuator/load/shoulder,actuator/load/elbow,task/step,"
-            "energy/port,energy/unrendered,fault\n");
+            "device/torque/z,actuator/load/yaw,actuator/load/shoulder,actuator/load/elbow,"
+            "actuator/missing/force,actuator/missing/torque,task/step,energy/port,energy/unrendered,fault\n");
 }
 
 // A task that does not count them keeps its bytes.
