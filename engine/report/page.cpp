@@ -53,6 +53,7 @@ svg.plot { width: 100%; height: auto; display: block; font: 12.5px system-ui, "D
 .cool4 { fill: var(--cool4); } .cool3 { fill: var(--cool3); } .cool2 { fill: var(--cool2); }
 .cool1 { fill: var(--cool1); } .even { fill: var(--even); } .warm1 { fill: var(--warm1); }
 .warm2 { fill: var(--warm2); } .warm3 { fill: var(--warm3); } .warm4 { fill: var(--warm4); }
+.disc { clip-path: circle(50%) fill-box; }
 .key { stroke: var(--soft); stroke-width: .6px; }
 )";
 
@@ -94,9 +95,18 @@ void Page::table(const Table& table) {
   body_ += "</tbody></table></div>\n";
 }
 
+void Page::figure(std::string_view title, std::string_view drawn, std::string_view caption) {
+  body_ += "<figure><b>" + escaped(title) + "</b>\n";
+  body_ += drawn;
+  body_ += "\n<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
 void Page::plot(const Plot& plot, std::string_view caption) {
-  body_ += "<figure><b>" + escaped(plot.title) + "</b>\n" + svg(plot) + "\n<figcaption>" + escaped(caption) +
-           "</figcaption></figure>\n";
+  figure(plot.title, svg(plot), caption);
+}
+
+void Page::panels(const Panels& panels, std::string_view caption) {
+  figure(panels.title, svg(panels), caption);
 }
 
 std::string Page::html() const {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/report/panels.h"
 #include "engine/report/plot.h"
 
 namespace fulcrum::report {
@@ -30,10 +31,13 @@ public:
   void facts(const Facts& facts);
   void table(const Table& table);
   void plot(const Plot& plot, std::string_view caption);
+  void panels(const Panels& panels, std::string_view caption);
 
   std::string html() const;  // well-formed as XML, too
 
 private:
+  void figure(std::string_view title, std::string_view drawn, std::string_view caption);
+
   std::string title_, body_;
 };
 

@@ -57,6 +57,22 @@ Plot busy_plot() {
   return plot;
 }
 
+// Two rows of two discs, each of 2 x 3 cells.
+Panels busy_panels() {
+  Panels panels;
+  panels.title = "Here & there";
+  panels.columns = {"a < b", "c"};
+  panels.rows = {"one", "two"};
+  panels.across = 2;
+  panels.down = 3;
+  panels.round = true;
+  panels.above = "away";
+  panels.below = "person";
+  panels.bands = {{"less", -2}, {"more", 3}};
+  panels.panels = {{0, 0, 1, 1, -1, -1}, {0, 1, 1, 0, 0, 1}, {-1, -1, -1, -1, -1, -1}, {1, 1, 1, 1, 1, 1}};
+  return panels;
+}
+
 std::string busy_page() {
   Page page("Work & precision <1>");
   page.heading("A \"heading\"");
@@ -66,6 +82,7 @@ std::string busy_page() {
   page.facts({{"a & b", "<1"}, {"c", "2"}});
   page.table({{"method", "error"}, {{"a & b", "<1"}, {"c", "2"}}});
   page.plot(busy_plot(), "What is > nothing");
+  page.panels(busy_panels(), "Seen & drawn");
   return page.html();
 }
 
@@ -172,6 +189,15 @@ TEST(Pareto, FrontIsWhatNoOtherBeats) {
   EXPECT_EQ(front[1].x, 3);
   EXPECT_EQ(front[1].y, 2);
   EXPECT_EQ(front[2].x, 4);
+}
+
+TEST(Panels, NeighboursOfOneBandAreOneCellAndEmptyOnesNone) {
+  const std::string picture = svg(busy_panels());
+  EXPECT_EQ(count(picture, "<circle class=\"frame\""), 4u);
+  EXPECT_EQ(count(picture, "<rect class=\"cool2\""), 1u + 3u);  // runs of rows: one, then 0|1, 1|0, 0|1
+  EXPECT_EQ(count(picture, "<rect class=\"warm3\""), 1u + 3u + 3u);
+  EXPECT_EQ(count(picture, ">away</text>"), 1u);
+  EXPECT_NE(picture.find(">a &lt; b</text>"), picture.npos);
 }
 
 }  // namespace
