@@ -65,10 +65,10 @@ SimulatedWall::SimulatedWall(const WallLoop& loop, const Wall& wall, double v0)
   device_.push({v0, 0, 0});
 }
 
-void SimulatedWall::tick() noexcept {
+void SimulatedWall::tick(double added) noexcept {
   const double x = counted();
   velocity_ = keep_ * velocity_ + (1 - keep_) * (x - before_) / tick_s_;
-  force_ = -wall_.K * (x - rest_) - wall_.B * velocity_;
+  force_ = -wall_.K * (x - rest_) - wall_.B * velocity_ + added;
   before_ = x;
   device_.write({.F_H_D = {Vec3(force_, 0, 0), Vec3::Zero()}});
 }

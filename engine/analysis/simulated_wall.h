@@ -15,7 +15,7 @@ public:
   // at rest the device feels K D / 2 one way or the other, and trembles if friction does not hold that.
   SimulatedWall(const WallLoop& loop, const Wall& wall, double v0);
 
-  void tick() noexcept;
+  void tick(double added = 0) noexcept;                   // N, a force beside the wall's
   double x() const { return device_.X_DH().p.x(); }       // m, the true place
   double v() const { return device_.velocity().x(); }     // m/s
   double counted() { return device_.read().X_DH.p.x(); }  // m, what the law sees at the next tick

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/app/compare_options.h"
+#include "engine/app/hardness_options.h"
 #include "engine/app/run_options.h"
 
 namespace fulcrum::app {
@@ -17,7 +18,8 @@ int check_command(const std::vector<std::string>& files, bool json);
 int explain_command(const std::string& scenario, const std::vector<std::string>& overrides, bool json);
 int devices_command(bool json);
 int compare_command(const CompareOptions& options);
-int ambiguity_command(const RunOptions& options);      // its scenario, overrides, out and force
+int ambiguity_command(const RunOptions& options);  // its scenario, overrides, out and force
+int hardness_command(const HardnessOptions& options);
 int stability_command(const RunOptions& options);      // its out, force and json
 int workprecision_command(const RunOptions& options);  // likewise
 int schema_command(const std::string& of);             // scenario, hand, device or material

@@ -103,6 +103,24 @@ CLI::App* add_compare(CLI::App& program, CompareOptions& options, std::string& v
   return compare;
 }
 
+CLI::App* add_hardness(CLI::App& program, HardnessOptions& options) {
+  CLI::App* hardness = program.add_subcommand(
+      "hardness", "Where on a device a moment makes a surface feel harder, and where it cannot");
+  hardness->add_option("--device", options.device, "A file of content/devices, by name (default: w6d)")
+      ->type_name("NAME");
+  hardness->add_option("--speed", options.speed, "Of the hand towards the surface, in m/s (default 0.15)")
+      ->type_name("V")
+      ->check(CLI::Range(1e-3, 10.0));
+  hardness
+      ->add_option("--motor-limit", options.motor_limit,
+                   "Of every motor of the device's arms, in N m (default: as its file says)")
+      ->type_name("LIMIT")
+      ->check(CLI::Range(1e-3, 1e3));
+  add_out(hardness, options.run);
+  hardness->add_flag("--json", options.run.json, "Print hardness.json");
+  return hardness;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App program("Fulcrum, a haptic training simulator.", "fulcrum");
   program.set_version_flag("--version", std::string("fulcrum ") + kVersion);
@@ -110,6 +128,7 @@ int dispatch(int argc, char** argv) {
   bool json = false;
   RunOptions options;
   CompareOptions compare_options;
+  HardnessOptions hardness_options;
   std::string size, variants, tape, scenario, schema_of = "scenario";
   std::vector<std::string> files;
 
@@ -135,6 +154,7 @@ int dispatch(int argc, char** argv) {
   ambiguity->add_option("scenario", options.scenario, "Its name or file")->required()->type_name("NAME|FILE");
   add_set(ambiguity, options.overrides);
   add_out(ambiguity, options);
+  CLI::App* hardness = add_hardness(program, hardness_options);
   CLI::App* stability =
       program.add_subcommand("stability", "How stiff a wall each device can hold: simulated, and by theory");
   add_out(stability, options);
@@ -160,6 +180,7 @@ int dispatch(int argc, char** argv) {
   if (*devices) return devices_command(json);
   if (*compare) return compare_command(compare_options);
   if (*ambiguity) return ambiguity_command(options);
+  if (*hardness) return hardness_command(hardness_options);
   if (*stability) return stability_command(options);
   if (*workprecision) return workprecision_command(options);
   return schema_command(schema_of);

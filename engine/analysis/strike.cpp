@@ -1,0 +1,139 @@
+#include "engine/analysis/strike.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/analysis/nearest_wrench.h"
+#include "haptics/math/shortened.h"
+
+namespace fulcrum::analysis {
+namespace {
+
+constexpr double kAlong = 0.99;     // a normal this near to the person's direction: the stylus leans upwards
+constexpr double kNoMoment = 1e-9;  // of the lever: a contact without moment at the grasp
+
+}  // namespace
+
+Vec3 Strike::p_HG_D(double lever) const {
+  const Vec3 person = std::abs(nhat_D.z()) > kAlong ? Vec3::UnitY() : Vec3::UnitZ();
+  const Vec3 towards = (person - nhat_D * nhat_D.dot(person)).normalized();
+  const Vec3 side = std::cos(lean) * towards + std::sin(lean) * nhat_D.cross(towards);
+  return lever * (std::cos(phi) * nhat_D + std::sin(phi) * side);
+}
+
+const char* name_of(PulseMethod method) {
+  switch (method) {
+    case PulseMethod::none:
+      return "none";
+    case PulseMethod::force_only:
+      return "force_only";
+    case PulseMethod::force_only_spare:
+      return "force_only_spare";
+    case PulseMethod::algorithm1:
+      return "algorithm1";
+    case PulseMethod::exact:
+      return "exact";
+    case PulseMethod::nearest_wrench:
+      return "nearest_wrench";
+    case PulseMethod::free_moment:
+      return "free_moment";
+  }
+  return "";
+}
+
+const char* title_of(PulseMethod method) {
+  switch (method) {
+    case PulseMethod::none:
+      return "no pulse";
+    case PulseMethod::force_only:
+      return "force only";
+    case PulseMethod::force_only_spare:
+      return "force only, spare motors";
+    case PulseMethod::algorithm1:
+      return "Algorithm 1";
+    case PulseMethod::exact:
+      return "exact";
+    case PulseMethod::nearest_wrench:
+      return "nearest wrench";
+    case PulseMethod::free_moment:
+      return "free moment";
+  }
+  return "";
+}
+
+double Felt::contact_force(double phi, double lever) const {
+  const double s = std::sin(phi);
+  return std::sqrt((force * force + moment_D.squaredNorm() / (lever * lever)) / (1 + s * s));
+}
+
+Striker::Striker(const DeviceDesc& device, const StrikeSetting& setting, double moment_weight)
+    : setting_(setting),
+      max_force_(device.max_force),
+      max_torque_(device.max_torque),
+      exact_(device, {.method = AllocationMethod::exact, .moment_weight = moment_weight}),
+      algorithm1_(device, {.method = AllocationMethod::algorithm1, .moment_weight = 1}),
+      pseudoinverse_(device, {.method = AllocationMethod::pseudoinverse, .moment_weight = 1}) {}
+
+Felt Striker::felt(const Wrench& F_H_D, const Strike& strike) const {
+  const double wanted = setting_.wanted_force();
+  const Vec3 r = strike.p_HG_D(setting_.lever), f_des = wanted * strike.nhat_D, whole = r.cross(f_des);
+  Felt felt;
+  felt.F_H_D = F_H_D;
+  felt.moment_D = r.cross(F_H_D.force) - F_H_D.torque;
+  felt.force = F_H_D.force.dot(strike.nhat_D);
+  felt.tilt = std::atan2(F_H_D.force.cross(strike.nhat_D).norm(), felt.force);
+  felt.gamma = felt.force / wanted;
+  felt.mu = whole.norm() > kNoMoment * wanted * setting_.lever
+                ? felt.moment_D.dot(whole) / whole.squaredNorm()
+                : felt.gamma;
+  felt.missing = std::hypot((f_des - F_H_D.force).norm(), (whole - felt.moment_D).norm() / setting_.lever);
+  return felt;
+}
+
+Felt Striker::strike(PulseMethod method, const Pose& X_DH, const Strike& strike) {
+  const Vec3 f_D = setting_.wanted_force() * strike.nhat_D, p_HG_D = strike.p_HG_D(setting_.lever);
+  const auto by = [&](Allocator& motors) {
+    motors.begin(X_DH);
+    return felt(motors.pulse({f_D, Vec3::Zero()}, p_HG_D, setting_.lever).F_H_D, strike);
+  };
+  switch (method) {
+    case PulseMethod::none:
+      return felt({}, strike);
+    case PulseMethod::force_only:
+      return by(pseudoinverse_);
+    case PulseMethod::force_only_spare:
+      exact_.begin(X_DH);
+      return felt(exact_.whole({f_D, Vec3::Zero()}).F_H_D, strike);
+    case PulseMethod::algorithm1:
+      return by(algorithm1_);
+    case PulseMethod::exact:
+      return by(exact_);
+    case PulseMethod::nearest_wrench:
+    case PulseMethod::free_moment:
+      exact_.begin(X_DH);
+      return felt(nearest_wrench(exact_.actuators(), f_D, p_HG_D, method == PulseMethod::free_moment),
+                  strike);
+  }
+  return {};
+}
+
+// As World::allocate_pulse: what the motors can do is found first, and then bounded.
+Felt Striker::guarded(PulseMethod method, const Pose& X_DH, const Strike& strike) {
+  const Felt able = this->strike(method, X_DH, strike);
+  const Wrench allowed{shortened(able.F_H_D.force, max_force_), shortened(able.F_H_D.torque, max_torque_)};
+  if (allowed.force == able.F_H_D.force && allowed.torque == able.F_H_D.torque) return able;
+  const bool spares = method == PulseMethod::exact || method == PulseMethod::force_only_spare;
+  Allocator& motors = spares ? exact_ : pseudoinverse_;
+  motors.begin(X_DH);
+  return felt(motors.whole(allowed).F_H_D, strike);
+}
+
+// Line 9 of it turned round is line 9 for a grasp on the other side.
+Felt Striker::as_printed(const Pose& X_DH, const Strike& strike) {
+  const Vec3 f_D = setting_.wanted_force() * strike.nhat_D;
+  algorithm1_.begin(X_DH);
+  return felt(algorithm1_.pulse({f_D, Vec3::Zero()}, -strike.p_HG_D(setting_.lever), setting_.lever).F_H_D,
+              strike);
+}
+
+}  // namespace fulcrum::analysis

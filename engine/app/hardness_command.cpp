@@ -1,0 +1,173 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "engine/analysis/hardness_report.h"
+#include "engine/analysis/hardness_tables.h"
+#include "engine/app/commands.h"
+#include "engine/app/exit_code.h"
+#include "engine/app/report_output.h"
+#include "engine/app/terminal.h"
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
+#include "engine/scenario/words.h"
+#include "haptics/math/number_text.h"
+
+namespace fulcrum::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<DeviceDesc> device_named(const std::string& name) {
+  const auto files = scenario::device_files(scenario::content_roots());
+  const auto found = files.find(name);
+  if (found == files.end()) {
+    std::vector<std::string_view> names;
+    std::string all;
+    for (const auto& [each, file] : files) {
+      names.push_back(each);
+      all += (all.empty() ? "" : ", ") + each;
+    }
+    complain("there is no device " + scenario::in_quotes(name) +
+             scenario::did_you_mean(name, names, "there are " + all) + ".");
+    return std::nullopt;
+  }
+  const scenario::Checked<DeviceDesc> device = scenario::load_device(found->second);
+  if (!device) {
+    complain(scenario::to_text(device.faults()));
+    return std::nullopt;
+  }
+  if (Actuators::count(*device) == 0) {
+    complain("the device '" + name + "' has no motors: nothing can be felt on it.");
+    return std::nullopt;
+  }
+  return *device;
+}
+
+Json to_json(const analysis::MethodSummary& s) {
+  return {{"method", analysis::name_of(s.method)},
+          {"phi_deg", s.phi_deg},
+          {"felt_force_N", s.force},
+          {"felt_moment_Nm", s.moment},
+          {"extended_rate_hardness_N_per_m", s.rate_hardness},
+          {"felt_rate_hardness_N_per_m", s.felt_rate_hardness},
+          {"moment_gain", s.gain.moment},
+          {"felt_hardness_gain", s.gain.hardness},
+          {"least_moment_gain", s.least_gain},
+          {"largest_moment_gain", s.largest_gain},
+          {"helped", s.helped},
+          {"lowered", s.lowered}};
+}
+
+Json checks_json(const analysis::PulseChecks& checks) {
+  Json costs = Json::array();
+  for (const analysis::MethodCost& cost : checks.costs)
+    costs.push_back({{"method", analysis::name_of(cost.method)},
+                     {"missing", cost.missing},
+                     {"median_us", cost.median_us},
+                     {"p99_us", cost.p99_us}});
+  return {{"cases", checks.cases},
+          {"clamped", checks.clamped},
+          {"out_of_reach", checks.beyond},
+          {"worst_margin", checks.worst_margin},
+          {"better", checks.better},
+          {"largest_load", checks.largest_load},
+          {"costs", costs}};
+}
+
+Json axes_json(const analysis::HardnessStudy& study) {
+  Json axes = Json::array();
+  for (const analysis::PaperAxis& axis : study.axes)
+    axes.push_back({{"faces", axis.name},
+                    {"phi_rad", axis.phi},
+                    {"gamma", axis.algorithm1.gamma},
+                    {"delta", axis.algorithm1.delta()},
+                    {"felt_moment_Nm", axis.algorithm1.moment_D.norm()},
+                    {"felt_moment_as_printed_Nm", axis.as_printed.moment_D.norm()},
+                    {"felt_moment_exact_Nm", axis.exact.moment_D.norm()},
+                    {"force_exact_N", axis.exact.force}});
+  return axes;
+}
+
+Json to_json(const analysis::HardnessStudy& study) {
+  Json methods = Json::array();
+  for (const analysis::PulseMethod method : analysis::kUsableMethods) {
+    for (const double phi_deg : analysis::kPhis)
+      methods.push_back(to_json(analysis::summary_of(study, method, phi_deg)));
+  }
+  Json guarded = Json::array();
+  for (const analysis::GuardedMethod& g : study.guarded)
+    guarded.push_back({{"method", analysis::name_of(g.method)},
+                       {"felt_force_N", g.force},
+                       {"felt_moment_Nm", g.moment},
+                       {"moment_gain", g.gain.moment},
+                       {"felt_hardness_gain", g.gain.hardness},
+                       {"cut", g.cut}});
+  Json shown = Json::array();
+  for (const analysis::ShownMethod& s : study.shown)
+    shown.push_back({{"method", analysis::name_of(s.method)},
+                     {"speed_m_per_s", s.speed},
+                     {"felt_force_N", s.force},
+                     {"tilt_rad", s.tilt},
+                     {"largest_tilt_rad", s.largest_tilt},
+                     {"turned_rad", s.turned},
+                     {"largest_moment_of_contact", s.largest_moment}});
+  const analysis::StrikeSetting& s = study.setting;
+  return {{"device", study.device},
+          {"hand_mass_kg", s.hand_mass},
+          {"speed_m_per_s", s.speed},
+          {"pulse_ticks", s.ticks},
+          {"tick_s", s.tick_s},
+          {"lever_m", s.lever},
+          {"stiffness_N_per_m", s.stiffness},
+          {"wanted_force_N", s.wanted_force()},
+          {"answer", analysis::hardness_answer(study)},
+          {"methods", methods},
+          {"guarded", guarded},
+          {"shown_not_used", shown},
+          {"paper_axes", axes_json(study)},
+          {"checks", checks_json(study.checks)}};
+}
+
+}  // namespace
+
+int hardness_command(const HardnessOptions& options) {
+  constexpr std::string_view files[] = {analysis::kHardnessCsvName, analysis::kHardnessJsonName,
+                                        analysis::kHardnessPageName};
+  std::optional<DeviceDesc> device = device_named(options.device);
+  if (!device) return kError;
+  std::string command = "fulcrum hardness --device " + options.device;
+  analysis::StrikeSetting setting;
+  setting.speed = options.speed;
+  if (options.speed != HardnessOptions{}.speed) command += " --speed " + number_text(options.speed, 6);
+  if (options.motor_limit) {
+    if (device->kinematics != Kinematics::arms) {
+      complain("the device '" + options.device + "' has no arms: --motor-limit is of an arm's motors.");
+      return kError;
+    }
+    analysis::limit_motors(*device, *options.motor_limit);
+    command += " --motor-limit " + number_text(*options.motor_limit, 6);
+  }
+  const std::optional<std::filesystem::path> folder = report_folder("hardness", options.run, files);
+  if (!folder) return kError;
+  ProgressBar bar;
+  analysis::HardnessStudy study =
+      analysis::study_hardness(options.device, *device, setting,
+                               [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
+  bar.clear();
+  study.command = command;
+  const std::string json = to_json(study).dump(2) + "\n";
+  if (!write_report(*folder, {{analysis::kHardnessCsvName, analysis::hardness_csv(study).text()},
+                              {analysis::kHardnessJsonName, json},
+                              {analysis::kHardnessPageName, analysis::hardness_page(study).html()}}))
+    return kError;
+  if (options.run.json) {
+    std::printf("%s", json.c_str());
+    return kCompleted;
+  }
+  for (const std::string& sentence : analysis::hardness_answer(study)) std::printf("%s\n", sentence.c_str());
+  print_table(analysis::method_table(study));
+  std::printf("Map, plots and every direction lie in %s\n", bold(folder->string()).c_str());
+  return kCompleted;
+}
+
+}  // namespace fulcrum::app
