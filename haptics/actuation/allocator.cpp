@@ -20,7 +20,7 @@ Allocator::Allocator(const DeviceDesc& device, const AllocationDesc& desc)
       actuators_(device),
       space_(actuators_),
       lever_(lever_of(device)),
-      taken_(Effort::Zero(actuators_.count())) {
+      taken_(Effort::Zero()) {
   begin(Pose{});
 }
 
