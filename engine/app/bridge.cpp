@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/scenario/to_glm.h"
 #include "haptics/safety/faults.h"
 
 namespace fulcrum::app {
@@ -68,35 +69,30 @@ std::string stop_reason(std::uint32_t faults) {
 
 }  // namespace
 
-glm::mat4 to_glm(const Pose& X) {
-  const Eigen::Matrix3f R = X.q.toRotationMatrix().cast<float>();
-  const Eigen::Vector3f p = X.p.cast<float>();
-  glm::mat4 M(1.0F);
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) M[column][row] = R(row, column);
-  }
-  for (int row = 0; row < 3; ++row) M[3][row] = p[row];
-  return M;
-}
-
-FrameBridge::FrameBridge(const render::VisualDesc& desc, const Quat& q_HT) : markers_(desc.markers.size()) {
-  if (desc.ghost) ghost_q_HT_ = q_HT;
+FrameBridge::FrameBridge(const render::VisualDesc& desc, const SceneDesc& scene)
+    : markers_(desc.markers.size()) {
+  if (desc.ghost) ghost_q_HT_ = scene.tool.X_HT.q;
   for (const render::Instance& instance : desc.instances) {
-    if (instance.movable) X_WM_.push_back(instance.X_WM);
+    if (!instance.movable) continue;
+    follows_.push_back(instance.follows);
+    X_WM_.push_back(instance.X_WM);
+    if (instance.follows > 0 && !links_) links_.emplace(scene.device.mechanism, scene.mapping);
   }
   marker_states_.resize(markers_);
 }
 
 render::FrameState FrameBridge::frame(const TickRecord& record, const scenario::TaskState& task,
                                       const render::Camera& camera, double time) {
-  for (glm::mat4& X_WM : X_WM_) X_WM = to_glm(record.X_WT);
+  const std::vector<Pose>* X_WL = links_ ? &links_->follow(record.X_WH) : nullptr;
+  for (std::size_t i = 0; i < X_WM_.size(); ++i)
+    X_WM_[i] = scenario::to_glm(follows_[i] == 0 ? record.X_WT : (*X_WL)[follows_[i] - 1]);
   for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
   render::FrameState state;
   state.X_WM = X_WM_;
   state.markers = marker_states_;
   if (ghost_q_HT_)
     state.ghost = {static_cast<float>(record.torque.ghost),
-                   to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
+                   scenario::to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
   state.camera = camera;
   state.time_s = time;
   return state;

@@ -86,6 +86,11 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (!prepared.haptic.task.hard_touch) add("hard touches", "no hard_touch is named");
 }
 
+std::string why_no_arms(const Prepared& prepared, const SceneDesc& scene) {
+  if (!prepared.scenario.device.drawn) return "the scenario does not ask for it";
+  return "the device '" + scene.device.name + "' has none";
+}
+
 }  // namespace
 
 Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan) {
@@ -97,6 +102,11 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
     result.left_out.push_back({"renderer", "picture", 0, 0, "nothing is drawn"});
     return result;
   }
+  if (scenario::draws_arms(prepared.scenario, world.desc()))
+    result.built.push_back(
+        {"device's arms", "picture", 0, 0, "as its table has them, where the handle holds them"});
+  else
+    result.left_out.push_back({"device's arms", "picture", 0, 0, why_no_arms(prepared, world.desc())});
   for (const render::BuildItem& item : plan->built)
     result.built.push_back({item.name, item.kind, item.bytes, 0, item.note});
   for (const render::BuildItem& item : plan->left_out)

@@ -30,7 +30,7 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   const ui::OverlayState shown = overlay_state(prepared, scene, moment.record, moment.task);
   if (const auto laid_out = overlay.value()->prepare(shown, options.size); !laid_out)
     return Error{laid_out.error()};
-  FrameBridge bridge(visual.desc, scene.tool.X_HT.q);
+  FrameBridge bridge(visual.desc, scene);
   render::FrameState frame = bridge.frame(moment.record, moment.task, moment.camera, shown.time_s);
   frame.overlay = overlay.value().get();
   if (const auto drawn = renderer.value()->frame(frame); !drawn) return Error{drawn.error()};

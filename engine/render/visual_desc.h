@@ -35,8 +35,9 @@ struct Instance {
   std::size_t mesh = 0;      // index into VisualDesc::meshes
   std::size_t material = 0;  // index into VisualDesc::materials
   std::string name;
-  glm::mat4 X_WM{1.0F};  // mesh to world, affine (it may scale); of a movable one: where it starts
-  bool movable = false;  // its pose comes with every FrameState
+  glm::mat4 X_WM{1.0F};     // mesh to world, affine (it may scale); of a movable one: where it starts
+  bool movable = false;     // its pose comes with every FrameState
+  std::size_t follows = 0;  // of a movable one: 0 the tool, which a ghost copies; n the device's link n
   bool casts_shadow =
       true;  // false for a floor or wall: the shadow map then covers only what throws a shadow, sharper
   std::uint32_t layers = 1;  // bits; a camera sees it that has one of them
@@ -77,7 +78,7 @@ struct Marker {
 };
 
 /// The tool once more, as lines: where the hand has turned to while the scene holds the tool. A copy of all
-/// movable instances, in one pose that comes with every FrameState.
+/// instances that follow it, in one pose that comes with every FrameState.
 struct Ghost {
   glm::vec3 colour{0.03F, 0.80F, 1.0F};  // linear; shown as it is, whatever the light
   float line_width = 0.0032F;            // of the picture's height; never less than 1.3 pixels
