@@ -82,7 +82,7 @@ void describe_device(KeyVisitor& visitor, DeviceEntry& device) {
   visitor.boolean({"drawn", "", "its arms are seen in the scene, and the loads of their motors as bars"},
                   device.drawn);
   visitor.rule("drawn", !device.drawn || mapping.position_scale == 1,
-               "an arm is drawn in its own size: set 'position_scale' to 1, or 'drawn' to false");
+               "needs a position_scale of 1: arms are drawn in their own size");
   visitor.optional_number({"floor", "m", "height in the world of what the drawn arms stand on"}, device.floor,
                           from_to(-100, 100));
 }
