@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "engine/scenario/to_glm.h"
 #include "haptics/safety/faults.h"
@@ -31,7 +32,8 @@ double level_of(const SceneDesc& scene, const ImpactCues& cues) {
                                 part(cues.F_H_D.torque, scene.device.max_torque)));
 }
 
-std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record) {
+std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record,
+                                   const Afterglow& afterglow) {
   const TorqueCues& cues = record.torque;
   std::vector<ui::CueLine> lines;
   for (const Command::Kind kind : cue_commands(scene)) {
@@ -40,10 +42,10 @@ std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& rec
       lines.push_back({"Impacts", "I", impacts.gain, level_of(scene, impacts)});
     } else if (kind == Command::Kind::pulse_gain) {
       const PulseCues pulse = record.pulse.value_or(PulseCues());
-      lines.push_back({"Pulse", "B", pulse.gain, pulse.force_share});
+      lines.push_back({"Pulse", "B", pulse.gain, afterglow.pulse_force()});
     } else if (kind == Command::Kind::pulse_moment) {
       const PulseCues pulse = record.pulse.value_or(PulseCues());
-      lines.push_back({"Moment", "M", pulse.moment ? 1.0 : 0.0, pulse.moment_share});
+      lines.push_back({"Moment", "M", pulse.moment ? 1.0 : 0.0, afterglow.pulse_moment()});
     } else if (kind == Command::Kind::ghost_gain) {
       lines.push_back({"Ghost", "G", cues.ghost_gain, cues.ghost});
     } else {
@@ -52,6 +54,19 @@ std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& rec
     }
   }
   return lines;
+}
+
+std::vector<ui::MotorBar> motor_bars(const MechanismDesc& mechanism, const TickRecord& record,
+                                     const Afterglow& afterglow) {
+  std::vector<ui::MotorBar> bars;
+  for (int motor = 0; motor < Mechanism::motors(mechanism); ++motor) {
+    const auto i = static_cast<std::size_t>(motor);
+    std::string name = Mechanism::motor_name(mechanism, motor);
+    std::ranges::replace(name, '_', ' ');
+    bars.push_back(
+        {std::move(name), record.actuator_load[i], afterglow.motors()[i].low, afterglow.motors()[i].high});
+  }
+  return bars;
 }
 
 std::string variant_text(const TorqueCues& cues) {
@@ -76,16 +91,21 @@ FrameBridge::FrameBridge(const render::VisualDesc& desc, const SceneDesc& scene)
     if (!instance.movable) continue;
     follows_.push_back(instance.follows);
     X_WM_.push_back(instance.X_WM);
-    if (instance.follows > 0 && !links_) links_.emplace(scene.device.mechanism, scene.mapping);
+    if (instance.follows > 0 && instance.follows < kFirstPiece && !links_)
+      links_.emplace(scene.device.mechanism, scene.mapping);
   }
   marker_states_.resize(markers_);
 }
 
-render::FrameState FrameBridge::frame(const TickRecord& record, const scenario::TaskState& task,
-                                      const render::Camera& camera, double time) {
+render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow& afterglow,
+                                      const scenario::TaskState& task, const render::Camera& camera,
+                                      double time) {
   const std::vector<Pose>* X_WL = links_ ? &links_->follow(record.X_WH) : nullptr;
-  for (std::size_t i = 0; i < X_WM_.size(); ++i)
-    X_WM_[i] = scenario::to_glm(follows_[i] == 0 ? record.X_WT : (*X_WL)[follows_[i] - 1]);
+  for (std::size_t i = 0; i < X_WM_.size(); ++i) {
+    const std::size_t body = follows_[i];
+    X_WM_[i] = body >= kFirstPiece ? impact_circle_pose(body, afterglow.struck(), record.X_WT, time)
+                                   : scenario::to_glm(body == 0 ? record.X_WT : (*X_WL)[body - 1]);
+  }
   for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
   render::FrameState state;
   state.X_WM = X_WM_;
@@ -120,7 +140,7 @@ std::vector<Command::Kind> cue_commands(const SceneDesc& scene) {
 }
 
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
-                               const scenario::TaskState& task) {
+                               const Afterglow& afterglow, const scenario::TaskState& task) {
   ui::OverlayState state;
   state.time_s = static_cast<double>(record.tick) * scene.tick_s;
   state.scenario = prepared.scenario.title;
@@ -134,10 +154,12 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.torque_Nm = {record.force_gain * record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
-  state.cues = cue_lines(scene, record);
+  state.cues = cue_lines(scene, record, afterglow);
   state.tells_torque = vibrates_for_torque(scene) || shows_ghost(scene);
   if (state.tells_torque) state.variant = variant_text(record.torque);
   state.torque_bad = record.torque.bad;
+  if (scenario::draws_arms(prepared.scenario, scene))
+    state.motors = motor_bars(scene.device.mechanism, record, afterglow);
   if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
   if (record.stopped)
     state.force = ui::Force::stopped;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/app/afterglow.h"
 #include "engine/app/prepare.h"
 #include "engine/input/tool_mouse.h"
 #include "engine/render/frame_state.h"
@@ -25,8 +26,8 @@ public:
   // The tool as it was in that tick, the device's arms where the handle held them, the markers as the task
   // stands. The ghost, if the scene has one, is put
   // where the tool is and not where the handle is, so that what is seen between the two is pure rotation.
-  render::FrameState frame(const TickRecord& record, const scenario::TaskState& task,
-                           const render::Camera& camera, double time);
+  render::FrameState frame(const TickRecord& record, const Afterglow& afterglow,
+                           const scenario::TaskState& task, const render::Camera& camera, double time);
 
 private:
   std::size_t markers_;
@@ -43,8 +44,8 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W);
 // The commands that set the gains of OverlayState::cues, in their order.
 std::vector<Command::Kind> cue_commands(const SceneDesc& scene);
 
-// Gauges, checkpoints and stop banner as of one tick.
+// Gauges, checkpoints and stop banner as of one tick; marks of those before it.
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
-                               const scenario::TaskState& task);
+                               const Afterglow& afterglow, const scenario::TaskState& task);
 
 }  // namespace fulcrum::app

@@ -93,7 +93,8 @@ std::string why_no_arms(const Prepared& prepared, const SceneDesc& scene) {
 
 }  // namespace
 
-Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan) {
+Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
+                    bool circle) {
   Inventory result;
   for (const BuiltPart& part : world.parts())
     result.built.push_back({part.name, "haptics", part.bytes, 0, part.what});
@@ -107,6 +108,10 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
         {"device's arms", "picture", 0, 0, "as its table has them, where the handle holds them"});
   else
     result.left_out.push_back({"device's arms", "picture", 0, 0, why_no_arms(prepared, world.desc())});
+  if (circle)
+    result.built.push_back({"circle of confusion", "picture", 0, 0, "about the tool, after an impact"});
+  else
+    result.left_out.push_back({"circle of confusion", "picture", 0, 0, "only `run --circle` asks for it"});
   for (const render::BuildItem& item : plan->built)
     result.built.push_back({item.name, item.kind, item.bytes, 0, item.note});
   for (const render::BuildItem& item : plan->left_out)

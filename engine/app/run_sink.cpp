@@ -37,6 +37,7 @@ void RunSink::take(const TickEvent& event) {
     report_recorder();
   }
   last_ = event.record;
+  afterglow_.add(event.record, time());
   ++ticks_;
 }
 

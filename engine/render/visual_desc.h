@@ -35,12 +35,12 @@ struct Instance {
   std::size_t mesh = 0;      // index into VisualDesc::meshes
   std::size_t material = 0;  // index into VisualDesc::materials
   std::string name;
-  glm::mat4 X_WM{1.0F};     // mesh to world, affine (it may scale); of a movable one: where it starts
-  bool movable = false;     // its pose comes with every FrameState
-  std::size_t follows = 0;  // of a movable one: 0 the tool, which a ghost copies; n the device's link n
+  glm::mat4 X_WM{1.0F};  // mesh to world, affine (it may scale); of a movable one: where it starts
+  bool movable = false;  // its pose comes with every FrameState
   bool casts_shadow =
       true;  // false for a floor or wall: the shadow map then covers only what throws a shadow, sharper
   std::uint32_t layers = 1;  // bits; a camera sees it that has one of them
+  std::size_t follows = 0;   // of a movable one: 0 the tool, which a ghost copies; n the device's link n
 };
 
 /// The one light that throws shadows.

@@ -45,7 +45,7 @@ TEST(Arm, IsClearOfPlatesStandAndTable) {
     record.X_WT = path.at(t);
     record.X_WH = record.X_WT * X_TH;
     if (field.distance(record.X_WH.p) < 2e-3) continue;  // pressed in, where no hand gets to
-    const render::FrameState frame = bridge.frame(record, {}, {}, 0);
+    const render::FrameState frame = bridge.frame(record, {}, {}, {}, 0);
     std::size_t movable = 0;
     for (const render::Instance& instance : visual->desc.instances) {
       if (!instance.movable) continue;
