@@ -13,6 +13,10 @@ namespace fulcrum::app {
 
 class Afterglow {
 public:
+  // p_TH: (3) m, the manipulation point, where the tool has it.
+  explicit Afterglow(const Vec3& p_TH) : p_TH_(p_TH) {}
+  Afterglow() = default;  // of nothing
+
   // Every tick, in order. time: s, simulated.
   void add(const TickRecord& record, double time);
 
@@ -30,6 +34,7 @@ public:
   const std::optional<StruckPlace>& struck() const { return struck_; }
 
 private:
+  Vec3 p_TH_ = Vec3::Zero();
   std::array<ui::PeakHold, kMaxMotors> low_, high_;
   std::array<Peaks, kMaxMotors> motors_{};
   ui::PeakHold force_, moment_;

@@ -11,8 +11,9 @@ namespace fulcrum::app {
 namespace {
 
 constexpr std::size_t kPieces = 90;
-constexpr float kTube = 0.7e-3F;   // m, its radius
-constexpr float kDot = 2.6e-3F;    // m
+constexpr float kTube = 0.9e-3F;   // m, its radius
+constexpr float kDot = 5.5e-3F;    // m
+constexpr float kOverlap = 0.03F;  // of a piece's length, so that no light falls through the bends
 constexpr double kFade = 0.5;      // s
 constexpr double kNowhere = 1e-6;  // of its size: a transform must not flatten
 constexpr std::uint32_t kEveryLayer = ~0U;
@@ -47,13 +48,13 @@ glm::mat4 piece_pose(std::size_t piece, const StruckPlace& struck, const Pose& X
 
 }  // namespace
 
-std::optional<StruckPlace> struck_place(const TickRecord& record, double time) {
+std::optional<StruckPlace> struck_place(const TickRecord& record, const Vec3& p_TH, double time) {
   if (!record.impact || record.impact->count == 0 || !record.impact_vibration) return std::nullopt;
   const ImpactCues& cues = *record.impact_vibration;
   if (cues.gain == 0 || cues.frequency_Hz == 0) return std::nullopt;
   const Pose X_TW = record.X_WT.inverse();
   StruckPlace struck{.time = time,
-                     .centre_T = X_TW * record.X_WH.p,
+                     .centre_T = p_TH,
                      .axis_T = X_TW.q * cues.axis_W,
                      .radius = cues.radius,
                      .p_T = X_TW * record.impact->hardest.p_W};
@@ -67,7 +68,7 @@ void add_impact_circle(render::VisualDesc& desc) {
   desc.materials.push_back({"circle of confusion", {1.0F, 0.42F, 0.02F}, 0.0F, 0.6F});
   render::Mesh tube, dot;
   tube.name = dot.name = "impact";
-  const render::Turned profile[] = {{kTube, 0.0F}, {kTube, 1.0F}};
+  const render::Turned profile[] = {{kTube, -kOverlap}, {kTube, 1.0F + kOverlap}};
   render::add_turned(tube, {}, {0.0F, 0.0F, 1.0F}, profile);
   render::add_ball(dot, {}, kDot);
   for (std::size_t piece = 0; piece <= kPieces; ++piece) {

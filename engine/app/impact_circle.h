@@ -20,8 +20,8 @@ struct StruckPlace {
   std::optional<Vec3> p_T;       // (3) m, where it fell; none where a harder one fell in the same tick
 };
 
-// Nothing where no vibration began in that tick.
-std::optional<StruckPlace> struck_place(const TickRecord& record, double time);
+// p_TH: (3) m, the manipulation point, where the tool has it. Nothing where no vibration began in that tick.
+std::optional<StruckPlace> struck_place(const TickRecord& record, const Vec3& p_TH, double time);
 
 // Appends the circle's pieces and the dot where the impact fell. They follow kFirstPiece and those after it.
 void add_impact_circle(render::VisualDesc& desc);

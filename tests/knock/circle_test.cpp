@@ -14,11 +14,13 @@ Vec3 widened(const glm::vec4& v) {
   return {v.x, v.y, v.z};
 }
 
+const Vec3 kHeld_T(0.02, -0.03, 0.05);  // p_TH
+
 // A blow at p_W on a tool that is held at p_WH, with the cues of it.
 TickRecord struck(const Vec3& p_W, const Vec3& nhat_W) {
   TickRecord record;
   record.X_WT = {Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())), Vec3(0.1, 0.2, -0.1)};
-  record.X_WH = {record.X_WT.q, Vec3(0.12, 0.18, -0.05)};
+  record.X_WH = {record.X_WT.q, record.X_WT * kHeld_T};
   record.impact = ImpactTick{.count = 1, .hardest = {.p_W = p_W, .nhat_W = nhat_W, .speed = 0.1}};
   const Vec3 r_W = p_W - record.X_WH.p;
   record.impact_vibration = ImpactCues{};
@@ -42,7 +44,7 @@ std::vector<glm::mat4> poses(const app::Afterglow& afterglow, const Pose& X_WT, 
 TEST(Circle, IsOfWhatTurnsTheHandAboutTheSameAxis) {
   const Vec3 p_W(0.2, 0.1, 0.04), nhat_W = Vec3(-0.2, 0.9, 0.3).normalized();
   const TickRecord record = struck(p_W, nhat_W);
-  app::Afterglow afterglow;
+  app::Afterglow afterglow(kHeld_T);
   afterglow.add(record, 1.0);
   ASSERT_TRUE(afterglow.struck());
   const std::vector<glm::mat4> X_WM = poses(afterglow, record.X_WT, 1.1);
@@ -65,7 +67,7 @@ TEST(Circle, IsOfWhatTurnsTheHandAboutTheSameAxis) {
 TEST(Circle, GoesWithTheToolAndIsGoneAfterAWhile) {
   const Vec3 p_W(0.2, 0.1, 0.04);
   const TickRecord record = struck(p_W, Vec3::UnitY());
-  app::Afterglow afterglow;
+  app::Afterglow afterglow(kHeld_T);
   afterglow.add(record, 1.0);
   const Pose X{Quat(Eigen::AngleAxisd(-1.1, Vec3::UnitX())), Vec3(0.3, 0, 0.1)};
   const std::vector<glm::mat4> before = poses(afterglow, record.X_WT, 2),
@@ -77,7 +79,7 @@ TEST(Circle, GoesWithTheToolAndIsGoneAfterAWhile) {
 }
 
 TEST(Circle, NeedsAnImpactThatIsFelt) {
-  app::Afterglow afterglow;
+  app::Afterglow afterglow(kHeld_T);
   TickRecord record = struck({0.2, 0.1, 0}, Vec3::UnitY());
   record.impact_vibration->gain = 0;
   afterglow.add(record, 1.0);
@@ -90,7 +92,7 @@ TEST(Circle, NeedsAnImpactThatIsFelt) {
 
 // A pulse of one tick is still marked a second later, on its side alone, and not for ever.
 TEST(Afterglow, KeepsWhatLastedForOneTick) {
-  app::Afterglow afterglow;
+  app::Afterglow afterglow(kHeld_T);
   for (int tick = 0; tick < 6000; ++tick) {
     TickRecord record;
     record.actuator_load[2] = tick == 100 ? -0.8 : 0.1;
