@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "engine/scenario/to_glm.h"
 #include "haptics/safety/faults.h"
 
 namespace fulcrum::app {
@@ -30,7 +32,8 @@ double level_of(const SceneDesc& scene, const ImpactCues& cues) {
                                 part(cues.F_H_D.torque, scene.device.max_torque)));
 }
 
-std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record) {
+std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record,
+                                   const Afterglow& afterglow) {
   const TorqueCues& cues = record.torque;
   std::vector<ui::CueLine> lines;
   for (const Command::Kind kind : cue_commands(scene)) {
@@ -39,10 +42,10 @@ std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& rec
       lines.push_back({"Impacts", "I", impacts.gain, level_of(scene, impacts)});
     } else if (kind == Command::Kind::pulse_gain) {
       const PulseCues pulse = record.pulse.value_or(PulseCues());
-      lines.push_back({"Pulse", "B", pulse.gain, pulse.force_share});
+      lines.push_back({"Pulse", "B", pulse.gain, afterglow.pulse_force()});
     } else if (kind == Command::Kind::pulse_moment) {
       const PulseCues pulse = record.pulse.value_or(PulseCues());
-      lines.push_back({"Moment", "M", pulse.moment ? 1.0 : 0.0, pulse.moment_share});
+      lines.push_back({"Moment", "M", pulse.moment ? 1.0 : 0.0, afterglow.pulse_moment()});
     } else if (kind == Command::Kind::ghost_gain) {
       lines.push_back({"Ghost", "G", cues.ghost_gain, cues.ghost});
     } else {
@@ -51,6 +54,19 @@ std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& rec
     }
   }
   return lines;
+}
+
+std::vector<ui::MotorBar> motor_bars(const MechanismDesc& mechanism, const TickRecord& record,
+                                     const Afterglow& afterglow) {
+  std::vector<ui::MotorBar> bars;
+  for (int motor = 0; motor < Mechanism::motors(mechanism); ++motor) {
+    const auto i = static_cast<std::size_t>(motor);
+    std::string name = Mechanism::motor_name(mechanism, motor);
+    std::ranges::replace(name, '_', ' ');
+    bars.push_back(
+        {std::move(name), record.actuator_load[i], afterglow.motors()[i].low, afterglow.motors()[i].high});
+  }
+  return bars;
 }
 
 std::string variant_text(const TorqueCues& cues) {
@@ -68,35 +84,35 @@ std::string stop_reason(std::uint32_t faults) {
 
 }  // namespace
 
-glm::mat4 to_glm(const Pose& X) {
-  const Eigen::Matrix3f R = X.q.toRotationMatrix().cast<float>();
-  const Eigen::Vector3f p = X.p.cast<float>();
-  glm::mat4 M(1.0F);
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) M[column][row] = R(row, column);
-  }
-  for (int row = 0; row < 3; ++row) M[3][row] = p[row];
-  return M;
-}
-
-FrameBridge::FrameBridge(const render::VisualDesc& desc, const Quat& q_HT) : markers_(desc.markers.size()) {
-  if (desc.ghost) ghost_q_HT_ = q_HT;
+FrameBridge::FrameBridge(const render::VisualDesc& desc, const SceneDesc& scene)
+    : markers_(desc.markers.size()) {
+  if (desc.ghost) ghost_q_HT_ = scene.tool.X_HT.q;
   for (const render::Instance& instance : desc.instances) {
-    if (instance.movable) X_WM_.push_back(instance.X_WM);
+    if (!instance.movable) continue;
+    follows_.push_back(instance.follows);
+    X_WM_.push_back(instance.X_WM);
+    if (instance.follows > 0 && instance.follows < kFirstPiece && !links_)
+      links_.emplace(scene.device.mechanism, scene.mapping);
   }
   marker_states_.resize(markers_);
 }
 
-render::FrameState FrameBridge::frame(const TickRecord& record, const scenario::TaskState& task,
-                                      const render::Camera& camera, double time) {
-  for (glm::mat4& X_WM : X_WM_) X_WM = to_glm(record.X_WT);
+render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow& afterglow,
+                                      const scenario::TaskState& task, const render::Camera& camera,
+                                      double time) {
+  const std::vector<Pose>* X_WL = links_ ? &links_->follow(record.X_WH) : nullptr;
+  for (std::size_t i = 0; i < X_WM_.size(); ++i) {
+    const std::size_t body = follows_[i];
+    X_WM_[i] = body >= kFirstPiece ? impact_circle_pose(body, afterglow.struck(), record.X_WT, time)
+                                   : scenario::to_glm(body == 0 ? record.X_WT : (*X_WL)[body - 1]);
+  }
   for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
   render::FrameState state;
   state.X_WM = X_WM_;
   state.markers = marker_states_;
   if (ghost_q_HT_)
     state.ghost = {static_cast<float>(record.torque.ghost),
-                   to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
+                   scenario::to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
   state.camera = camera;
   state.time_s = time;
   return state;
@@ -124,7 +140,7 @@ std::vector<Command::Kind> cue_commands(const SceneDesc& scene) {
 }
 
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
-                               const scenario::TaskState& task) {
+                               const Afterglow& afterglow, const scenario::TaskState& task) {
   ui::OverlayState state;
   state.time_s = static_cast<double>(record.tick) * scene.tick_s;
   state.scenario = prepared.scenario.title;
@@ -138,10 +154,12 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.torque_Nm = {record.force_gain * record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
-  state.cues = cue_lines(scene, record);
+  state.cues = cue_lines(scene, record, afterglow);
   state.tells_torque = vibrates_for_torque(scene) || shows_ghost(scene);
   if (state.tells_torque) state.variant = variant_text(record.torque);
   state.torque_bad = record.torque.bad;
+  if (scenario::draws_arms(prepared.scenario, scene))
+    state.motors = motor_bars(scene.device.mechanism, record, afterglow);
   if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
   if (record.stopped)
     state.force = ui::Force::stopped;

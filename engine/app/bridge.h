@@ -6,9 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "engine/app/afterglow.h"
 #include "engine/app/prepare.h"
 #include "engine/input/tool_mouse.h"
 #include "engine/render/frame_state.h"
+#include "engine/scenario/device_links.h"
 #include "engine/scenario/task_judge.h"
 #include "engine/ui/overlay_state.h"
 #include "haptics/world/command.h"
@@ -16,22 +18,22 @@
 
 namespace fulcrum::app {
 
-glm::mat4 to_glm(const Pose& X);
-
 // The storage that a FrameState looks into.
 class FrameBridge {
 public:
-  // q_HT: the tool in the handle, when nothing touches it.
-  FrameBridge(const render::VisualDesc& desc, const Quat& q_HT);
+  FrameBridge(const render::VisualDesc& desc, const SceneDesc& scene);
 
-  // The tool as it was in that tick, the markers as the task stands. The ghost, if the scene has one, is put
+  // The tool as it was in that tick, the device's arms where the handle held them, the markers as the task
+  // stands. The ghost, if the scene has one, is put
   // where the tool is and not where the handle is, so that what is seen between the two is pure rotation.
-  render::FrameState frame(const TickRecord& record, const scenario::TaskState& task,
-                           const render::Camera& camera, double time);
+  render::FrameState frame(const TickRecord& record, const Afterglow& afterglow,
+                           const scenario::TaskState& task, const render::Camera& camera, double time);
 
 private:
   std::size_t markers_;
-  std::optional<Quat> ghost_q_HT_;  // where there is a ghost
+  std::optional<Quat> ghost_q_HT_;              // where there is a ghost
+  std::optional<scenario::DeviceLinks> links_;  // where something follows them
+  std::vector<std::size_t> follows_;            // of each movable instance
   std::vector<glm::mat4> X_WM_;
   std::vector<render::MarkerState> marker_states_;
 };
@@ -42,8 +44,8 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W);
 // The commands that set the gains of OverlayState::cues, in their order.
 std::vector<Command::Kind> cue_commands(const SceneDesc& scene);
 
-// Gauges, checkpoints and stop banner as of one tick.
+// Gauges, checkpoints and stop banner as of one tick; marks of those before it.
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
-                               const scenario::TaskState& task);
+                               const Afterglow& afterglow, const scenario::TaskState& task);
 
 }  // namespace fulcrum::app

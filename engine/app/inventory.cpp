@@ -86,9 +86,15 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (!prepared.haptic.task.hard_touch) add("hard touches", "no hard_touch is named");
 }
 
+std::string why_no_arms(const Prepared& prepared, const SceneDesc& scene) {
+  if (!prepared.scenario.device.drawn) return "the scenario does not ask for it";
+  return "the device '" + scene.device.name + "' has none";
+}
+
 }  // namespace
 
-Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan) {
+Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
+                    bool circle) {
   Inventory result;
   for (const BuiltPart& part : world.parts())
     result.built.push_back({part.name, "haptics", part.bytes, 0, part.what});
@@ -97,6 +103,15 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
     result.left_out.push_back({"renderer", "picture", 0, 0, "nothing is drawn"});
     return result;
   }
+  if (scenario::draws_arms(prepared.scenario, world.desc()))
+    result.built.push_back(
+        {"device's arms", "picture", 0, 0, "as its table has them, where the handle holds them"});
+  else
+    result.left_out.push_back({"device's arms", "picture", 0, 0, why_no_arms(prepared, world.desc())});
+  if (circle)
+    result.built.push_back({"circle of confusion", "picture", 0, 0, "about the tool, after an impact"});
+  else
+    result.left_out.push_back({"circle of confusion", "picture", 0, 0, "only `run --circle` asks for it"});
   for (const render::BuildItem& item : plan->built)
     result.built.push_back({item.name, item.kind, item.bytes, 0, item.note});
   for (const render::BuildItem& item : plan->left_out)

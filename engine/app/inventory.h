@@ -21,7 +21,8 @@ struct Inventory {
   std::vector<InventoryItem> built, left_out;
 };
 
-// plan: none when nothing is drawn.
-Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan);
+// plan: none when nothing is drawn. circle: of confusion, with what is drawn.
+Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
+                    bool circle = false);
 
 }  // namespace fulcrum::app

@@ -64,6 +64,9 @@ CLI::App* add_run(CLI::App& program, RunOptions& options, std::string& size) {
   run->add_option("--view", options.view,
                   "The view of the picture, and where the window starts (default: the scenario's first)")
       ->type_name("NAME");
+  run->add_flag(
+      "--circle", options.circle,
+      "After an impact, show where else on a tool it would have turned the hand about the same axis");
   run->add_option("--gpu", options.gpu, "Which GPU draws: its number, a part of its name, or 'list'")
       ->type_name("GPU");
   run->add_flag("--validate", options.validate,

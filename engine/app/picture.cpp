@@ -27,11 +27,12 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   if (!renderer) return Error{renderer.error()};
   if (plan != nullptr) *plan = renderer.value()->plan();
 
-  const ui::OverlayState shown = overlay_state(prepared, scene, moment.record, moment.task);
+  const ui::OverlayState shown = overlay_state(prepared, scene, moment.record, moment.afterglow, moment.task);
   if (const auto laid_out = overlay.value()->prepare(shown, options.size); !laid_out)
     return Error{laid_out.error()};
-  FrameBridge bridge(visual.desc, scene.tool.X_HT.q);
-  render::FrameState frame = bridge.frame(moment.record, moment.task, moment.camera, shown.time_s);
+  FrameBridge bridge(visual.desc, scene);
+  render::FrameState frame =
+      bridge.frame(moment.record, moment.afterglow, moment.task, moment.camera, shown.time_s);
   frame.overlay = overlay.value().get();
   if (const auto drawn = renderer.value()->frame(frame); !drawn) return Error{drawn.error()};
   const auto picture = renderer.value()->read_back();

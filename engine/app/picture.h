@@ -12,6 +12,7 @@ namespace fulcrum::app {
 
 struct Moment {
   TickRecord record;
+  Afterglow afterglow;
   scenario::TaskState task;
   render::Camera camera;
 };

@@ -40,6 +40,14 @@ Result<std::unique_ptr<Device>> make_device(const Prepared& prepared, const Scen
                "`fulcrum devices` says what is there and what is not."};
 }
 
+// Drawn from the view that was asked for, with the circle where it was.
+Result<scenario::VisualAssembly> assemble_shown(const Prepared& prepared, const SceneDesc& scene,
+                                                const RunOptions& options) {
+  Result<scenario::VisualAssembly> visual = assemble_view(prepared, scene, options.view);
+  if (visual && options.circle) add_impact_circle(visual->desc);
+  return visual;
+}
+
 // One attempt, from opened files to closed ones.
 class Attempt {
 public:
@@ -73,7 +81,8 @@ public:
     outcome.summary.device = options_.device;
     outcome.summary.hand = options_.device == "simulated" ? options_.hand : "";
     const bool written =
-        write_results(folder_, outcome, inventory(world_, prepared_, plan)) && outcome.recorded;
+        write_results(folder_, outcome, inventory(world_, prepared_, plan, options_.circle)) &&
+        outcome.recorded;
     if (options_.json)
       std::printf("%s\n", record::summary_json(outcome.summary).c_str());
     else
@@ -117,10 +126,10 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   // The picture is the last moment. Without Vulkan the run counts all the same.
   render::RenderPlan plan;
   bool drawn = false;
-  const Result<scenario::VisualAssembly> visual =
-      assemble_view(prepared, attempt->world().desc(), options.view);
+  const Result<scenario::VisualAssembly> visual = assemble_shown(prepared, attempt->world().desc(), options);
   if (visual) {
-    const Moment moment{attempt->sink().last(), attempt->sink().task(), visual->desc.camera};
+    const RunSink& sink = attempt->sink();
+    const Moment moment{sink.last(), sink.afterglow(), sink.task(), visual->desc.camera};
     const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, moment, options,
                                       attempt->folder() / record::kPictureName, &plan);
     drawn = static_cast<bool>(picture);
@@ -134,7 +143,7 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
 
 int run_in_window(const Prepared& prepared, const RunOptions& options) {
   const Result<scenario::VisualAssembly> visual =
-      assemble_view(prepared, scene_for_device(prepared, options.device), options.view);
+      assemble_shown(prepared, scene_for_device(prepared, options.device), options);
   if (!visual) {
     complain(visual.error().sentence);
     return kError;
@@ -177,6 +186,11 @@ int run_command(const RunOptions& given) {
   if (!prepared) return kError;
   if (const auto refused = refuse_view(*prepared, options.view)) {
     complain(refused->sentence);
+    return kUsage;
+  }
+  if (options.circle && !vibrates_at_impacts(scene_for_device(*prepared, options.device))) {
+    complain("--circle: nothing in '" + prepared->name +
+             "' vibrates at impacts on this device: leave it out, or name impact_vibration in the scenario");
     return kUsage;
   }
   for (const std::string& note : prepared->haptic.mended) complain(note);

@@ -20,6 +20,7 @@ struct RunOptions {
   std::vector<std::string> overrides;  // KEY=VALUE
   render::Extent size;                 // pixels
   std::string view;           // where the window starts and the picture is drawn from; empty: the first
+  bool circle = false;        // of confusion, about the tool after an impact
   std::string gpu;            // empty: the best one
   bool validate = false;      // Vulkan's validation layers watch; what they say is an error
   std::filesystem::path out;  // empty: a new folder under the data directory

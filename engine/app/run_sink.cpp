@@ -14,7 +14,8 @@ RunSink::RunSink(const Prepared& prepared, std::optional<record::Recorder> recor
       recorder_(std::move(recorder)),
       judge_(prepared.haptic.task, tick_s_),
       totals_(tick_s_),
-      penetration_(tick_s_) {
+      penetration_(tick_s_),
+      afterglow_(prepared.haptic.scene.tool.X_HT.inverse().p) {
   cpu_ns_.reserve(static_cast<std::size_t>(std::ceil(limit_s / tick_s_)) + 1);
 }
 
@@ -37,6 +38,7 @@ void RunSink::take(const TickEvent& event) {
     report_recorder();
   }
   last_ = event.record;
+  afterglow_.add(event.record, time());
   ++ticks_;
 }
 

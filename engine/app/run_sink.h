@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/afterglow.h"
 #include "engine/app/penetration.h"
 #include "engine/app/prepare.h"
 #include "engine/record/recorder.h"
@@ -31,6 +32,7 @@ public:
 
   const scenario::TaskState& task() const { return judge_.state(); }
   const TickRecord& last() const { return last_; }
+  const Afterglow& afterglow() const { return afterglow_; }
   double time() const { return static_cast<double>(ticks_) * tick_s_; }  // s
   double limit() const { return limit_s_; }
 
@@ -56,6 +58,7 @@ private:
   std::vector<std::int64_t> cpu_ns_;
   std::int64_t late_ticks_ = 0, lost_ticks_ = 0;
   TickRecord last_;
+  Afterglow afterglow_;
 };
 
 }  // namespace fulcrum::app

@@ -20,13 +20,14 @@ std::string lower(std::string name) {
   return name;
 }
 
-std::vector<ui::KeyLine> key_lines(const std::vector<ui::CueLine>& cues) {
+std::vector<ui::KeyLine> key_lines(const std::vector<ui::CueLine>& cues, bool circle) {
   std::vector<ui::KeyLine> lines = {
       {"Esc", "stop the force"},  {"Enter", "let the force return"},     {"R", "start again"},
       {"1 to 9", "go to a view"}, {"Home", "back to this view's start"}, {"F1", "show or hide this list"},
   };
   for (const ui::CueLine& cue : cues)
     lines.insert(lines.end() - 1, {cue.key, "switch the " + lower(cue.name)});
+  if (circle) lines.insert(lines.end() - 1, {"C", "show or hide the circle of confusion"});
   return lines;
 }
 
@@ -36,7 +37,7 @@ TrainingWindow::TrainingWindow(const Prepared& prepared, const scenario::VisualA
     : prepared_(prepared),
       visual_(visual),
       camera_(visual.desc.camera),
-      bridge_(visual.desc, prepared.haptic.scene.tool.X_HT.q) {}
+      bridge_(visual.desc, prepared.haptic.scene) {}
 
 Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(const Prepared& prepared,
                                                                const scenario::VisualAssembly& visual,
@@ -45,6 +46,7 @@ Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(const Prepared& p
   auto window = ui::Window::create("Fulcrum: " + prepared.scenario.title, options.size);
   if (!window) return Error{window.error()};
   self->window_ = std::move(window.value());
+  self->circle_ = options.circle;
   vulkan::InstanceOptions instance_options;
   instance_options.extensions = self->window_->instance_extensions();
   instance_options.validation = options.validate;
@@ -153,6 +155,9 @@ void TrainingWindow::on_key(int key, int action) {
     case GLFW_KEY_M:
       send(cues_.toggle(Command::Kind::pulse_moment, shown_));
       break;
+    case GLFW_KEY_C:
+      circle_shown_ = !circle_shown_;
+      break;
     case GLFW_KEY_F1:
       keys_visible_ = !keys_visible_;
       break;
@@ -229,7 +234,7 @@ std::string TrainingWindow::message(const RunSink& sink) const {
 
 ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunSink& sink,
                                             const LiveLoop& loop) const {
-  ui::OverlayState state = overlay_state(prepared_, *scene_, record, sink.task());
+  ui::OverlayState state = overlay_state(prepared_, *scene_, record, sink.afterglow(), sink.task());
   state.ticks.rate_Hz = 1.0 / scene_->tick_s;
   state.ticks.late = loop.late_ticks();
   state.ticks.lost = loop.lost_ticks();
@@ -241,7 +246,7 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   }
   state.message = message(sink);
   state.keys_visible = keys_visible_;
-  state.keys = key_lines(state.cues);
+  state.keys = key_lines(state.cues, circle_);
   if (mouse_ != nullptr) {
     for (const char* line : input::mouse_help()) state.mapping.emplace_back(line);
   } else {
@@ -259,7 +264,8 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
     error_ = laid_out.error();
     return;
   }
-  render::FrameState frame = bridge_.frame(record, sink.task(), camera_.camera(), shown_.time_s);
+  render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
+                                           sink.task(), camera_.camera(), shown_.time_s);
   frame.overlay = overlay_.get();
   const auto drawn = renderer_->frame(frame, *swapchain_, size);
   if (!drawn) {

@@ -75,7 +75,9 @@ private:
   bool shift_ = false, control_ = false;
   double cursor_x_ = 0, cursor_y_ = 0;
   bool keys_visible_ = false;
-  ui::OverlayState shown_;  // what the panels showed last
+  bool circle_ = false;       // of confusion: it is there
+  bool circle_shown_ = true;  // where it is
+  ui::OverlayState shown_;    // what the panels showed last
   CueSwitches cues_;
   bool restart_ = false;
   std::string error_;  // why drawing stopped

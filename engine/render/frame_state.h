@@ -17,7 +17,7 @@ struct MarkerState {
 
 struct GhostState {
   float opacity = 0.0F;  // 0..1; 0: not drawn at all
-  glm::mat4 X_WG{1.0F};  // the ghost, a copy of all movable instances, to world
+  glm::mat4 X_WG{1.0F};  // the ghost, a copy of all that follows the tool, to world
 };
 
 struct FrameState {

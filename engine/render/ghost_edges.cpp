@@ -54,7 +54,8 @@ struct Side {
 GhostEdges::GhostEdges(const VisualDesc& desc) {
   std::vector<std::size_t> meshes;
   for (const Instance& instance : desc.instances) {
-    if (instance.movable && std::find(meshes.begin(), meshes.end(), instance.mesh) == meshes.end()) {
+    if (instance.movable && instance.follows == 0 &&
+        std::find(meshes.begin(), meshes.end(), instance.mesh) == meshes.end()) {
       meshes.push_back(instance.mesh);
       add(desc.meshes[instance.mesh], desc.ghost->crease_rad);
     }

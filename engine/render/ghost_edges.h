@@ -11,7 +11,7 @@ namespace fulcrum::render {
 
 class GhostEdges {
 public:
-  /// Of all movable instances of a valid description with a ghost, together: they share one pose.
+  /// Of all that follows the tool in a valid description with a ghost, together: they share one pose.
   explicit GhostEdges(const VisualDesc& desc);
 
   std::size_t size() const { return edges_.size(); }

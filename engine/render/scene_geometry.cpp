@@ -81,7 +81,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     batch.first_slot = batch.count == 0 ? slot : batch.first_slot;
     batch.count += 1;
     batch.casters += instance.casts_shadow ? 1 : 0;
-    batch.movable = batch.movable || instance.movable;
+    batch.tool = batch.tool || (instance.movable && instance.follows == 0);
     batch.layers = instance.layers;
   }
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -123,8 +123,8 @@ std::uint32_t SceneGeometry::count_of(const Batch& batch, Which which) {
   switch (which) {
     case Which::casters:
       return batch.casters;
-    case Which::movable:
-      return batch.movable ? 1 : 0;
+    case Which::tool:
+      return batch.tool ? 1 : 0;
     default:
       return batch.count;
   }

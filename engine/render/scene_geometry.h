@@ -32,7 +32,7 @@ public:
   enum class Which {
     all,
     casters,
-    movable  // each mesh that moves, once: for a pipeline that brings its own pose
+    tool  // each mesh that follows the tool, once: for a pipeline that brings its own pose
   };
   /// Binds the buffers and draws; pipeline and descriptor sets are bound by the caller.
   void draw(VkCommandBuffer commands, Which which) const;
@@ -46,7 +46,7 @@ private:
     std::uint32_t first_slot = 0;
     std::uint32_t count = 0;
     std::uint32_t casters = 0;
-    bool movable = false;
+    bool tool = false;
     std::uint32_t layers = 0;
   };
 

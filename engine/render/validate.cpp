@@ -95,8 +95,9 @@ Result<void> validate(const VisualDesc& desc) {
                    " needs a finite position and a radius above 0 m."};
     }
   }
-  if (desc.ghost && std::none_of(desc.instances.begin(), desc.instances.end(),
-                                 [](const Instance& instance) { return instance.movable; })) {
+  if (desc.ghost && std::none_of(desc.instances.begin(), desc.instances.end(), [](const Instance& instance) {
+        return instance.movable && instance.follows == 0;
+      })) {
     return Error{
         "The scene has a ghost, but nothing movable that it could be a copy of; leave out the ghost."};
   }

@@ -40,6 +40,7 @@ struct Instance {
   bool casts_shadow =
       true;  // false for a floor or wall: the shadow map then covers only what throws a shadow, sharper
   std::uint32_t layers = 1;  // bits; a camera sees it that has one of them
+  std::size_t follows = 0;   // of a movable one: 0 the tool, which a ghost copies; n the device's link n
 };
 
 /// The one light that throws shadows.
@@ -77,7 +78,7 @@ struct Marker {
 };
 
 /// The tool once more, as lines: where the hand has turned to while the scene holds the tool. A copy of all
-/// movable instances, in one pose that comes with every FrameState.
+/// instances that follow it, in one pose that comes with every FrameState.
 struct Ghost {
   glm::vec3 colour{0.03F, 0.80F, 1.0F};  // linear; shown as it is, whatever the light
   float line_width = 0.0032F;            // of the picture's height; never less than 1.3 pixels

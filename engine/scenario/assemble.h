@@ -55,9 +55,14 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
                                        const BakeCache& cache, const BakeProgress& progress = {});
 
 struct VisualAssembly {
-  render::VisualDesc desc;  // the tool's instances are movable and in T: their pose is X_WT, for each of them
+  // The tool's instances are movable and in T: their pose is X_WT, for each of them. Those of the device's
+  // links are in L, see device_links.h.
+  render::VisualDesc desc;
   std::vector<View> views;  // the first is desc.camera
 };
+
+// The scenario asks for the device's arms to be drawn, and the device that ticks has such.
+bool draws_arms(const Scenario& scenario, const SceneDesc& scene);
 
 // scene: what ticks; cues that it does not show are not drawn.
 Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,

@@ -1,26 +1,16 @@
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <string>
 #include <vector>
 
 #include "engine/scenario/assemble.h"
+#include "engine/scenario/device_shapes.h"
+#include "engine/scenario/to_glm.h"
 #include "engine/scenario/words.h"
+#include "haptics/actuation/mechanism.h"
 
 namespace fulcrum::scenario {
 
 namespace {
-
-glm::vec3 narrowed(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
-glm::mat4 matrix_of(const Pose& pose) {
-  const Quat q = pose.q;
-  const glm::quat rotation(static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
-                           static_cast<float>(q.z()));
-  return glm::translate(glm::mat4(1.0F), narrowed(pose.p)) * glm::mat4_cast(rotation);
-}
 
 render::Mesh mesh_of(const ModelPart& part, const Vec3& origin) {
   render::Mesh mesh;
@@ -75,7 +65,7 @@ void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& m
     instance.mesh = desc.meshes.size();
     instance.material = first_material + part.material;
     instance.name = entry.name + "/" + part.name;
-    instance.X_WM = is_tool ? matrix_of(X_WT_start) : glm::mat4(1.0F);
+    instance.X_WM = is_tool ? to_glm(X_WT_start) : glm::mat4(1.0F);
     instance.movable = is_tool;
     instance.casts_shadow = entry.role != ModelRole::decor || !entry.cut_of.empty();
     instance.layers = layers;
@@ -85,6 +75,10 @@ void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& m
 }
 
 }  // namespace
+
+bool draws_arms(const Scenario& scenario, const SceneDesc& scene) {
+  return scenario.device.drawn && scene.device.kinematics == Kinematics::arms;
+}
 
 Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,
                                        const SceneDesc& scene) {
@@ -97,6 +91,10 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   }
   for (const MaterialOverride& material : scenario.materials) {
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();
+  }
+  if (draws_arms(scenario, scene)) {
+    if (const auto refused = Mechanism::refuse(scene.device.mechanism)) return *refused;
+    add_device_arms(desc, scene.device.mechanism, scene.mapping, scenario.device.floor, kWhole | kCut);
   }
   for (const Checkpoint& checkpoint : scenario.checkpoints) {
     desc.markers.push_back(

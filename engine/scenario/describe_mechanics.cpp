@@ -79,6 +79,12 @@ void describe_device(KeyVisitor& visitor, DeviceEntry& device) {
   visitor.integer({"clutch_button", "", "while it is down the handle moves without the tool; -1: none"},
                   button, -1, 31);
   mapping.clutch_button = static_cast<int>(button);
+  visitor.boolean({"drawn", "", "its arms are seen in the scene, and the loads of their motors as bars"},
+                  device.drawn);
+  visitor.rule("drawn", !device.drawn || mapping.position_scale == 1,
+               "needs a position_scale of 1: arms are drawn in their own size");
+  visitor.optional_number({"floor", "m", "height in the world of what the drawn arms stand on"}, device.floor,
+                          from_to(-100, 100));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "engine/scenario/key_visitor.h"
 
+#include "engine/scenario/to_glm.h"
 #include "engine/scenario/words.h"
 
 namespace fulcrum::scenario {
@@ -8,10 +9,6 @@ namespace {
 
 Vec3 widened(const glm::vec3& v) {
   return {scenario::widened(v.x), scenario::widened(v.y), scenario::widened(v.z)};
-}
-
-glm::vec3 narrowed(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
 }  // namespace

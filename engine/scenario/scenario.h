@@ -62,6 +62,8 @@ struct DeviceEntry {
   DeviceDesc desc;    // what that file says
   MappingDesc mapping;
   AllocationDesc allocation;
+  bool drawn = false;           // its arms are seen, where it has such
+  std::optional<double> floor;  // m, y in W of what they stand on; none: nothing is drawn under them
 };
 
 struct HandEntry {

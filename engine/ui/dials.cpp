@@ -28,10 +28,6 @@ ImVec2 on_circle(ImVec2 middle, float radius, float angle) {
   return {middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)};
 }
 
-ImU32 colour_of(float fraction) {
-  return fraction >= kBadFrom ? theme::kBad : fraction >= kWarnFrom ? theme::kWarn : theme::kAccent;
-}
-
 std::string number(double value, double limit) {
   char text[32];
   std::snprintf(text, sizeof(text), limit < 1.0 ? "%.3f" : limit < 10.0 ? "%.2f" : "%.1f", value);
@@ -70,11 +66,11 @@ void draw_dial(const Canvas& canvas, ImVec2 at, const char* title, const char* u
   canvas.text(canvas.fonts().small, {middle.x, at.y + 8.0F}, theme::kSecondary, title, Align::centre);
   draw_scale(canvas, middle);
   if (fraction > 0.002F) {
-    canvas.arc(middle, kRadius, angle_at(0.0F), angle_at(fraction), colour_of(fraction), kWidth);
+    canvas.arc(middle, kRadius, angle_at(0.0F), angle_at(fraction), load_colour(fraction), kWidth);
   }
   const float peak_angle = angle_at(part(peak));
   canvas.line(on_circle(middle, kRadius - kWidth / 2.0F, peak_angle),
-              on_circle(middle, kRadius + kWidth / 2.0F + 4.0F, peak_angle), colour_of(part(peak)), 2.2F);
+              on_circle(middle, kRadius + kWidth / 2.0F + 4.0F, peak_angle), load_colour(part(peak)), 2.2F);
   draw_needle(canvas, middle, fraction);
   const float height = canvas.measure(canvas.fonts().number, "0").y;
   canvas.text(canvas.fonts().number, {middle.x, middle.y - 0.55F * height}, theme::kText,
@@ -85,6 +81,10 @@ void draw_dial(const Canvas& canvas, ImVec2 at, const char* title, const char* u
 }
 
 }  // namespace
+
+ImU32 load_colour(float fraction) {
+  return fraction >= kBadFrom ? theme::kBad : fraction >= kWarnFrom ? theme::kWarn : theme::kAccent;
+}
 
 void draw_dials(const Canvas& canvas, const OverlayState& state, const Peaks& peaks) {
   ImVec2 at{theme::kMargin, canvas.height() - theme::kMargin - kSize.y};

@@ -43,6 +43,14 @@ struct CueLine {
   double level = 0.0;  // 0..1
 };
 
+/// A motor, in fractions of its limit.
+struct MotorBar {
+  std::string name;   // "lower yaw"
+  double load = 0.0;  // -1..1
+  double low = 0.0;   // the largest of the last moments to this side of 0, and to the other
+  double high = 0.0;
+};
+
 enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength
 
 struct OverlayState {
@@ -56,6 +64,7 @@ struct OverlayState {
   std::string variant;                       // of the study that the switches amount to; read with the cues
   bool torque_bad = false;                   // no force tells of it; likewise
   bool tells_torque = true;                  // some of the cues do
+  std::vector<MotorBar> motors;              // empty: no panel
   TickHealth ticks;
   Force force = Force::on;
   std::string stop_reason;  // "Esc pressed"; shown while stopped

@@ -12,6 +12,9 @@ struct Peaks {
   double torque_Nm = 0.0;
 };
 
+/// Calm, serious, at the limit: of what is driven by this fraction of it.
+ImU32 load_colour(float fraction);
+
 /// Theme units, of the panel at the top right.
 float health_height(const OverlayState& state);
 
@@ -19,6 +22,7 @@ void draw_dials(const Canvas& canvas, const OverlayState& state, const Peaks& pe
 void draw_checkpoints(const Canvas& canvas, const OverlayState& state);                // top left
 void draw_health(const Canvas& canvas, const OverlayState& state);                     // top right
 void draw_cues(const Canvas& canvas, const OverlayState& state);                       // below it
+void draw_motors(const Canvas& canvas, const OverlayState& state);                     // bottom right
 void draw_message(const Canvas& canvas, const OverlayState& state);                    // bottom middle
 void draw_keys(const Canvas& canvas, const OverlayState& state);                       // middle, when visible
 void draw_banner(const Canvas& canvas, const OverlayState& state);  // across, when force is off

@@ -28,6 +28,9 @@ done
 expect 0 'no constraint solver is built' "$FULCRUM" explain piping --set response=penalty
 "$FULCRUM" explain piping --set response=penalty 2>&1 | grep -q 'tool field' && fail "springs need no field of the tool"
 expect 0 'edges .* contact.edges is 0' "$FULCRUM" explain piping --set contact.edges=0
+expect 0 "device's arms .* the scenario does not ask for it" "$FULCRUM" explain piping
+expect 0 'circle of confusion .* asks for it' "$FULCRUM" explain piping
+expect 2 'vibrates at impacts' "$FULCRUM" run piping --headless --circle
 expect 0 'good' "$FULCRUM" check piping
 
 # --- runs

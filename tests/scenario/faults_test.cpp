@@ -50,6 +50,8 @@ const Case kCases[] = {
      "11:14: 'contact.stiffness' must be above 0 and at most 1e+07 N/m; found '0'"},
     {"above_the_range", "time_limit: 10", "time_limit: 1e6",
      "4:13: 'time_limit' must be above 0 and at most 86400 s; found '1e6'"},
+    {"an_arm_of_another_size", "  model: test_arm", "  model: test_arm\n  position_scale: 2\n  drawn: true",
+     "15:10: 'device.drawn' needs a position_scale of 1: arms are drawn in their own size"},
     {"nan", "stiffness: 5000", "stiffness: .nan",
      "11:14: 'contact.stiffness' must be a finite number; found '.nan'"},
     {"infinity", "stiffness: 5000", "stiffness: -.inf",

@@ -141,6 +141,34 @@ TEST_F(OverlayTest, HardTouchesAreCountedBelowTheCheckpointsAndWarn) {
   EXPECT_GT(some.r - some.b, none.r - none.b + 0.2F);  // and the line yellow
 }
 
+// A bar on its side of the middle, in the colour of its load, and marks of what has been.
+TEST_F(OverlayTest, MotorsAreBarsToEitherSideOfTheMiddle) {
+  OverlayState state = full_state();
+  // Theme units from the panel's right and bottom edges to the only row.
+  const auto side = [&](float from_x, float to_x) {
+    const render::Picture picture = draw(state);
+    const float unit = overlay_scale(picture.height);
+    const float width = static_cast<float>(picture.width) / unit,
+                height = static_cast<float>(picture.height) / unit;
+    const float middle = width - 18.0F - 14.0F - 42.0F, y = height - 18.0F - 6.0F - 9.5F;
+    return test::mean(picture, (middle + from_x) / width, (y - 2.0F) / height, (middle + to_x) / width,
+                      (y + 2.0F) / height);
+  };
+  const glm::vec3 nothing = side(5.0F, 15.0F);
+  state.motors = {{"lower yaw", 0.5, 0.0, 0.5}};
+  EXPECT_GT(side(5.0F, 15.0F).b, nothing.b + 60.0F);    // calm, and blue
+  EXPECT_LT(side(-15.0F, -5.0F).b, nothing.b + 20.0F);  // nothing on the other side
+  EXPECT_LT(side(25.0F, 35.0F).b, nothing.b + 20.0F);   // nor beyond the load
+  state.motors = {{"lower yaw", -0.95, -0.95, 0.0}};
+  const glm::vec3 at_limit = side(-35.0F, -5.0F);
+  EXPECT_GT(at_limit.r, at_limit.b + 80.0F);
+  EXPECT_LT(side(5.0F, 15.0F).r, nothing.r + 20.0F);
+  state.motors = {{"lower yaw", 0.0, 0.0, 1.0}};  // a tick ago
+  const glm::vec3 held = side(5.0F, 35.0F);
+  EXPECT_GT(held.r, held.b + 30.0F);
+  EXPECT_LT(held.r, at_limit.r - 40.0F);
+}
+
 TEST_F(OverlayTest, FollowsThePictureToAnotherSize) {
   draw(full_state());
   ASSERT_TRUE(renderer_->resize({1280, 720}));

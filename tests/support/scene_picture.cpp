@@ -22,9 +22,18 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
   record.tick = static_cast<std::int64_t>(1000 * time);
   record.force_gain = 1;
   record.X_WT = HandPath(expert->waypoints).at(time);
+  record.X_WH = record.X_WT * prepared.haptic.scene.tool.X_HT.inverse();
   record.coupling_F_T_W.torque = Vec3(0.02, 0, 0);
   record.device_F_H_D.force = Vec3(0.4, 0.3, 0);
   record.torque.vibration_gain = record.torque.ghost_gain = 1;
+  const SceneDesc& scene = prepared.haptic.scene;
+  if (vibrates_at_impacts(scene)) record.impact_vibration.emplace().gain = 1;
+  if (brakes_at_impacts(scene)) {
+    record.pulse.emplace().gain = 1;
+    record.pulse->moment = true;
+  }
+  for (std::size_t motor = 0; motor < kMaxMotors; ++motor)
+    record.actuator_load[motor] = 0.25 * static_cast<double>(motor) - 0.5;
   return moment;
 }
 
