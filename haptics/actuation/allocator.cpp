@@ -16,11 +16,7 @@ double lever_of(const DeviceDesc& device) {
 }  // namespace
 
 Allocator::Allocator(const DeviceDesc& device, const AllocationDesc& desc)
-    : desc_(desc),
-      actuators_(device),
-      space_(actuators_),
-      lever_(lever_of(device)),
-      taken_(Effort::Zero()) {
+    : desc_(desc), actuators_(device), space_(actuators_), lever_(lever_of(device)), taken_(Effort::Zero()) {
   begin(Pose{});
 }
 
@@ -133,7 +129,10 @@ double Allocator::largest_share(const Effort& effort, const Effort& beside) cons
 Allocation Allocator::given(const Wrench& wanted, const Shares& shares) const noexcept {
   Allocation allocation{shares.effort, wanted, shares.force, shares.moment};
   if (allocation.clamped() || !space_.complete()) allocation.F_H_D = space_.wrench(shares.effort);
-  if (actuators_.rows() == 3 && !allocation.F_H_D.torque.isZero(0)) allocation.F_H_D.torque.setZero();
+  if (actuators_.rows() == 3) {  // what moment there is comes of the force
+    allocation.moment_share = allocation.force_share;
+    if (!allocation.F_H_D.torque.isZero(0)) allocation.F_H_D.torque.setZero();
+  }
   return allocation;
 }
 

@@ -295,6 +295,19 @@ TEST(Allocator, SingularAndFarPosesGiveFiniteEffortsWithinLimits) {
   }
 }
 
+// Where motors set force alone, the moment that the hand feels is that of the force.
+TEST(Allocator, WithoutTorqueMotorsTheFeltMomentIsTheForces) {
+  const Vec3 f(30, -20, 10), r(0, 0.1, 0.05);
+  for (const AllocationMethod method : kMethods) {
+    Allocator motors(arms::phantom(), {.method = method});
+    const Allocation allocation = motors.pulse({f, Vec3::Zero()}, r, r.norm());
+    EXPECT_LT(allocation.force_share, 1);
+    EXPECT_EQ(allocation.moment_share, allocation.force_share);
+    EXPECT_TRUE(allocation.F_H_D.torque.isZero(0));
+    EXPECT_NEAR((felt(allocation, r) - allocation.moment_share * r.cross(f)).norm(), 0, 1e-9);
+  }
+}
+
 TEST(Allocator, NothingWantedIsNothing) {
   Allocator motors(w6d::device(0.255, 0.145));
   EXPECT_TRUE(motors.pulse({}, Vec3(0, 0.1, 0), 0.1).F_H_D.is_zero());
