@@ -109,7 +109,7 @@ std::optional<Error> take_entries(std::span<const std::byte> payload, std::size_
     }
     for (std::uint32_t j = 0; j < commands; ++j) {
       const auto kind = static_cast<Command::Kind>(reader.get<std::uint32_t>());
-      if (kind < Command::Kind::stop || kind > Command::Kind::ghost_gain) {
+      if (kind < Command::Kind::stop || kind > Command::Kind::last) {
         return damaged(at,
                        "tick " + std::to_string(entries.size() - 1) + " has a command that does not exist");
       }

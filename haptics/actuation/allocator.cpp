@@ -9,6 +9,12 @@ constexpr double kLever = 0.1;       // m, of a device that does not say what to
 constexpr double kUnmade = 1e-6;     // of a force: what is missing of it when the motors cannot make it
 constexpr double kLongLever = 1e-9;  // m: a shorter one is none
 
+// Of v, that is no longer than the limit.
+double part_within(const Vec3& v, double limit) {
+  const double size = v.norm();
+  return size > limit ? limit / size : 1.0;
+}
+
 double lever_of(const DeviceDesc& device) {
   return device.max_force > 0 && device.max_torque > 0 ? device.max_torque / device.max_force : kLever;
 }
@@ -129,6 +135,14 @@ double Allocator::largest_share(const Effort& effort, const Effort& beside) cons
 Allocation Allocator::given(const Wrench& wanted, const Shares& shares) const noexcept {
   Allocation allocation{shares.effort, wanted, shares.force, shares.moment};
   if (allocation.clamped() || !space_.complete()) allocation.F_H_D = space_.wrench(shares.effort);
+  if (!space_.complete()) {  // a torque that nobody wanted may have come with the force
+    const double part = std::min({1.0, part_within(allocation.F_H_D.force, max_force_),
+                                  part_within(allocation.F_H_D.torque, max_torque_)});
+    allocation.effort *= part;
+    allocation.F_H_D = allocation.F_H_D * part;
+    allocation.force_share *= part;
+    allocation.moment_share *= part;
+  }
   if (actuators_.rows() == 3) {  // what moment there is comes of the force
     allocation.moment_share = allocation.force_share;
     if (!allocation.F_H_D.torque.isZero(0)) allocation.F_H_D.torque.setZero();

@@ -65,7 +65,8 @@ private:
   AllocationDesc desc_;
   Actuators actuators_;
   MotorSpace space_;
-  double lever_;  // m, of torque beside force, where nothing else says so
+  double lever_;                   // m, of torque beside force, where nothing else says so
+  double max_force_, max_torque_;  // N, N m; of the device
   Effort taken_;
 };
 

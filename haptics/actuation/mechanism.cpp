@@ -112,7 +112,7 @@ void Mechanism::follow(const Pose& X_DH) noexcept {
 void Mechanism::write_columns(const Arm& arm, const Pose& X_DH, int first) noexcept {
   const int joints = arm.chain.joints();
   Square J = arm.chain.jacobian(arm.chain.place(arm.angles));
-  for (int j = 1; j < joints; ++j) {
+  for (int j = joints - 1; j > 0; --j) {  // the last one first: the next goes by what it has become
     if (arm.chain.through_parallelogram(j)) J.col(j - 1) -= J.col(j);
   }
   if (joints == 3) {

@@ -14,8 +14,9 @@ BrakingPulse::BrakingPulse(const BrakingPulseDesc& desc, const MappingDesc& mapp
 
 void BrakingPulse::strike(const Tick& tick, const Impact& impact) noexcept {
   double speed = impact.speed;
+  // Two blows against each other, of a tool that turns, leave each other what they have.
   for (const Pulse& pulse : pulses_) {
-    if (pulse.left > 0) speed -= pulse.speed * pulse.nhat_W.dot(impact.nhat_W);
+    if (pulse.left > 0) speed -= pulse.speed * std::max(0.0, pulse.nhat_W.dot(impact.nhat_W));
   }
   if (!(speed > 0)) return;
   pulses_[next_] = {tick.X_WG.inverse() * impact.p_W, impact.nhat_W, speed, desc_.ticks};
@@ -27,7 +28,7 @@ BrakingPulse::Demand BrakingPulse::process(const Tick& tick) noexcept {
     if (pulse.left == 0) continue;
     const Vec3 p_W = tick.X_WG * pulse.p_G;
     const Vec3 v_W = tick.V_WG.v + tick.V_WG.w.cross(Vec3(p_W - tick.X_WG.p));
-    if (!(v_W.dot(pulse.nhat_W) < 0)) pulse.left = 0;
+    if (!tick.engaged || !(v_W.dot(pulse.nhat_W) < 0)) pulse.left = 0;
   }
   if (tick.engaged && cues_.gain > 0) {
     for (const Impact& impact : tick.impacts) strike(tick, impact);
@@ -56,8 +57,7 @@ BrakingPulse::Demand BrakingPulse::process(const Tick& tick) noexcept {
 }
 
 void BrakingPulse::obey(const Command& command) noexcept {
-  if (command.kind == Command::Kind::pulse_gain)
-    cues_.gain = command.value > 0 ? std::min(command.value, 1.0) : 0.0;
+  if (command.kind == Command::Kind::pulse_gain) cues_.gain = command.gain();
   if (command.kind == Command::Kind::pulse_moment) cues_.moment = command.value > 0;
 }
 

@@ -44,7 +44,7 @@ public:
     Quat q_WH = Quat::Identity();
     Pose X_WG;            // where the hand wants the tool
     Twist V_WG;           // how fast
-    bool engaged = true;  // the hand holds the tool; false while clutched
+    bool engaged = true;  // the hand holds the tool and feels it; false while clutched or stopped
   };
   struct Demand {
     Wrench F_H_D;                // that would stop the hand, about H

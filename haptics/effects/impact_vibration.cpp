@@ -19,9 +19,10 @@ ImpactVibration::ImpactVibration(const ImpactVibrationDesc& desc, const ImpactSu
   cues_.gain = desc.gain;
 }
 
-Wrench ImpactVibration::process(std::span<const Impact> impacts, const Vec3& p_WH) noexcept {
-  const Wrench F_H_D = voices_.next() * gain_.towards(cues_.gain);
-  if (cues_.gain > 0) {
+Wrench ImpactVibration::process(std::span<const Impact> impacts, const Vec3& p_WH, bool engaged) noexcept {
+  const double gain = engaged ? cues_.gain : 0.0;
+  const Wrench F_H_D = voices_.next() * gain_.towards(gain);
+  if (gain > 0) {
     for (const Impact& impact : impacts) start(impact, p_WH);
   }
   cues_.voices = static_cast<std::int32_t>(voices_.sounding());
@@ -74,7 +75,7 @@ Wrench ImpactVibration::capped(const Wrench& amplitude_D, const VibrationModes& 
 }
 
 void ImpactVibration::obey(const Command& command) noexcept {
-  if (command.kind == Command::Kind::impact_gain) cues_.gain = std::clamp(command.value, 0.0, 1.0);
+  if (command.kind == Command::Kind::impact_gain) cues_.gain = command.gain();
 }
 
 double highest_vibration(double bandwidth_Hz, double tick_s) noexcept {

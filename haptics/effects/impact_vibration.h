@@ -61,9 +61,9 @@ public:
 
   ImpactVibration(const ImpactVibrationDesc& desc, const ImpactSurroundings& around);
 
-  // One tick. impacts: of this tick. p_WH (3) m: the handle's place on the tool. Answers the wrench on the
-  // handle in this tick, a transient, in D.
-  Wrench process(std::span<const Impact> impacts, const Vec3& p_WH) noexcept;
+  // One tick. impacts: of this tick. p_WH (3) m: the handle's place on the tool. engaged: the hand holds the
+  // tool and feels it. Answers the wrench on the handle in this tick, a transient, in D.
+  Wrench process(std::span<const Impact> impacts, const Vec3& p_WH, bool engaged = true) noexcept;
 
   void obey(const Command& command) noexcept;
 

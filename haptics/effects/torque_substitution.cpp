@@ -56,7 +56,7 @@ TorqueSubstitution::Demand TorqueSubstitution::process(const Tick& tick) noexcep
 }
 
 void TorqueSubstitution::obey(const Command& command) noexcept {
-  const double gain = std::clamp(command.value, 0.0, 1.0);
+  const double gain = command.gain();
   if (command.kind == Command::Kind::vibration_gain && vibrates()) cues_.vibration_gain = gain;
   if (command.kind == Command::Kind::ghost_gain && shows_ghost_) cues_.ghost_gain = gain;
 }

@@ -70,6 +70,7 @@ void Guard::stop(std::uint32_t reason) noexcept {
   reason_ = reason;
   fall_ = 1.0;
   falling_ = last_;
+  falling_transients_ = last_transients_;
 }
 
 Wrench Guard::limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept {
@@ -102,7 +103,10 @@ Wrench Guard::limit_transient(TransientSource source, const Wrench& wanted_F_H_D
                               const Vec6& moved_D, std::uint32_t& faults) noexcept {
   std::optional<TransientBudget>& budget = budgets_[static_cast<std::size_t>(source)];
   if (!budget) return {};
-  const Wrench wanted = wanted_F_H_D * gain();
+  // What is stopped falls from what it was, whatever is wanted now.
+  const Wrench wanted =
+      stopped_ ? falling_transients_[static_cast<std::size_t>(source)] * fall_ : wanted_F_H_D * gain();
+  if (!wanted.is_finite()) return {};
   const Wrench allowed = budget->allow(wanted, moved_D);
   if (allowed.force != wanted.force || allowed.torque != wanted.torque) faults |= kTransientLimited;
   return {beside(beside_F_H_D.force, allowed.force, device_.max_force),
@@ -115,7 +119,9 @@ void Guard::commanded(const Wrench& continuous_F_H_D) noexcept {
 
 void Guard::commanded(TransientSource source, const Wrench& transient_F_H_D) noexcept {
   std::optional<TransientBudget>& budget = budgets_[static_cast<std::size_t>(source)];
-  if (budget) budget->commanded(transient_F_H_D);
+  if (!budget) return;
+  budget->commanded(transient_F_H_D);
+  last_transients_[static_cast<std::size_t>(source)] = transient_F_H_D;
 }
 
 }  // namespace fulcrum

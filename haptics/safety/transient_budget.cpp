@@ -17,17 +17,18 @@ Wrench TransientBudget::allow(const Wrench& wanted, const Vec6& moved) noexcept 
   quiet_ = last_.is_zero() ? quiet_ + 1 : 0;
   if (quiet_ > spent_.size() && wanted.is_zero()) return {};
   const double by_force = last_.force.dot(moved.head<3>()), by_torque = last_.torque.dot(moved.tail<3>());
-  const double given = by_force + by_torque;
   force_energy_ += by_force;
   torque_energy_ += by_torque;
-  spent_[at_] = {last_ * tick_s_, tick_s_ * last_.force.norm(), tick_s_ * last_.torque.norm(), given};
+  spent_[at_] = {last_ * tick_s_, tick_s_ * last_.force.norm(), tick_s_ * last_.torque.norm(), by_force,
+                 by_torque};
   at_ = at_ + 1 == spent_.size() ? 0 : at_ + 1;
   Spent sum;  // anew each time: running sums would gather rounding, and a hundred additions are soon made
   for (const Spent& spent : spent_) {
     sum.impulse += spent.impulse;
     sum.length += spent.length;
     sum.turn_length += spent.turn_length;
-    sum.energy += spent.energy;
+    sum.by_force += spent.by_force;
+    sum.by_torque += spent.by_torque;
   }
 
   const Wrench F{shortened(wanted.force, peak_), shortened(wanted.torque, peak_torque_)};
@@ -36,7 +37,8 @@ Wrench TransientBudget::allow(const Wrench& wanted, const Vec6& moved) noexcept 
       impulse.force.norm() > peak_ * figures_.push || impulse.torque.norm() > peak_torque_ * figures_.push;
   const bool lasts = sum.length + tick_s_ * F.force.norm() > peak_ * figures_.length ||
                      sum.turn_length + tick_s_ * F.torque.norm() > peak_torque_ * figures_.length;
-  return pushes || lasts || sum.energy > figures_.energy ? Wrench() : F;
+  const bool gives = sum.by_force > figures_.energy || sum.by_torque > figures_.energy;
+  return pushes || lasts || gives ? Wrench() : F;
 }
 
 void TransientBudget::commanded(const Wrench& F) noexcept {

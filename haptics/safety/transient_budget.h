@@ -5,7 +5,7 @@
 //     peak        a part of the device's largest force, and of its largest torque
 //     impulse     |sum F dt| at most the peak for `push`: none pushes to one side for longer
 //     length      sum |F| dt at most the peak for `length`
-//     energy      given to the hand
+//     energy      given to the hand, by force and by torque each: what one takes is no credit for the other
 // A force or torque beyond the first is shortened. A wrench that would go beyond another is left out, in this
 // tick and until there is room for it.
 
@@ -77,10 +77,10 @@ public:
 
 private:
   struct Spent {
-    Wrench impulse;          // N s, N m s
-    double length = 0;       // N s
-    double turn_length = 0;  // N m s
-    double energy = 0;       // J
+    Wrench impulse;                      // N s, N m s
+    double length = 0;                   // N s
+    double turn_length = 0;              // N m s
+    double by_force = 0, by_torque = 0;  // J
   };
 
   TransientFigures figures_;

@@ -1,6 +1,7 @@
 #pragma once
 // What the main thread may ask of the tick. Commands are part of the tape.
 
+#include <algorithm>
 #include <cstdint>
 
 namespace fulcrum {
@@ -15,9 +16,13 @@ struct Command {
     impact_gain = 6,     // of the vibration at impacts, likewise
     pulse_gain = 7,      // of the braking pulse, likewise
     pulse_moment = 8,    // whether its moment makes up for missing force: 0 or 1
+    last = pulse_moment
   };
   Kind kind = Kind::stop;
   double value = 0;  // what it is set to; 0 where there is nothing to set
+
+  // A gain, 0 to 1; what is no number is 0.
+  double gain() const { return value > 0 ? std::min(value, 1.0) : 0.0; }
 
   bool operator==(const Command&) const = default;
 };

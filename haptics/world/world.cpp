@@ -115,7 +115,9 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   w.guard_.commanded(continuous.F_H_D);
   if (continuous.clamped()) faults |= kMotorClamped;
   DeviceCommand command{.F_H_D = continuous.F_H_D};
-  w.missing_ = limited_F_H_D + -continuous.F_H_D;
+  // Slew goes on from what the motors did: what they have not is missing of what was wanted before it.
+  w.missing_ = (continuous.clamped() ? (wanted_F_H_D + own_weight) * w.guard_.gain() : limited_F_H_D) +
+               -continuous.F_H_D;
   w.demand_transients(answer, {X_WG, V_WG}, felt_D, answer.X_WT.p + p_TH_W);
   w.render_transients(moved_D, command.F_H_D, faults);
 

@@ -28,15 +28,17 @@ void World::demand_transients(const ToolAnswer& answer, const Wanted& wanted, co
   const auto of = [this](TransientSource source) -> Wrench& {
     return transients_[static_cast<std::size_t>(source)];
   };
+  const bool engaged = !clutched_ && !guard_.stopped();
   of(TransientSource::torque_substitution) = {substitute_torque(answer, felt_D), Vec3::Zero()};
-  if (impact_vibration_) of(TransientSource::impact_vibration) = impact_vibration_->process(impacts(), p_WH);
+  if (impact_vibration_)
+    of(TransientSource::impact_vibration) = impact_vibration_->process(impacts(), p_WH, engaged);
   if (!braking_pulse_) return;
   pulse_ = braking_pulse_->process({.impacts = impacts(),
                                     .p_WH = p_WH,
                                     .q_WH = answer.X_WT.q * desc_.tool.X_HT.q.conjugate(),
                                     .X_WG = wanted.X_WG,
                                     .V_WG = wanted.V_WG,
-                                    .engaged = !clutched_});
+                                    .engaged = engaged});
   of(TransientSource::braking_pulse) = pulse_.F_H_D;
 }
 

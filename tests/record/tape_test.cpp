@@ -26,8 +26,12 @@ std::vector<TapeEntry> made_up_entries(int count) {
     entry.lost_before = i % 5 == 0 ? i : 0;
     entry.digest = 0x0123456789abcdefu * static_cast<std::uint64_t>(i + 1);
     if (i % 3 == 0) {
-      entry.commands = {
-          {Command::Kind::stop}, {Command::Kind::acknowledge}, {Command::Kind::ghost_gain, 0.25}};
+      entry.commands = {{Command::Kind::stop},
+                        {Command::Kind::acknowledge},
+                        {Command::Kind::ghost_gain, 0.25},
+                        {Command::Kind::impact_gain, 0.5},
+                        {Command::Kind::pulse_gain, 1},
+                        {Command::Kind::last, 1}};
     }
   }
   entries.front().sample.X_DH.p = Vec3(-0.0, std::bit_cast<double>(0x7ff8dead0000beefu), 5e-324);

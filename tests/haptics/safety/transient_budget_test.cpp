@@ -101,6 +101,28 @@ TEST(TransientBudget, EndsASourceThatFeedsTheHand) {
 
 // Beside a continuous force near the device's limit the sum stays within it, and the continuous part is
 // whole.
+// What a force takes from the hand is no credit for a torque that feeds it.
+TEST(TransientBudget, ForceAndTorqueAreBoundedEach) {
+  DeviceDesc device;
+  device.renders_torque = true;
+  device.max_torque = 0.3;
+  constexpr TransientFigures figures{.peak = 1, .push = 1, .length = 1, .energy = 20e-3};
+  TransientBudget budget(figures, device, kTick);
+  const Wrench wanted{Vec3(0, 5, 0), Vec3(0, 0, 0.3)};
+  Vec6 moved = Vec6::Zero();
+  moved[1] = -2e-3;  // -10 mJ a tick
+  moved[5] = 0.02;   // 6 mJ a tick
+  int given = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Wrench allowed = budget.allow(wanted, moved);
+    budget.commanded(allowed);
+    if (!allowed.is_zero()) ++given;
+  }
+  EXPECT_EQ(given, 4);  // the fourth takes it beyond 20 mJ
+  EXPECT_NEAR(budget.torque_energy(), 4 * 6e-3, 1e-12);
+  EXPECT_NEAR(budget.force_energy(), -4 * 10e-3, 1e-12);
+}
+
 TEST(Guard, TransientsGetWhatTheContinuousForceLeaves) {
   const DeviceDesc device;
   Guard guard(device, kTick, kSource);
@@ -127,13 +149,14 @@ TEST(Guard, AStopEndsTransientsToo) {
   const auto tick = [&](std::span<const Command> commands) {
     faults = guard.watch({}, commands);
     const Wrench F = guard.limit({Vec3(0, 2, 0), Vec3::Zero()}, faults);
-    // Never told what was commanded, the budget stays open: the stop alone is looked at.
+    // The budget is told of the last one alone, and stays open: the stop is what is looked at.
     transient =
         guard.limit_transient(kSource[0], {Vec3(kPeak, 0, 0), Vec3::Zero()}, F, Vec6::Zero(), faults).force;
     guard.commanded(F);
   };
   for (int i = 0; i < 600; ++i) tick({});
   EXPECT_EQ(transient, Vec3(kPeak, 0, 0));
+  guard.commanded(kSource[0], {transient, Vec3::Zero()});
   const Command stop{Command::Kind::stop};
   tick({&stop, 1});
   EXPECT_NEAR(transient.x(), kPeak / 2, 1e-12);

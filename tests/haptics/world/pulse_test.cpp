@@ -64,7 +64,7 @@ TEST_P(Pulse, ComesInTheTickOfContact) {
     EXPECT_EQ((records[i].faults & kTransientLimited), 0u);
   }
   EXPECT_EQ(pulsed, 3u);
-  EXPECT_LT(records.back().pulse->energy, 0);  // the hand was braked
+  EXPECT_LT(records.back().pulse->energy, 0);         // the hand was braked
   EXPECT_EQ(records.back().pulse->moment_energy, 0);  // nothing was turned
 }
 
@@ -230,6 +230,47 @@ TEST(BrakingPulse, AMotorWithoutALimitASingularArmAndContactFromTheStart) {
   SceneDesc inside = plate_scene();
   inside.tool.X_WT_start.p.y() = -1e-4;
   EXPECT_EQ(count(lead(inside, std::vector<double>(100, -1e-3))), 0u);
+}
+
+// A stop takes a pulse down with the rest within 2 ms, and lets none begin.
+TEST(BrakingPulse, AStopEndsItAndLetsNoneBegin) {
+  SceneDesc desc = plate_scene();
+  desc.braking_pulse->ticks = 50;
+  const auto stopped_at = [&desc](int tick) {  // after the handle has set out from 2 mm, 0.1 mm a tick
+    World world = expect(World::build(desc));
+    for (int i = 0; i < 600; ++i) step(world, at(handle(desc, 2e-3)), {});
+    std::vector<TickRecord> records;
+    for (int i = 0; i < 60; ++i) {
+      const std::vector<Command> commands =
+          i == tick ? std::vector<Command>{{Command::Kind::stop}} : std::vector<Command>();
+      records.push_back(step(world, at(handle(desc, 2e-3 - 1e-4 * i)), commands).record);
+    }
+    return records;
+  };
+  const auto never = stopped_at(-1);
+  const auto first = static_cast<int>(std::ranges::find_if(never, pulses) - never.begin());
+  ASSERT_LT(first, 50);
+  EXPECT_EQ(count(stopped_at(first)), 0u);
+
+  const auto records = stopped_at(first + 5);
+  const auto size = [&records](int i) {
+    return records[static_cast<std::size_t>(i)].pulse->F_H_D.force.norm();
+  };
+  EXPECT_GT(size(first + 4), 0.5);
+  EXPECT_NEAR(size(first + 5), 0.5 * size(first + 4), 1e-9);
+  for (int i = first + 6; i < 60; ++i) EXPECT_NEAR(size(i), 0, 1e-12) << i;
+}
+
+// A bar that turns about its middle, against a peg on each side: one pulse each way, none for the other.
+TEST(BrakingPulse, BlowsAgainstEachOtherAskForNoMoreThanTheirOwn) {
+  BrakingPulse pulse({}, MappingDesc{}, 1e-3);
+  const Impact left{.p_W = Vec3(-0.1, 0, 0), .nhat_W = Vec3::UnitY(), .speed = 0.2, .object = 0};
+  const Impact right{.p_W = Vec3(0.1, 0, 0), .nhat_W = -Vec3::UnitY(), .speed = 0.2, .object = 0};
+  const Impact both[] = {left, right};
+  const auto demand = pulse.process(
+      {.impacts = both, .X_WG = Pose{}, .V_WG = {Vec3::Zero(), Vec3(0, 0, 2)}, .engaged = true});
+  EXPECT_NEAR(demand.F_H_D.force.norm(), 0, 1e-9);
+  EXPECT_NEAR(demand.F_H_D.torque.z(), -2 * 0.1 * 0.45 * 0.2 / 1e-3, 1e-9);
 }
 
 TEST(BrakingPulse, ADeviceThatPushesAloneBrakesByForce) {
