@@ -69,16 +69,17 @@ void add_torque_substitution(Columns& c) {
       [](const TickRecord& record) { return record.torque.ghost_gain; });
 }
 
-void add_impacts(Columns& c) {
+void add_impacts(Columns& c, bool objects) {
   add(c, {"impact/count", "1", "", "Impacts in this tick."},
       [](const TickRecord& record) { return std::int64_t{record.impact->count}; });
   add(c,
       {"impact/speed", "m/s", "", "Of the hand towards the scene at the hardest of them; 0: there was none."},
       [](const TickRecord& record) { return record.impact->hardest.speed; });
-  add(c, {"impact/object", "1", "", "Which of the scene's models it struck, from 0; -1: there was none."},
-      [](const TickRecord& record) {
-        return std::int64_t{record.impact->count > 0 ? record.impact->hardest.object : -1};
-      });
+  if (objects)
+    add(c, {"impact/object", "1", "", "Which of the scene's models it struck, from 0; -1: there was none."},
+        [](const TickRecord& record) {
+          return std::int64_t{record.impact->count > 0 ? record.impact->hardest.object : -1};
+        });
   add_vector(c, {"impact/p", "m", "W", "Where it was; zero: there was none."},
              [](const TickRecord& record) -> const Vec3& { return record.impact->hardest.p_W; });
   add_vector(c, {"impact/normal", "1", "W", "The scene's normal there, towards the tool."},
@@ -188,7 +189,7 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, E
         [](const TickRecord& record) { return record.pulse->moment_energy; });
   }
   if (extras.torque_substitution) add_torque_substitution(c);
-  if (extras.impacts) add_impacts(c);
+  if (extras.impacts) add_impacts(c, extras.impact_vibration);  // which alone asks what was struck
   if (extras.impact_vibration) add_impact_vibration(c);
   if (extras.braking_pulse) add_braking_pulse(c);
   add(c,

@@ -55,7 +55,7 @@ struct SceneDesc {
   DeviceDesc device;
   AllocationDesc allocation;
   ImpactDetectorDesc impact;                         // where something asks for impacts
-  std::shared_ptr<const ObjectMap> scene_objects{};  // likewise; null: the scene is one object
+  std::shared_ptr<const ObjectMap> scene_objects{};  // where it matters; null: the scene is one object
   std::optional<TorqueSubstitutionDesc> torque_substitution;
   std::optional<ImpactVibrationDesc> impact_vibration{};
   std::optional<BrakingPulseDesc> braking_pulse{};
