@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "haptics/device/mechanism_desc.h"
+#include "haptics/device/vibrotactile_desc.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 
@@ -34,6 +36,7 @@ struct DeviceCommand {
     Vec3 unwind_D = Vec3::Zero();  // (3) rad, the turn that would take the handle back to the tool
   };
   Cues cues{};
+  VibrotactileCommand vibrotactile{};  // where the device has channels
 };
 
 enum class Kinematics {
@@ -64,6 +67,7 @@ struct DeviceDesc {
   double encoder_step_rad = 2.0e-4;     // rad
   Vec3 workspace{0.080, 0.060, 0.060};  // (3) m, half extents about D's origin
   MechanismDesc mechanism{};            // of arms
+  std::optional<VibrotactileDesc> vibrotactile{};
 };
 
 // Drivers implement this. read() and write() are called from the haptic thread, in turn, once a tick.
