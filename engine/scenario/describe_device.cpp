@@ -37,6 +37,13 @@ void describe_spin(KeyVisitor& visitor, SpinDesc& spin) {
   visitor.number({"max_torque", "N m", "of the motor", true}, spin.max_torque, from_to(0, 1000));
 }
 
+void describe_structure(KeyVisitor& visitor, StructureDesc& structure) {
+  visitor.number({"tip_stiffness", "N/m", "at the handle's origin", true}, structure.tip_stiffness,
+                 above_to(0, 1e9));
+  visitor.vector({"angular_stiffness", "N m/rad", "about the handle's axes there", true},
+                 structure.angular_stiffness_H, above_to(0, 1e9));
+}
+
 }  // namespace
 
 void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
@@ -51,15 +58,15 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
   visitor.number({"max_force", "N", "on the handle"}, device.max_force, from_to(0, 1000));
   visitor.number({"max_torque", "N m", "on the handle"}, device.max_torque, from_to(0, 100));
   visitor.number({"handle_mass", "kg", "apparent, at the handle"}, device.handle_mass, above_to(0, 100));
-  visitor.number({"handle_inertia", "kg m^2", "apparent, about any axis of the handle"},
-                 device.handle_inertia, above_to(0, 10));
+  visitor.each_axis({"handle_inertia", "kg m^2", "apparent, about the handle's axes, or one for all"},
+                    device.handle_inertia, above_to(0, 10));
   visitor.number({"handle_weight", "N", "what the mechanism leaves uncompensated"}, device.handle_weight,
                  from_to(0, 1000));
   visitor.number({"bandwidth_Hz", "", "of the forces and torques that it renders"}, device.bandwidth_Hz,
                  above_to(0, 20000));
   visitor.number({"damping", "N s/m", "of the mechanism"}, device.damping, from_to(0, 1000));
-  visitor.number({"angular_damping", "N m s/rad", "of the mechanism"}, device.angular_damping,
-                 from_to(0, 100));
+  visitor.each_axis({"angular_damping", "N m s/rad", "of the mechanism, likewise"}, device.angular_damping,
+                    from_to(0, 100));
   visitor.number({"friction", "N", "Coulomb, on each axis"}, device.friction, from_to(0, 100));
   visitor.number({"angular_friction", "N m", "Coulomb, on each axis"}, device.angular_friction,
                  from_to(0, 10));
@@ -80,6 +87,9 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
       [&](std::string_view name, KeyVisitor& each) {
         describe_arm(each, device.mechanism.arms.emplace_back(), name);
       });
+  visitor.mapping(
+      {"structure", "", "how stiff its structure and motors are: bounds the walls that it renders"},
+      [&](KeyVisitor& inner) { describe_structure(inner, device.structure.emplace()); });
   visitor.mapping({"spin", "", "a motor that turns the handle about the line between two arms' ends"},
                   [&](KeyVisitor& inner) { describe_spin(inner, device.mechanism.spin.emplace()); });
 }

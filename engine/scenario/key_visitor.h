@@ -71,6 +71,7 @@ public:
   virtual void word(const Key& key, std::string& value) = 0;  // letters, digits, '_' and '-'
   virtual void choice(const Key& key, std::size_t& index, std::span<const std::string_view> names) = 0;
   virtual void vector(const Key& key, Vec3& value, const Range& each) = 0;
+  virtual void each_axis(const Key& key, Vec3& value, const Range& each) = 0;  // three, or one for all
   virtual void rotation(const Key& key, Quat& value) = 0;
   virtual void colour(const Key& key, Vec3& value) = 0;  // linear
   virtual void optional_colour(const Key& key, std::optional<Vec3>& value) = 0;

@@ -61,6 +61,10 @@ public:
   void vector(const Key& key, Vec3& value, const Range& each) override {
     add(key, numbers_schema(3, each), {value.x(), value.y(), value.z()});
   }
+  void each_axis(const Key& key, Vec3& value, const Range& each) override {
+    add(key, {{"oneOf", Json::array({number_schema(each), numbers_schema(3, each)})}},
+        {value.x(), value.y(), value.z()});
+  }
   void rotation(const Key& key, Quat& value) override {
     add(key, numbers_schema(4, kAnyNumber), {value.w(), value.x(), value.y(), value.z()});
   }

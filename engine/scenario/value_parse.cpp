@@ -163,6 +163,13 @@ Parsed<Vec3> parse_vector(const Node& node, const Range& each, std::string_view 
   return Vec3((*values)[0], (*values)[1], (*values)[2]);
 }
 
+Parsed<Vec3> parse_each_axis(const Node& node, const Range& each, std::string_view unit) {
+  if (!is_scalar(node)) return parse_vector(node, each, unit);
+  const auto value = parse_real(node, each, unit);
+  if (!value) return value.fault();
+  return Vec3(Vec3::Constant(*value));
+}
+
 Parsed<Quat> parse_rotation(const Node& node) {
   const auto values = parse_reals(node, 4, kAnyNumber, "", "a unit quaternion [w, x, y, z]");
   if (!values) return values.fault();

@@ -14,15 +14,22 @@ Vec3 stepped(const Vec3& x, double step) {
   return step > 0 ? Vec3((x / step).array().round() * step) : x;
 }
 
+bool alike(const Vec3& v) {
+  return v.isConstant(v.x(), 0);
+}
+
 }  // namespace
 
 SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, const Pose& X_DH)
-    : desc_(desc), X_DH_(X_DH) {
+    : desc_(desc),
+      turns_alike_(alike(desc.device.handle_inertia) && alike(desc.device.angular_damping)),
+      X_DH_(X_DH) {
   const DeviceDesc& d = desc_.device;
   for (std::size_t axis = 0; axis < 6; ++axis) {
     FrictionAxis& a = axes_[axis];
-    a.mass = axis < 3 ? d.handle_mass : d.handle_inertia;
-    a.damping = axis < 3 ? d.damping : d.angular_damping;
+    const auto about = static_cast<Eigen::Index>(axis) - 3;
+    a.mass = axis < 3 ? d.handle_mass : d.handle_inertia[about];
+    a.damping = axis < 3 ? d.damping : d.angular_damping[about];
     a.friction = axis < 3 ? d.friction : d.angular_friction;
     a.x = axis < 3 ? X_DH_.p[static_cast<Eigen::Index>(axis)] : 0.0;
   }
@@ -107,6 +114,11 @@ void SimulatedDevice::advance(const Wrench& F_H_D, const DeviceCommand::Cues& cu
     hand_x << target.X_DH.p, rotation_vector(target.X_DH.q * X_DH_.q.conjugate());
     hand_v = target.rate;
   }
+  // A handle that is not alike about all axes turns about its own; that they turn with it is left out.
+  const Quat q_DA = turns_alike_ ? Quat::Identity() : X_DH_.q;
+  if (!turns_alike_) {
+    for (Vec6* of : {&force, &hand_x, &hand_v}) of->tail<3>() = q_DA.conjugate() * of->tail<3>();
+  }
   Vec3 turn = Vec3::Zero();
   for (std::size_t axis = 0; axis < 6; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
@@ -126,6 +138,7 @@ void SimulatedDevice::advance(const Wrench& F_H_D, const DeviceCommand::Cues& cu
     else
       turn[i - 3] = axes_[axis].x;
   }
+  if (!turns_alike_) turn = q_DA * turn;
   X_DH_.q = (quaternion_exp(turn) * X_DH_.q).normalized();
   time_ += desc_.tick_s;
 }

@@ -56,14 +56,16 @@ private:
   void measure() noexcept;
 
   SimulatedDeviceDesc desc_;
+  bool turns_alike_;  // about every axis
   std::optional<HandTask> task_;
   std::optional<Tremor> tremor_;
   std::optional<Yielding> yielding_;
   double time_ = 0;
   Pose X_DH_;
   Pose measured_;
-  std::array<FrictionAxis, 6>
-      axes_;  // translation in D; rotation about the axes of D, x from the pose at the tick's start
+  // Translation in D; rotation about the axes of D, or of H where they differ, x from the pose at the tick's
+  // start.
+  std::array<FrictionAxis, 6> axes_;
   static constexpr std::size_t kDelay = 9;
   std::array<Pose, kDelay> seen_{};
   std::array<DeviceCommand, kDelay> sent_{};
