@@ -41,6 +41,10 @@ SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, HandTask task)
     : SimulatedDevice(desc, task.mapping.handle_in_device(task.path.at(0) * task.X_HT.inverse())) {
   task_ = std::move(task);
   tremor_.emplace(task_->hand);
+  if (desc_.device.strip) {
+    strip_.emplace(*desc_.device.strip, desc_.tick_s, task_->hand.seed);
+    strip_ohm_ = kStripOpen;
+  }
   if (task_->hand.yields) yielding_.emplace(*task_->hand.yields, desc_.tick_s, task_->hand.seed);
 }
 
@@ -53,6 +57,7 @@ DeviceSample SimulatedDevice::read() noexcept {
   DeviceSample sample;
   sample.X_DH = seen_[(at_ + kDelay - age) % kDelay];
   sample.age = desc_.sample_age_ticks * desc_.tick_s;
+  sample.strip_ohm = strip_ohm_;
   return sample;
 }
 
@@ -74,6 +79,10 @@ void SimulatedDevice::miss(int ticks) noexcept {
 }
 
 void SimulatedDevice::measure() noexcept {
+  if (strip_) {
+    const HoldingStripDesc& strip = *desc_.device.strip;
+    strip_ohm_ = strip_->advance(0.5 * (strip.low_place + strip.high_place), strip.closing_force);
+  }
   measured_.p = stepped(X_DH_.p, desc_.device.encoder_step);
   seen_[at_] = measured_;
   if (!desc_.device.senses_rotation) return;

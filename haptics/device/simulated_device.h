@@ -8,6 +8,7 @@
 #include "haptics/device/device.h"
 #include "haptics/device/friction_axis.h"
 #include "haptics/device/hand.h"
+#include "haptics/device/holding_strip.h"
 #include "haptics/device/mapping.h"
 
 namespace fulcrum {
@@ -61,6 +62,8 @@ private:
   std::optional<Tremor> tremor_;
   std::optional<Yielding> yielding_;
   double time_ = 0;
+  std::optional<SimulatedStrip> strip_;
+  double strip_ohm_ = kNoStrip;
   Pose X_DH_;
   Pose measured_;
   // Translation in D; rotation about the axes of D, or of H where they differ, x from the pose at the tick's

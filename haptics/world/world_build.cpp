@@ -117,6 +117,9 @@ Result<World> World::build(SceneDesc desc) {
         "contact.friction is there for the response constraint alone: name that response, or leave friction "
         "out."};
   if (auto error = refuse_mechanism(desc.device)) return *error;
+  if (desc.device.strip) {
+    if (auto error = refuse_strip(*desc.device.strip)) return *error;
+  }
   if (!positive(desc.allocation.moment_weight))
     return Error{"The weight of missing moment in the allocation must be positive."};
   if (!desc.scene_edges != !desc.tool_field)
