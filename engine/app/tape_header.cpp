@@ -69,7 +69,10 @@ record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskD
            .transients = vibrates_for_torque(scene),
            .impacts = detects_impacts(scene),
            .impact_vibration = vibrates_at_impacts(scene),
-           .braking_pulse = brakes_at_impacts(scene)}};
+           .braking_pulse = brakes_at_impacts(scene),
+           .holding_point = scene.holding_point.has_value(),
+           .inertia_compensation = compensates_inertia(scene),
+           .stiffness_levels = !scene.contact.levels.empty()}};
 }
 
 }  // namespace fulcrum::app

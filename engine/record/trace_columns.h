@@ -39,6 +39,9 @@ public:
     bool impacts = false;
     bool impact_vibration = false;
     bool braking_pulse = false;
+    bool holding_point = false;
+    bool inertia_compensation = false;
+    bool stiffness_levels = false;
   };
   // motors: their names, in the order of TickRecord::actuator_load; empty for a device without motors.
   TraceColumns(double tick_s, std::span<const std::string> motors, Extras extras);

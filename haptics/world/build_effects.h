@@ -21,4 +21,9 @@ std::optional<ImpactVibration> build_impact_vibration(const SceneDesc& desc);
 
 std::optional<BrakingPulse> build_braking_pulse(const SceneDesc& desc);
 
+std::optional<HoldingPoint> build_holding_point(const SceneDesc& desc);
+
+// Absent where the scene does not name it or the device does not push.
+std::optional<InertiaCompensation> build_inertia_compensation(const SceneDesc& desc);
+
 }  // namespace fulcrum
