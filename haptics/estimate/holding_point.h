@@ -14,6 +14,7 @@ namespace fulcrum {
 struct HoldingPointDesc {
   Vec3 axis_H = Vec3::UnitX();  // (3) unit, along the stick from C, the handle's origin
   double place = 0;             // m along it: where the hand is taken to hold until more is known
+  double low = 0, high = 0.2;   // m along it: the ends of where it can be held
   bool measured = true;         // at the start; the device's strip says where
   double speed = 0.2;           // m/s, fastest that the place moves
   double settle = 0.02;         // s, for which a reading must keep still to be trusted
