@@ -73,6 +73,7 @@ void leave_out_of_vibrotactile_motion(const SceneDesc& scene, const Add& add) {
     add("lateral force", device + "has no motors");
 }
 
+template <class Add>
 void leave_out_of_holding(const World& world, const Add& add) {
   const SceneDesc& scene = world.desc();
   const std::string device = "the device '" + scene.device.name + "' ";
