@@ -9,6 +9,7 @@ constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "arms
 constexpr std::array<std::string_view, 2> kChannelKinds{"rumble", "pcm"};
 
 constexpr Range kAngle = from_to(-6.2831853, 6.2831853);
+constexpr Range kResistance = from_to(0, 1e7);
 
 void describe_joint(KeyVisitor& visitor, JointDesc& joint, std::string_view name) {
   joint.name = name;
@@ -39,6 +40,13 @@ void describe_spin(KeyVisitor& visitor, SpinDesc& spin) {
   visitor.number({"max_torque", "N m", "of the motor", true}, spin.max_torque, from_to(0, 1000));
 }
 
+void describe_structure(KeyVisitor& visitor, StructureDesc& structure) {
+  visitor.number({"tip_stiffness", "N/m", "at the handle's origin", true}, structure.tip_stiffness,
+                 above_to(0, 1e9));
+  visitor.vector({"angular_stiffness", "N m/rad", "about the handle's axes there", true},
+                 structure.angular_stiffness_H, above_to(0, 1e9));
+}
+
 void describe_channel(KeyVisitor& visitor, ChannelDesc& channel, std::string_view name) {
   channel.name = name;
   visitor.choice_of({"kind", "",
@@ -60,6 +68,26 @@ void describe_channel(KeyVisitor& visitor, ChannelDesc& channel, std::string_vie
   visitor.rule("quality", !pcm || channel.quality > 0.5, "must be above 0.5 for the kind pcm");
 }
 
+void describe_strip(KeyVisitor& visitor, HoldingStripDesc& strip) {
+  visitor.number({"low_place", "m", "where it begins, along the handle's x axis from its origin", true},
+                 strip.low_place, kPosition);
+  visitor.number({"high_place", "m", "where it ends", true}, strip.high_place, kPosition);
+  visitor.number({"low_ohm", "ohm", "where it begins, as calibrated"}, strip.low_ohm, kResistance);
+  visitor.number({"high_ohm", "ohm", "where it ends, likewise"}, strip.high_ohm, kResistance);
+  visitor.number({"closing_force", "N", "a press from which on it is closed"}, strip.closing_force,
+                 from_to(0, 100));
+  visitor.number({"opening_force", "N", "a press below which it is open again"}, strip.opening_force,
+                 from_to(0, 100));
+  visitor.number({"noise_ohm", "rms", "of the simulated strip"}, strip.noise_ohm, kResistance);
+  visitor.number({"dropout_rate", "1/s", "of the simulated strip: how often contact is lost"},
+                 strip.dropout_rate, from_to(0, 1000));
+  visitor.number({"dropout_length", "s", "likewise: how long, in the mean"}, strip.dropout_length,
+                 from_to(0, 100));
+  visitor.number({"tolerance", "",
+                  "likewise: by how much of its length its true ends differ at most from the calibration"},
+                 strip.tolerance, from_to(0, 1));
+}
+
 }  // namespace
 
 void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
@@ -74,15 +102,15 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
   visitor.number({"max_force", "N", "on the handle"}, device.max_force, from_to(0, 1000));
   visitor.number({"max_torque", "N m", "on the handle"}, device.max_torque, from_to(0, 100));
   visitor.number({"handle_mass", "kg", "apparent, at the handle"}, device.handle_mass, above_to(0, 100));
-  visitor.number({"handle_inertia", "kg m^2", "apparent, about any axis of the handle"},
-                 device.handle_inertia, above_to(0, 10));
+  visitor.each_axis({"handle_inertia", "kg m^2", "apparent, about the handle's axes, or one for all"},
+                    device.handle_inertia, above_to(0, 10));
   visitor.number({"handle_weight", "N", "what the mechanism leaves uncompensated"}, device.handle_weight,
                  from_to(0, 1000));
   visitor.number({"bandwidth_Hz", "", "of the forces and torques that it renders"}, device.bandwidth_Hz,
                  above_to(0, 20000));
   visitor.number({"damping", "N s/m", "of the mechanism"}, device.damping, from_to(0, 1000));
-  visitor.number({"angular_damping", "N m s/rad", "of the mechanism"}, device.angular_damping,
-                 from_to(0, 100));
+  visitor.each_axis({"angular_damping", "N m s/rad", "of the mechanism, likewise"}, device.angular_damping,
+                    from_to(0, 100));
   visitor.number({"friction", "N", "Coulomb, on each axis"}, device.friction, from_to(0, 100));
   visitor.number({"angular_friction", "N m", "Coulomb, on each axis"}, device.angular_friction,
                  from_to(0, 10));
@@ -103,6 +131,9 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
       [&](std::string_view name, KeyVisitor& each) {
         describe_arm(each, device.mechanism.arms.emplace_back(), name);
       });
+  visitor.mapping(
+      {"structure", "", "how stiff its structure and motors are: bounds the walls that it renders"},
+      [&](KeyVisitor& inner) { describe_structure(inner, device.structure.emplace()); });
   visitor.mapping({"spin", "", "a motor that turns the handle about the line between two arms' ends"},
                   [&](KeyVisitor& inner) { describe_spin(inner, device.mechanism.spin.emplace()); });
   visitor.named({"channels", "",
@@ -111,6 +142,9 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
                   if (!device.vibrotactile) device.vibrotactile.emplace();
                   describe_channel(each, device.vibrotactile->channels.emplace_back(), name);
                 });
+  visitor.mapping(
+      {"strip", "", "along the handle, that knows where the hand holds: a membrane potentiometer"},
+      [&](KeyVisitor& inner) { describe_strip(inner, device.strip.emplace()); });
 }
 
 }  // namespace fulcrum::scenario

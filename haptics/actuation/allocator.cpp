@@ -38,10 +38,10 @@ double Allocator::load(int motor) const noexcept {
   return limit > 0 ? std::clamp(taken_[motor] / limit, -1.0, 1.0) : 0.0;
 }
 
-Allocation Allocator::wrench(const Wrench& F_H_D) const noexcept {
+Allocation Allocator::wrench(const Wrench& F_H_D, const Vec3& p_HG_D) const noexcept {
   if (motors() == 0) return {};
   if (desc_.method != AllocationMethod::exact) return scaled(F_H_D, false);
-  return shared(F_H_D, Vec3::Zero(), lever_);
+  return shared(F_H_D, p_HG_D, lever_);
 }
 
 Allocation Allocator::whole(const Wrench& F_H_D) const noexcept {

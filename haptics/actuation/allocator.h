@@ -41,8 +41,9 @@ public:
   // What one of the calls below found: later ones of the tick get the motors that are left.
   void take(const Allocation& allocation) noexcept { taken_ += allocation.effort; }
 
-  // Force and torque each in their direction, as much as there can be.
-  Allocation wrench(const Wrench& F_H_D) const noexcept;
+  // Force and torque each in their direction, as much as there can be: the torque about the control point,
+  // p_HG_D (3) m from the handle, where the hand feels it.
+  Allocation wrench(const Wrench& F_H_D, const Vec3& p_HG_D = Vec3::Zero()) const noexcept;
   // All of it, or the same part of force and torque: what it points to is not changed.
   Allocation whole(const Wrench& F_H_D) const noexcept;
   // A pulse that a hand which holds the handle at G, p_HG_D (3) m away, would feel as a moment

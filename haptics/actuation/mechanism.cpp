@@ -100,6 +100,7 @@ Mechanism::Mechanism(const MechanismDesc& desc) {
 
 void Mechanism::follow(const Pose& X_DH) noexcept {
   out_of_reach_ = 0;
+  q_DH_ = X_DH.q;
   int column = 0;
   for (Arm& arm : arms_) {
     out_of_reach_ = std::max(out_of_reach_, arm.chain.reach(X_DH * arm.X_HE, arm.angles));
@@ -124,11 +125,22 @@ void Mechanism::write_columns(const Arm& arm, const Pose& X_DH, int first) noexc
     }
     return;
   }
+  twists_.leftCols<6>() = J;
   J.bottomRows<3>() *= JointChain::kLever;
   const Square pushes = inverse_transposed(J);
   // The end of the only arm is H's origin.
   wrenches_.topLeftCorner<3, 6>() = pushes.topRows<3>();
   wrenches_.bottomLeftCorner<3, 6>() = JointChain::kLever * pushes.bottomRows<3>();
+}
+
+WrenchMatrix Mechanism::jacobian(const Vec3& p_HG) const noexcept {
+  WrenchMatrix J;
+  const Mat3 R_HD = q_DH_.conjugate().toRotationMatrix();
+  for (Eigen::Index motor = 0; motor < J.cols(); ++motor) {
+    const Vec3 w = R_HD * twists_.col(motor).tail<3>();
+    J.col(motor) << R_HD * twists_.col(motor).head<3>() + w.cross(p_HG), w;
+  }
+  return J;
 }
 
 JointChain::Placed Mechanism::placed(int arm) const noexcept {

@@ -40,6 +40,11 @@ public:
   void follow(const Pose& X_DH) noexcept;
 
   const WrenchMatrix& wrenches() const { return wrenches_; }
+  // The body Jacobian at a control point G, p_HG (3) m in H, of an arm of six: how G moves and turns, in H,
+  // for a unit rate of each motor. Efforts for a wrench about G in H: tau = J^T F ("Compensating device
+  // inertia for 6-DOF haptic rendering", Eq. 1); with the wrong G the hand feels J_true^-T J_used^T F. Zero
+  // for other arms: their gimbal turns without motors.
+  WrenchMatrix jacobian(const Vec3& p_HG) const noexcept;
   int arms() const { return static_cast<int>(arms_.size()); }
   // Where the joints of an arm are, and its end.
   JointChain::Placed placed(int arm) const noexcept;
@@ -60,6 +65,8 @@ private:
   std::vector<Arm> arms_;
   std::optional<Vec3> spin_H_;  // (3) the axis over the ratio
   WrenchMatrix wrenches_ = WrenchMatrix::Zero();
+  Quat q_DH_ = Quat::Identity();
+  WrenchMatrix twists_ = WrenchMatrix::Zero();  // of the handle about H, in D, for a unit rate of each motor
   double out_of_reach_ = 0;
 };
 

@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "haptics/device/holding_strip.h"
 #include "haptics/device/mechanism_desc.h"
+#include "haptics/device/structure.h"
 #include "haptics/device/vibrotactile_desc.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
@@ -18,10 +20,11 @@ inline constexpr std::size_t kMaxMotors = 8;
 
 // What the device knew at one moment. D: device base, H: handle.
 struct DeviceSample {
-  Pose X_DH;                  // handle pose
-  double age = 0;             // s since the pose was measured
-  std::uint32_t buttons = 0;  // bit n: button n is down
-  bool connected = true;      // false: the device is lost and the pose is the last one known
+  Pose X_DH;                    // handle pose
+  double age = 0;               // s since the pose was measured
+  std::uint32_t buttons = 0;    // bit n: button n is down
+  bool connected = true;        // false: the device is lost and the pose is the last one known
+  double strip_ohm = kNoStrip;  // of the strip that knows where the hand holds; kStripOpen: nothing presses
 };
 
 // What the device is to do until the next command.
@@ -53,21 +56,23 @@ struct DeviceDesc {
   bool renders_force = true;
   bool renders_torque = false;
   bool senses_rotation = true;
-  double max_force = 7.9;               // N
-  double max_torque = 0;                // N m
-  double handle_mass = 0.072;           // kg, apparent, at the handle
-  double handle_inertia = 2.0e-5;       // kg m^2, apparent, about any axis of the handle
-  double handle_weight = 0.3;           // N, what the mechanism leaves uncompensated; the tick holds it up
-  double bandwidth_Hz = 500;            // of forces and torques that it renders
-  double damping = 0.005;               // N s/m
-  double angular_damping = 2.0e-5;      // N m s
-  double friction = 0.038;              // N, Coulomb, each axis
-  double angular_friction = 2.0e-4;     // N m, Coulomb, each axis
-  double encoder_step = 28e-6;          // m
-  double encoder_step_rad = 2.0e-4;     // rad
-  Vec3 workspace{0.080, 0.060, 0.060};  // (3) m, half extents about D's origin
-  MechanismDesc mechanism{};            // of arms
-  std::optional<VibrotactileDesc> vibrotactile{};
+  double max_force = 7.9;                        // N
+  double max_torque = 0;                         // N m
+  double handle_mass = 0.072;                    // kg, apparent, at the handle
+  Vec3 handle_inertia = Vec3::Constant(2.0e-5);  // (3) kg m^2, apparent, about the axes of the handle
+  double handle_weight = 0.3;  // N, what the mechanism leaves uncompensated; the tick holds it up
+  double bandwidth_Hz = 500;   // of forces and torques that it renders
+  double damping = 0.005;      // N s/m
+  Vec3 angular_damping = Vec3::Constant(2.0e-5);   // (3) N m s, likewise
+  double friction = 0.038;                         // N, Coulomb, each axis
+  double angular_friction = 2.0e-4;                // N m, Coulomb, each axis
+  double encoder_step = 28e-6;                     // m
+  double encoder_step_rad = 2.0e-4;                // rad
+  Vec3 workspace{0.080, 0.060, 0.060};             // (3) m, half extents about D's origin
+  MechanismDesc mechanism{};                       // of arms
+  std::optional<StructureDesc> structure{};        // where it is known
+  std::optional<VibrotactileDesc> vibrotactile{};  // its channels, where it has such
+  std::optional<HoldingStripDesc> strip{};         // along the handle
 };
 
 // Drivers implement this. read() and write() are called from the haptic thread, in turn, once a tick.

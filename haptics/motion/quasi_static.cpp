@@ -7,15 +7,19 @@ namespace fulcrum {
 namespace {
 
 // What the coupling's damper has to brake where the tool has no mass: the handle, as the scene feels it.
-RigidBody handle_in_scene(const DeviceDesc& device, const MappingDesc& mapping) {
-  return {mapping.mass_in_world(device.handle_mass),
-          Mat3::Identity() * mapping.inertia_in_world(device.handle_inertia)};
+RigidBody handle_in_scene(const SceneDesc& desc) {
+  const double mass = desc.mapping.mass_in_world(desc.device.handle_mass);
+  const Vec3 inertia = desc.device.handle_inertia.unaryExpr(
+      [&desc](double about) { return desc.mapping.inertia_in_world(about); });
+  if (inertia.isConstant(inertia.x(), 0)) return {mass, Mat3::Identity() * inertia.x()};
+  const Mat3 R_TH = desc.tool.X_HT.q.conjugate().toRotationMatrix();
+  return {mass, R_TH * inertia.asDiagonal() * R_TH.transpose()};
 }
 
 }  // namespace
 
 QuasiStaticTool::QuasiStaticTool(const SceneDesc& desc)
-    : coupling_(desc.coupling, handle_in_scene(desc.device, desc.mapping)),
+    : coupling_(desc.coupling, handle_in_scene(desc)),
       velocity_(desc.velocity, desc.tick_s),
       weight_(tool_weight(desc.tool)),
       // F_s (1 - exp(-k sag / F_s)) = weight

@@ -23,7 +23,7 @@ PassivityControl::PassivityControl(const DeviceDesc& device, double tick_s)
       torque_(device.renders_torque),
       tick_s_(tick_s),
       damping_(kDampingShare * device.handle_mass / tick_s),
-      angular_damping_(kDampingShare * device.handle_inertia / tick_s) {}
+      angular_damping_(kDampingShare * device.handle_inertia.minCoeff() / tick_s) {}
 
 Wrench PassivityControl::resist(double deficit, const Vec6& per_tick) const noexcept {
   Wrench F_H_D;

@@ -33,12 +33,13 @@ Way along(const SceneDesc& desc) {
           massless(desc.contact.response) ? desc.mapping.mass_in_world(device.handle_mass) : desc.tool.mass};
 }
 
-Way about(const SceneDesc& desc) {
+Way about(const SceneDesc& desc, Eigen::Index axis) {
   const double scale = desc.mapping.force_scale;
   const DeviceDesc& device = desc.device;
-  return {{device.handle_inertia, device.angular_damping, device.angular_friction, device.encoder_step_rad},
+  const double inertia = device.handle_inertia[axis];
+  return {{inertia, device.angular_damping[axis], device.angular_friction, device.encoder_step_rad},
           scale,
-          massless(desc.contact.response) ? desc.mapping.inertia_in_world(device.handle_inertia)
+          massless(desc.contact.response) ? desc.mapping.inertia_in_world(inertia)
                                           : desc.tool.inertia_T.trace() / 3};
 }
 
@@ -63,6 +64,24 @@ double suited(const Way& way, double limit, double otherwise) {
   if (limit < kInfinity && way.axis.friction > 0 && way.axis.encoder_step > 0)
     k = std::min(k, 2 * way.axis.friction / way.axis.encoder_step / way.stiffness);
   return k;
+}
+
+// About the axis of the handle that holds least.
+Way about(const SceneDesc& desc) {
+  const DeviceDesc& device = desc.device;
+  Way least = about(desc, 0);
+  const auto alike = [](const Vec3& v) { return v.isConstant(v.x(), 0); };
+  if (alike(device.handle_inertia) && alike(device.angular_damping)) return least;
+  double limit = limit_of(least, desc);
+  for (Eigen::Index axis = 1; axis < 3; ++axis) {
+    const Way way = about(desc, axis);
+    const double holds = limit_of(way, desc);
+    if (holds < limit) {
+      least = way;
+      limit = holds;
+    }
+  }
+  return least;
 }
 
 std::string sentence(const char* key, double given, const char* unit, double limit) {
@@ -102,6 +121,7 @@ CouplingDesc suit_coupling(const CouplingGains& given, const SceneDesc& desc) {
 }
 
 std::optional<std::string> beyond_limits(const SceneDesc& desc) {
+  if (!coupled(desc.contact.response)) return std::nullopt;
   const StiffnessLimits limits = coupling_limits(desc);
   if (desc.coupling.stiffness > limits.stiffness)
     return sentence("coupling.stiffness", desc.coupling.stiffness, "N/m", limits.stiffness);

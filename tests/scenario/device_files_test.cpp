@@ -68,6 +68,29 @@ TEST(DeviceFiles, ASerialArmGivesWhatItsDataSheetSays) {
   EXPECT_NEAR(largest(device, {Vec3::Zero(), Vec3::UnitZ()}), 0.048, 1e-9);
 }
 
+TEST(DeviceFiles, TheFreedom6SIsThePapers) {
+  const DeviceDesc device = shipped("freedom6s");
+  EXPECT_EQ(device.handle_inertia, Vec3(5e-6, 1.7e-4, 1.7e-4));
+  EXPECT_EQ(device.handle_mass, 0.25);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(largest(device, {Vec3::Unit(axis), Vec3::Zero()}), 2.5, 1e-9) << axis;
+  EXPECT_NEAR(largest(device, {Vec3::Zero(), Vec3::UnitX()}), 0.1, 1e-9);
+  EXPECT_NEAR(largest(device, {Vec3::Zero(), Vec3::UnitY()}), 0.45, 1e-9);
+  EXPECT_NEAR(largest(device, {Vec3::Zero(), Vec3::UnitZ()}), 0.45, 1e-9);
+  // 0.4 N/mm at 100 mm is pitch alone; in series with 1 or 2 N/mm at the stage .286 to .333.
+  ASSERT_TRUE(device.structure);
+  StructureDesc structure = *device.structure;
+  const auto at_100_mm = [&structure] { return stiffness_at(structure, {0.1, 0, 0}, Vec3::UnitY()); };
+  for (const auto& [tip, expected] : {std::pair{1000.0, 285.714}, {2000.0, 333.333}, {1e12, 400.0}}) {
+    structure.tip_stiffness = tip;
+    EXPECT_NEAR(at_100_mm(), expected, 1e-3);
+  }
+  EXPECT_NEAR(stiffness_at(*device.structure, Vec3::Zero(), Vec3::UnitZ()), 1500, 1e-9);
+  // Across the stick sideways it is yaw; along it nothing turns.
+  EXPECT_NEAR(1 / stiffness_at(*device.structure, {0.1, 0, 0}, Vec3::UnitZ()), 1 / 1500.0 + 0.01 / 2.5, 1e-9);
+  EXPECT_NEAR(stiffness_at(*device.structure, {0.1, 0, 0}, Vec3::UnitX()), 1500, 1e-9);
+}
+
 TEST(DeviceFiles, TheDesktopArmGivesItsForceAlongEveryAxis) {
   const DeviceDesc device = shipped("phantom_like");
   EXPECT_EQ(device.max_force, 7.9);

@@ -50,4 +50,24 @@ inline DeviceDesc serial6() {
   return desc;
 }
 
+inline DeviceDesc freedom6s() {
+  DeviceDesc desc;
+  desc.kinematics = Kinematics::arms;
+  desc.renders_torque = true;
+  desc.max_force = 2.5;
+  desc.max_torque = 0.45;
+  ArmDesc arm{.name = "arm",
+              .joints = {joint("base", Vec3::UnitY(), {-0.2, 0, 0}, 0.5, 1.2),
+                         joint("shoulder", Vec3::UnitZ(), {-0.2, 0.2, 0}, 0.5, 1.2),
+                         joint("elbow", Vec3::UnitZ(), {0, 0.2, 0}, 0.5, 1.4),
+                         joint("yaw", Vec3::UnitY(), Vec3::Zero(), 0.45, 1.5),
+                         joint("pitch", Vec3::UnitZ(), Vec3::Zero(), 0.45, 1.2),
+                         joint("roll", Vec3::UnitX(), Vec3::Zero(), 0.1, 3.1)},
+              .end_K = Vec3::Zero()};
+  arm.joints[1].low = -0.9;
+  arm.joints[2].through_parallelogram = true;
+  desc.mechanism.arms = {std::move(arm)};
+  return desc;
+}
+
 }  // namespace fulcrum::arms

@@ -70,8 +70,8 @@ TEST(Mechanism, WrenchesOfTheW6DAreItsInverseJacobianTransposed) {
 // Virtual work: a motor's torque times what it turns is what its wrench does to the handle. The angles come
 // from moving the handle a little to each side; a parallelogram's motor turns by both angles.
 TEST(Mechanism, WrenchesOfAnyTableAreTheDifferencesOfItsAngles) {
-  for (const MechanismDesc& table :
-       {w6d::device(1, 1).mechanism, arms::serial6().mechanism, arms::phantom().mechanism}) {
+  for (const MechanismDesc& table : {w6d::device(1, 1).mechanism, arms::serial6().mechanism,
+                                     arms::freedom6s().mechanism, arms::phantom().mechanism}) {
     Mechanism at(table);
     SplitMix random(11);
     int checked = 0;
@@ -114,9 +114,67 @@ TEST(Mechanism, WrenchesOfAnyTableAreTheDifferencesOfItsAngles) {
   }
 }
 
+// The wrist of Eq. 2 of "Compensating device inertia", with the minus that its sixth row has lost: yaw, pitch
+// and roll at the stage's centre, the control point a along the stick. (6 x 3)
+Eigen::Matrix<double, 6, 3> wrist(double a, double theta4, double theta5) {
+  const double c4 = std::cos(theta4), s4 = std::sin(theta4), c5 = std::cos(theta5), s5 = std::sin(theta5);
+  Eigen::Matrix<double, 6, 3> J;
+  J << 0, 0, 0,                  //
+      -a * c5 * s4, a * c4, 0,   //
+      -a * c5 * c4, -a * s4, 0,  //
+      s5, 0, 1,                  //
+      c5 * c4, s4, 0,            //
+      -c5 * s4, c4, 0;
+  return J;
+}
+
+TEST(Mechanism, TheWristOfTheFreedom6SIsThePapers) {
+  Mechanism mechanism(arms::freedom6s().mechanism);
+  SplitMix random(13);
+  for (int i = 0; i < 200; ++i) {
+    const Pose X_DH = random_pose(random, 0.05, 0.5);
+    mechanism.follow(X_DH);
+    ASSERT_LT(mechanism.out_of_reach(), 1e-9);
+    const double theta5 = mechanism.angles(0)[4], theta4 = mechanism.angles(0)[5];
+    for (const double a : {0.0, 0.05, 0.17}) {
+      const WrenchMatrix J = mechanism.jacobian({a, 0, 0});
+      EXPECT_LT((J.middleCols<3>(3) - wrist(a, theta4, theta5)).norm(), 1e-9);
+      for (int motor = 3; motor < 6; ++motor) {
+        const Vec3 v = J.col(motor).head<3>(), w = J.col(motor).tail<3>();
+        EXPECT_LT((v - Vec3(0, a * w.z(), -a * w.y())).norm(), 1e-12);
+      }
+      const Mat3 turns = J.block<3, 3>(3, 3);
+      EXPECT_NEAR(std::abs(turns.determinant()), std::cos(theta5), 1e-9);
+    }
+  }
+}
+
+// Eq. 1: what the hand feels where the control point is not where it holds.
+TEST(Mechanism, AWrongControlPointIsFeltAsTheJacobiansSay) {
+  Mechanism mechanism(arms::freedom6s().mechanism);
+  SplitMix random(17);
+  for (int i = 0; i < 100; ++i) {
+    const Pose X_DH = random_pose(random, 0.05, 0.5);
+    mechanism.follow(X_DH);
+    const Vec3 p_HU(0.2 * random.uniform(), 0, 0), p_HG(0.2 * random.uniform(), 0, 0);  // used; true
+    const Vec3 f_H = arms::random_vector(random), tau_H = 0.1 * arms::random_vector(random);
+    Vec6 F;
+    F << f_H, tau_H;
+    const Effort effort = mechanism.jacobian(p_HU).transpose() * F;
+    const Eigen::Matrix<double, 6, 6> J_true = mechanism.jacobian(p_HG).leftCols<6>();
+    const Vec6 felt = J_true.transpose().partialPivLu().solve(effort.head<6>());
+    EXPECT_LT((felt.head<3>() - f_H).norm(), 1e-11);
+    EXPECT_LT((felt.tail<3>() - (tau_H + (p_HU - p_HG).cross(f_H))).norm(), 1e-11);
+    // The motors' wrench on the handle is the same, moved.
+    const Vec6 on_handle = mechanism.wrenches() * effort;
+    EXPECT_LT((X_DH.q.conjugate() * on_handle.head<3>() - f_H).norm(), 1e-9);
+    EXPECT_LT((X_DH.q.conjugate() * on_handle.tail<3>() - (tau_H + p_HU.cross(f_H))).norm(), 1e-9);
+  }
+}
+
 TEST(Mechanism, StretchedFoldedAndOutOfReachWrenchesAreFinite) {
-  for (const MechanismDesc& table :
-       {w6d::device(1, 1).mechanism, arms::serial6().mechanism, arms::phantom().mechanism}) {
+  for (const MechanismDesc& table : {w6d::device(1, 1).mechanism, arms::serial6().mechanism,
+                                     arms::freedom6s().mechanism, arms::phantom().mechanism}) {
     Mechanism mechanism(table);
     SplitMix random(5);
     for (int i = 0; i < 300; ++i) {
