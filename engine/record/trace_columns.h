@@ -39,6 +39,8 @@ public:
     bool impacts = false;
     bool impact_vibration = false;
     bool braking_pulse = false;
+    bool vibrotactile_motion = false;
+    std::vector<std::string> channels{};  // their names, in the order of VibrotactileCommand::level
     bool holding_point = false;
     bool inertia_compensation = false;
     bool stiffness_levels = false;

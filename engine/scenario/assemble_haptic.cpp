@@ -153,6 +153,7 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
     scene.impact_vibration->materials = materials_of(scenario);
   }
   scene.braking_pulse = scenario.braking_pulse;
+  scene.vibrotactile_motion = scenario.vibrotactile_motion;
   scene.holding_point = scenario.holding_point;
   scene.inertia_compensation = scenario.inertia_compensation;
   if (vibrates_at_impacts(scene)) scene.scene_objects = objects_of(scenario, models);

@@ -112,6 +112,7 @@ struct Scenario {
   ImpactDetectorDesc impact;
   std::optional<ImpactVibrationEntry> impact_vibration;
   std::optional<BrakingPulseDesc> braking_pulse;
+  std::optional<VibrotactileMotionDesc> vibrotactile_motion;
   std::optional<HoldingPointDesc> holding_point;
   std::optional<InertiaCompensationDesc> inertia_compensation;
   std::map<std::string, ImpactMaterial> impact_materials;  // that are named, what their files say

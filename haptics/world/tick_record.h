@@ -11,6 +11,7 @@
 #include "haptics/effects/inertia_cues.h"
 #include "haptics/effects/pulse_cues.h"
 #include "haptics/effects/torque_cues.h"
+#include "haptics/effects/vibrotactile_cues.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 
@@ -34,13 +35,14 @@ struct TickRecord {
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
-  TorqueCues torque;                             // of torque substitution; zero where it is not built
-  std::optional<ImpactTick> impact{};            // where impacts are detected
-  std::optional<ImpactCues> impact_vibration{};  // where it is built
-  std::optional<PulseCues> pulse{};              // likewise
-  std::optional<HoldingCues> holding{};          // where the scene names a holding point
-  std::optional<InertiaCues> inertia{};          // where it is built
-  std::optional<double> contact_stiffness{};     // N/m, of a region, where the scene has levels of it
+  TorqueCues torque;                               // of torque substitution; zero where it is not built
+  std::optional<ImpactTick> impact{};              // where impacts are detected
+  std::optional<ImpactCues> impact_vibration{};    // where it is built
+  std::optional<PulseCues> pulse{};                // likewise
+  std::optional<VibrotactileCues> vibrotactile{};  // likewise
+  std::optional<HoldingCues> holding{};            // where the scene names a holding point
+  std::optional<InertiaCues> inertia{};            // where it is built
+  std::optional<double> contact_stiffness{};       // N/m, of a region, where the scene has levels of it
 };
 
 }  // namespace fulcrum

@@ -41,6 +41,7 @@ World::World(SceneDesc desc)
       impact_detector_(build_impact_detector(desc_)),
       impact_vibration_(build_impact_vibration(desc_)),
       braking_pulse_(build_braking_pulse(desc_)),
+      vibrotactile_motion_(build_vibrotactile_motion(desc_)),
       holding_point_(build_holding_point(desc_)),
       inertia_compensation_(build_inertia_compensation(desc_)),
       stiffness_wanted_(desc_.contact.stiffness),
@@ -109,6 +110,9 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   Wrench wanted_F_H_D = desc.mapping.wrench_in_device(wanted_F_H_W);
   if (!desc.device.renders_force) wanted_F_H_D.force.setZero();
   if (!desc.device.renders_torque) wanted_F_H_D.torque.setZero();
+  const Vec6 moved_D = desc.mapping.motion_in_device(moved);
+  const Vec3 lateral_D = w.move_vibration(wanted_F_H_W, moved_D);
+  if (!lateral_D.isZero(0)) wanted_F_H_D.force += lateral_D;  // or -0 would become 0
   const Wrench resistance =
       w.passivity_.resist(w.ledger_.deficit(), desc.mapping.motion_in_device(w.counted_.per_tick()));
   if (!resistance.is_zero()) faults |= kPassivityControl;
@@ -120,7 +124,6 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   Wrench all_F_H_D = wanted_F_H_D + own_weight;
   if (!made_up.is_zero()) all_F_H_D += made_up;  // or -0 would become 0
   const Wrench limited_F_H_D = w.guard_.limit(all_F_H_D, faults);
-  const Vec6 moved_D = desc.mapping.motion_in_device(moved);
   const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
   w.motors_.begin(w.X_DH_good_);
   const Allocation continuous = w.motors_.wrench(limited_F_H_D, w.p_HG_D());
@@ -137,7 +140,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   Wrench felt_F_H_D = continuous.F_H_D + own_weight * -w.guard_.gain();
   if (w.inertia_compensation_) {  // it has an account of its own
     w.inertia_compensation_->book(part_of(continuous.F_H_D.force, all_F_H_D.force), moved_D.head<3>(),
-                                  desc.mapping.motion_in_device(w.counted_.within_tick()).head<3>());
+                                  desc.mapping.motion_in_device(w.counted_.within_tick()).head<3>(),
+                                  sample.age);
     const Vec3& force_D = w.inertia_compensation_->cues().force_D;
     if (!force_D.isZero(0)) felt_F_H_D.force -= force_D;
     if (w.inertia_compensation_->cues().faded) faults |= kCompensationFaded;
@@ -157,6 +161,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
     const TorqueCues& cues = w.torque_substitution_->cues();
     command.cues = {cues.vibration, cues.ghost, desc.mapping.X_WD.q.conjugate() * -answer.turn_W};
   }
+  if (w.vibrotactile_motion_)
+    command.vibrotactile = w.vibrotactile_motion_->render(w.guard_.gain(), w.guard_.stopped());
   TickRecord& record = result.record;
   for (int motor = 0; motor < w.motors_.motors(); ++motor) {
     const auto slot = static_cast<std::size_t>(motor);

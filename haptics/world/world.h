@@ -74,6 +74,8 @@ private:
   Allocation allocate_pulse(const Wrench& commanded_F_H_D, const Vec6& moved_D,
                             std::uint32_t& faults) noexcept;
   void render_transients(const Vec6& moved_D, Wrench& commanded_F_H_D, std::uint32_t& faults) noexcept;
+  // Answers the lateral force on the handle (3) N, in D. F_H_W: that it should feel, clutch or not.
+  Vec3 move_vibration(const Wrench& F_H_W, const Vec6& moved_D) noexcept;
   void obey(std::span<const Command> commands) noexcept;
   void tell_holding_point(const Command& command) noexcept;
   // Where the hand holds the tool and how stiff the scene is, before the tick's query.
@@ -102,6 +104,7 @@ private:
   std::optional<ImpactDetector> impact_detector_;
   std::optional<ImpactVibration> impact_vibration_;
   std::optional<BrakingPulse> braking_pulse_;
+  std::optional<VibrotactileMotion> vibrotactile_motion_;
   BrakingPulse::Demand pulse_;  // of this tick
   struct {
     double force = 0, moment = 0;

@@ -22,6 +22,7 @@ void World::obey(std::span<const Command> commands) noexcept {
     if (torque_substitution_) torque_substitution_->obey(command);
     if (impact_vibration_) impact_vibration_->obey(command);
     if (braking_pulse_) braking_pulse_->obey(command);
+    if (vibrotactile_motion_) vibrotactile_motion_->obey(command);
     if (holding_point_) tell_holding_point(command);
     if (inertia_compensation_) inertia_compensation_->obey(command);
     if (command.kind == Command::Kind::contact_stiffness && !desc_.contact.levels.empty() &&
