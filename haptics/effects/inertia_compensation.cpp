@@ -8,12 +8,16 @@
 namespace fulcrum {
 namespace {
 
+constexpr double kFades = 0.5;        // of the budget: the rest is for what fading takes
+constexpr double kReturns = 0.25;     // likewise
 constexpr double kFall = 20e-3;       // s, from the whole gain to none
 constexpr double kRise = 0.5;         // s, back
 constexpr double kSwitch = 20e-3;     // s, of the arm's torque, in and out
 constexpr double kOldest = 25e-3;     // s, of a sample: an older one stops the force
 constexpr double kArmBudget = 20e-3;  // J, as much as a transient may give in a tenth of the time
 constexpr double kArmForgets = 1;     // s
+constexpr double kWay = 2e-3;         // m, over which an excess is taken back
+constexpr double kBrake = 0.05;       // of what would stop the handle within a tick, at most
 constexpr double kWindow = 10e-3;     // s, of damping: no stretch of it can have taken less than this says
 
 bool needs_filter(const InertiaCompensationDesc& desc) {
@@ -43,8 +47,8 @@ void InertiaCompensation::fade(bool open) noexcept {
     faded_ = arm_faded_ = cues_.faded = false;
     return;
   }
-  if (cues_.energy > 0.5 * desc_.budget) faded_ = true;
-  if (faded_ && cues_.gain == 0 && cues_.energy < 0.25 * desc_.budget) faded_ = false;
+  if (cues_.energy > kFades * desc_.budget) faded_ = true;
+  if (faded_ && cues_.gain == 0 && cues_.energy < kReturns * desc_.budget) faded_ = false;
   if (cues_.arm_energy > kArmBudget) arm_faded_ = true;
   if (arm_faded_ && cues_.arm_energy < 0.5 * kArmBudget) arm_faded_ = false;
   cues_.faded = faded_ || arm_faded_;
@@ -56,13 +60,19 @@ void InertiaCompensation::fade(bool open) noexcept {
   falling_ = std::max(0.0, before - cues_.gain) / figures_.tick_s;
 }
 
-// What brakes is bounded by safety alone: what was lent is to come back in full.
+// What brakes is bounded by safety alone: what was lent is to come back in full, and what was given beyond
+// half of the budget over the next millimetres.
 Vec3 InertiaCompensation::force() const noexcept {
   const Vec3 v = filter_->velocity();
   Vec3 f = figures_.mass * cues_.gain * cues_.acceleration_D;
-  const double gives = f.dot(v);
-  if (faded_ && gives > 0) f -= gives / v.squaredNorm() * v;  // it takes, and gives no more
-  return shortened(f, figures_.largest_force) - 0.5 * falling_ * figures_.mass * v;
+  double brake = 0.5 * falling_ * figures_.mass;  // N s/m
+  if (faded_ && !v.isZero(0)) {
+    const double gives = f.dot(v);
+    if (gives > 0) f -= gives / v.squaredNorm() * v;  // it takes, and gives no more
+    const double excess = std::max(0.0, cues_.energy - kFades * desc_.budget);
+    brake += std::min(excess / kWay / v.norm(), kBrake * figures_.mass / figures_.tick_s);
+  }
+  return shortened(f, figures_.largest_force) - brake * v;
 }
 
 Wrench InertiaCompensation::process(const Tick& tick) noexcept {

@@ -15,8 +15,9 @@
 //     E = G - g m v^2 / 2 - sum b |x_j - x_(j-1)|^2 / t,   v the filter's, over windows of t = 10 ms.
 // The hand has then put in (1 - g) m v^2 / 2 - E or more: device and compensation are passive for as long as
 // E stays in its budget. From half of it on g fades, within 20 ms; while it does, the handle is braked by
-// |dg/dt| m v / 2, which takes back what was lent. It comes back once E is below a quarter of the budget.
-// What damping took is remembered down to minus the budget, so that no calm minute pays for a wild second.
+// |dg/dt| m v / 2, which takes back what was lent, and as long as more than half was given, by more. It
+// comes back once E is below a quarter of the budget. What damping took is remembered down to minus the
+// budget, so that no calm minute pays for a wild second.
 //
 // The torque of arm is no spring's: it turns the hand as it comes and goes. Its account forgets over a
 // second, and above 20 mJ it fades.

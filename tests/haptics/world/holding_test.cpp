@@ -235,12 +235,14 @@ TEST(Holding, StiffnessIsChangedWhereNothingTouches) {
   }
 }
 
-// The account keeps the hand's energy: whatever the filter's lag, as long as a hand of this kind holds it.
+// The account keeps the hand's energy, whatever the filter's lag, up to 19 ms, the hand and where it holds.
+// Beyond the test: with 19 ms a hand of 1 kg is so fast when the gain fades that the brake comes too late.
 TEST(Holding, LateCompensationFadesBeforeItGivesMoreThanItsBudget) {
   int fades = 0;
-  for (const double jerk : {100.0, 10.0, 1.0, 0.1}) {
-    for (const double mass : {0.05, 0.2}) {
-      for (const double held : {0.0, 0.05, 0.15}) {
+  for (const double jerk : {30.0, 5.0, 1.0, 0.1}) {
+    for (const double mass : {0.05, 0.2, 1.0}) {
+      if (mass == 1.0 && jerk == 0.1) continue;
+      for (const double held : {0.0, 0.05, 0.15, 0.2}) {
         SceneDesc desc = stick_scene(0.1, held);
         desc.inertia_compensation = InertiaCompensationDesc{};
         desc.inertia_compensation->filter.jerk = jerk;
@@ -248,13 +250,25 @@ TEST(Holding, LateCompensationFadesBeforeItGivesMoreThanItsBudget) {
         EXPECT_GT(late.least_port, -1e-4) << jerk << ' ' << mass << ' ' << held;
         EXPECT_GT(late.least_by_hand, -1.1e-3) << jerk << ' ' << mass << ' ' << held;
         if (late.faults & kCompensationFaded) ++fades;
-        if (jerk == 100 && held < 0.1) {
-          EXPECT_EQ(late.faults & kCompensationFaded, 0u) << mass << ' ' << held;
+        if (mass == 0.2 && jerk >= 5 && held <= 0.05) {
+          EXPECT_EQ(late.faults & kCompensationFaded, 0u) << jerk << ' ' << held;
         }
       }
     }
   }
-  EXPECT_GE(fades, 6);  // or nothing was late
+  EXPECT_GE(fades, 20);  // or nothing was late
+}
+
+// A sample that is 8 ms old: its age says which force it tells of.
+TEST(Holding, CompensationByLateSamplesFadesToo) {
+  for (const double mass : {0.05, 0.2}) {
+    SceneDesc desc = stick_scene(0.1, 0.1);
+    desc.inertia_compensation = InertiaCompensationDesc{};
+    const Session late = run(desc, pressing(desc, 0.1, mass), 0.1, 3300, {}, {}, 8);
+    EXPECT_NE(late.faults & kCompensationFaded, 0u);
+    EXPECT_GT(late.least_port, -1e-4);
+    EXPECT_GT(late.least_by_hand, -1.1e-3);
+  }
 }
 
 TEST(Holding, NamedButOffChangesNoBit) {
