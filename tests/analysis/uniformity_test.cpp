@@ -51,7 +51,7 @@ TEST(Uniformity, UncompensatedIsAsTheFormulasSay) {
     EXPECT_NEAR(row.felt_stiffness, row.stiffness - mean_inertia() / depth,
                 4 * 0.25 * 0.15 / depth / std::sqrt(8.0));
   }
-  EXPECT_EQ(rows, 2 * 6 * 21);
+  EXPECT_EQ(rows, 2 * 6 * 11);
 }
 
 TEST(Uniformity, WithAccelerationTheBallIsAlikeAlongTheStick) {
@@ -77,7 +77,7 @@ TEST(Uniformity, TheTableHasAllRowsAndColumns) {
   const std::string text = uniformity_csv(study()).text();
   EXPECT_TRUE(text.starts_with(
       "method,place_m,assigned_stiffness_N_per_m,felt_stiffness_N_per_m,felt_torque_error_Nm,"));
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 3 * 6 * 21);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 3 * 6 * 11);
 }
 
 TEST(Uniformity, TheSameStudyIsTheSameToTheBit) {

@@ -12,7 +12,7 @@ case $(head -1 D/uniformity.csv) in
   *) fail "uniformity.csv has other columns: $(head -1 D/uniformity.csv)" ;;
 esac
 for method in none arm acceleration; do
-  [ "$(grep -c "^$method," D/uniformity.csv)" = 126 ] || fail "$method has not 21 places on 6 balls"
+  [ "$(grep -c "^$method," D/uniformity.csv)" = 66 ] || fail "$method has not 11 places on 6 balls"
 done
 # Mean |f_h - f| at most 8 % of f along the whole stick; torque within 12.7 % or 8 mN m.
 awk -F, '$1 == "acceleration" { d = $4 / $3 - 1; t = .127 * ($8 < 0 ? -$8 : $8); if (t < .008) t = .008
