@@ -86,7 +86,14 @@ Plot torque_plot(const UniformityStudy& study, double stiffness) {
     plot.series.push_back(series);
   }
   plot.series.insert(plot.series.end(), {wanted, low, high});
-  plot.labels.push_back({{1e3 * study.path.held, 0}, "the hand", report::Side::below});
+  const double hand = 1e3 * study.path.held;
+  plot.series.push_back({"the hand",
+                         {{hand, wanted.points.front().y}, {hand, wanted.points.back().y}},
+                         Line::dashed,
+                         Marker::none,
+                         report::kInk,
+                         false,
+                         true});
   return plot;
 }
 
