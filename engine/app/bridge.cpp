@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/scenario/followed.h"
 #include "engine/scenario/to_glm.h"
 #include "haptics/safety/faults.h"
 
@@ -84,17 +85,28 @@ std::string stop_reason(std::uint32_t faults) {
 
 }  // namespace
 
-FrameBridge::FrameBridge(const render::VisualDesc& desc, const SceneDesc& scene)
-    : markers_(desc.markers.size()) {
+FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenario& scenario,
+                         const SceneDesc& scene)
+    : markers_(desc.markers.size()), guide_(scenario.guide) {
   if (desc.ghost) ghost_q_HT_ = scene.tool.X_HT.q;
   for (const render::Instance& instance : desc.instances) {
     if (!instance.movable) continue;
     follows_.push_back(instance.follows);
     X_WM_.push_back(instance.X_WM);
-    if (instance.follows > 0 && instance.follows < kFirstPiece && !links_)
+    if (instance.follows > 0 && instance.follows < scenario::kFirstFollowed && !links_)
       links_.emplace(scene.device.mechanism, scene.mapping);
   }
   marker_states_.resize(markers_);
+}
+
+// All but the device's links.
+glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const Afterglow& afterglow,
+                               double time) {
+  if (body >= scenario::kFollowsImpactCircle)
+    return impact_circle_pose(body, afterglow.struck(), record.X_WT, time);
+  if (body == scenario::kFollowsGuide)
+    return scenario::to_glm({Quat::Identity(), scenario::guide_place(*guide_, time)});
+  return scenario::to_glm(record.X_WT);
 }
 
 render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow& afterglow,
@@ -103,8 +115,8 @@ render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow&
   const std::vector<Pose>* X_WL = links_ ? &links_->follow(record.X_WH) : nullptr;
   for (std::size_t i = 0; i < X_WM_.size(); ++i) {
     const std::size_t body = follows_[i];
-    X_WM_[i] = body >= kFirstPiece ? impact_circle_pose(body, afterglow.struck(), record.X_WT, time)
-                                   : scenario::to_glm(body == 0 ? record.X_WT : (*X_WL)[body - 1]);
+    const bool link = body > 0 && body < scenario::kFirstFollowed;
+    X_WM_[i] = link ? scenario::to_glm((*X_WL)[body - 1]) : pose_of(body, record, afterglow, time);
   }
   for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
   render::FrameState state;

@@ -37,7 +37,7 @@ TrainingWindow::TrainingWindow(const Prepared& prepared, const scenario::VisualA
     : prepared_(prepared),
       visual_(visual),
       camera_(visual.desc.camera),
-      bridge_(visual.desc, prepared.haptic.scene) {}
+      bridge_(visual.desc, prepared.scenario, prepared.haptic.scene) {}
 
 Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(const Prepared& prepared,
                                                                const scenario::VisualAssembly& visual,

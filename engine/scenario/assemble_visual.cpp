@@ -96,6 +96,7 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
     if (const auto refused = Mechanism::refuse(scene.device.mechanism)) return *refused;
     add_device_arms(desc, scene.device.mechanism, scene.mapping, scenario.device.floor, kWhole | kCut);
   }
+  if (scenario.guide) add_guide(desc, *scenario.guide, kWhole | kCut);
   for (const Checkpoint& checkpoint : scenario.checkpoints) {
     desc.markers.push_back(
         {checkpoint.name, narrowed(checkpoint.position), static_cast<float>(checkpoint.radius)});

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tools/content/knock/wood.h"
+#include "tools/content/mesh/wood.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/profile.h"
 
