@@ -47,6 +47,10 @@ std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& rec
     } else if (kind == Command::Kind::pulse_moment) {
       const PulseCues pulse = record.pulse.value_or(PulseCues());
       lines.push_back({"Moment", "M", pulse.moment ? 1.0 : 0.0, afterglow.pulse_moment()});
+    } else if (kind == Command::Kind::vibrotactile_gain) {
+      const VibrotactileCues touch = record.vibrotactile.value_or(VibrotactileCues());
+      const double most = std::ranges::max(touch.command.level) / scene.vibrotactile_motion->strength;
+      lines.push_back({"Touch", "T", touch.gain, most});
     } else if (kind == Command::Kind::ghost_gain) {
       lines.push_back({"Ghost", "G", cues.ghost_gain, cues.ghost});
     } else {
@@ -148,6 +152,7 @@ std::vector<Command::Kind> cue_commands(const SceneDesc& scene) {
   if (brakes_at_impacts(scene)) kinds.push_back(Command::Kind::pulse_gain);
   if (brakes_at_impacts(scene) && scene.device.renders_torque) kinds.push_back(Command::Kind::pulse_moment);
   if (vibrates_at_impacts(scene)) kinds.push_back(Command::Kind::impact_gain);
+  if (vibrates_channels(scene)) kinds.push_back(Command::Kind::vibrotactile_gain);
   return kinds;
 }
 

@@ -16,6 +16,8 @@ double gain_of(const SceneDesc& scene, Command::Kind kind) {
   if (kind == Command::Kind::pulse_gain)
     return scene.braking_pulse->gain > 0 ? scene.braking_pulse->gain : 1.0;
   if (kind == Command::Kind::pulse_moment) return 1.0;
+  if (kind == Command::Kind::vibrotactile_gain)
+    return scene.vibrotactile_motion->gain > 0 ? scene.vibrotactile_motion->gain : 1.0;
   return scene.impact_vibration->gain > 0 ? scene.impact_vibration->gain : 1.0;
 }
 

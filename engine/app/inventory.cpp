@@ -54,6 +54,23 @@ void leave_out_of_braking_pulse(const SceneDesc& scene, const Add& add) {
     add("moment of the pulse", "the device '" + scene.device.name + "' renders no torque");
 }
 
+template <class Add>
+void leave_out_of_vibrotactile_motion(const SceneDesc& scene, const Add& add) {
+  if (!scene.vibrotactile_motion) return add("vibrotactile motion", "the scenario does not name it");
+  const std::string device = "the device '" + scene.device.name + "' ";
+  const DeviceDesc& d = scene.device;
+  if (!moves_vibration(scene)) {
+    if (!d.vibrotactile) return add("vibrotactile motion", device + "has no channels");
+    return add("vibrotactile motion", "it is a fallback, and " + device + "has motors");
+  }
+  if (scene.vibrotactile_motion->use == VibrotactileUse::fallback) return;
+  if (!d.vibrotactile) add("vibration of the sweep", device + "has no channels");
+  if (scene.vibrotactile_motion->lateral_force == 0)
+    add("lateral force", "vibrotactile_motion.lateral_force is 0");
+  else if (!d.renders_force)
+    add("lateral force", device + "has no motors");
+}
+
 void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vector<InventoryItem>& out) {
   const SceneDesc& scene = world.desc();
   const auto add = [&out](const std::string& name, const std::string& why) {
@@ -80,6 +97,7 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (!detects_impacts(scene)) add("impacts", "nothing in the scene asks for them");
   leave_out_of_impact_vibration(scene, add);
   leave_out_of_braking_pulse(scene, add);
+  leave_out_of_vibrotactile_motion(scene, add);
   if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
   if (!scene.tool.weight) add("tool weight", "tool.weight is off");
   if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");

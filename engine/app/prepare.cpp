@@ -103,6 +103,7 @@ Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepar
   SimulatedDeviceDesc desc;
   desc.device = scene.device;
   desc.tick_s = scene.tick_s;
+  if (vibrates_channels(scene)) desc.signal = vibrotactile_signal(*scene.vibrotactile_motion);
   return std::make_unique<SimulatedDevice>(desc, std::move(task));
 }
 

@@ -40,7 +40,8 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
     return kError;
   }
   const record::TraceColumns columns = trace_columns(world->desc(), prepared->haptic.task);
-  Result<OpenResults> results = open_results(prepared->name, options, tape->header, columns);
+  Result<OpenResults> results =
+      open_results(prepared->name, options, tape->header, world->desc(), prepared->haptic.task);
   if (!results) {
     complain(results.error().sentence);
     return kError;

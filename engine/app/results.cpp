@@ -4,19 +4,22 @@
 #include <cstdio>
 #include <utility>
 
+#include "engine/app/tape_header.h"
 #include "engine/app/terminal.h"
 #include "engine/record/run_folder.h"
 
 namespace fulcrum::app {
 
 Result<OpenResults> open_results(const std::string& scenario, const RunOptions& options,
-                                 const record::TapeHeader& header, const record::TraceColumns& columns) {
+                                 const record::TapeHeader& header, const SceneDesc& scene,
+                                 const scenario::TaskDesc& task) {
   Result<std::filesystem::path> folder =
       options.out.empty() ? record::make_default_run_folder(std::filesystem::path(scenario).stem().string(),
                                                             std::chrono::system_clock::now())
                           : record::prepare_run_folder(options.out, options.force);
   if (!folder) return folder.error();
-  Result<record::Recorder> recorder = record::Recorder::begin(*folder, header, columns);
+  Result<record::Recorder> recorder =
+      record::Recorder::begin(*folder, header, trace_columns(scene, task), channel_recording(scene));
   if (!recorder) return recorder.error();
   return OpenResults{std::move(*folder), std::move(*recorder)};
 }

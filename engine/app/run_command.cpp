@@ -60,8 +60,7 @@ public:
     if (!world) return refuse(world.error());
     const Result<record::TapeHeader> header = tape_header(prepared, options.device, options.hand);
     if (!header) return refuse(header.error());
-    Result<OpenResults> results =
-        open_results(prepared.name, options, *header, trace_columns(scene, prepared.haptic.task));
+    Result<OpenResults> results = open_results(prepared.name, options, *header, scene, prepared.haptic.task);
     if (!results) return refuse(results.error());
     const double limit =
         std::min(prepared.scenario.time_limit, options.seconds.value_or(prepared.scenario.time_limit));

@@ -62,6 +62,10 @@ record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskD
   std::vector<std::string> motors;
   for (int motor = 0; motor < Actuators::count(scene.device); ++motor)
     motors.push_back(Actuators::name(scene.device, motor));
+  std::vector<std::string> channels;
+  if (vibrates_channels(scene)) {
+    for (const ChannelDesc& channel : scene.device.vibrotactile->channels) channels.push_back(channel.name);
+  }
   return {scene.tick_s,
           motors,
           {.hard_touches = task.hard_touch.has_value(),
@@ -69,7 +73,15 @@ record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskD
            .transients = vibrates_for_torque(scene),
            .impacts = detects_impacts(scene),
            .impact_vibration = vibrates_at_impacts(scene),
-           .braking_pulse = brakes_at_impacts(scene)}};
+           .braking_pulse = brakes_at_impacts(scene),
+           .vibrotactile_motion = moves_vibration(scene),
+           .channels = std::move(channels)}};
+}
+
+std::optional<record::ChannelRecording> channel_recording(const SceneDesc& scene) {
+  if (!vibrates_channels(scene)) return std::nullopt;
+  return record::ChannelRecording{*scene.device.vibrotactile,
+                                  vibrotactile_signal(*scene.vibrotactile_motion)};
 }
 
 }  // namespace fulcrum::app

@@ -1,9 +1,11 @@
 #pragma once
 // What a tape says about the run besides its ticks.
 
+#include <optional>
 #include <string>
 
 #include "engine/app/prepare.h"
+#include "engine/record/channel_files.h"
 #include "engine/record/tape.h"
 #include "engine/record/trace_columns.h"
 
@@ -17,5 +19,8 @@ Result<Prepared> prepare_from_tape(const record::Tape& tape);
 
 // With a column for each motor of the device that the scene runs on, and for what the task counts.
 record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskDesc& task);
+
+// The channels that the scene vibrates; none: nothing does.
+std::optional<record::ChannelRecording> channel_recording(const SceneDesc& scene);
 
 }  // namespace fulcrum::app

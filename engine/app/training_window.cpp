@@ -155,6 +155,9 @@ void TrainingWindow::on_key(int key, int action) {
     case GLFW_KEY_M:
       send(cues_.toggle(Command::Kind::pulse_moment, shown_));
       break;
+    case GLFW_KEY_T:
+      send(cues_.toggle(Command::Kind::vibrotactile_gain, shown_));
+      break;
     case GLFW_KEY_C:
       circle_shown_ = !circle_shown_;
       break;

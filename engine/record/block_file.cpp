@@ -62,6 +62,22 @@ void BlockFile::take_back() {
   cut(size_);
 }
 
+std::optional<Error> BlockFile::overwrite_head(std::string_view head) const {
+  std::size_t done = 0;
+  while (done < head.size()) {
+    const ssize_t written =
+        ::pwrite(descriptor_, head.data() + done, head.size() - done, static_cast<off_t>(done));
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written <= 0) {
+      return file_error("write", path_, written < 0 ? errno : ENOSPC);
+    }
+    done += static_cast<std::size_t>(written);
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> BlockFile::close() {
   if (::close(std::exchange(descriptor_, -1)) != 0) {
     return file_error("write", path_, errno);

@@ -25,6 +25,8 @@ public:
   std::optional<Error> append(std::string_view block);
   // Cuts off what the last append() added; once.
   void take_back();
+  // In place of the first bytes, which are there already: as many as `head` has.
+  std::optional<Error> overwrite_head(std::string_view head) const;
   // Some file systems tell of a failed write only here.
   std::optional<Error> close();
 

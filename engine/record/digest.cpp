@@ -52,7 +52,7 @@ std::uint64_t digest(const TickRecord& record) {
   // A field that is added to TickRecord does not compile here until it is added to this list.
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load, missing,
                energy_port, energy_unrendered, force_gain, faults, stopped, clutched, torque, impact,
-               impact_vibration, pulse] = record;
+               impact_vibration, pulse, vibrotactile] = record;
   Fnv fnv;
   fnv.add(tick);
   fnv.add(X_WH);
@@ -105,6 +105,17 @@ std::uint64_t digest(const TickRecord& record) {
     fnv.add(wanted_F_H_D);
     fnv.add(F_H_D);
     for (const double value : {gain, force_share, moment_share, energy, moment_energy}) {
+      fnv.add(value);
+    }
+  }
+  if (vibrotactile) {
+    const auto& [gain, command, missing_level, x, direction, force] = *vibrotactile;
+    for (const double level : command.level) {
+      fnv.add(level);
+    }
+    fnv.add(command.stopping);
+    fnv.add(direction);
+    for (const double value : {gain, command.glide, missing_level, x, force}) {
       fnv.add(value);
     }
   }

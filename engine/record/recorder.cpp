@@ -39,6 +39,7 @@ struct Recorder::State {
   TraceWriter trace;
   TimingWriter timing;
   TapeWriter tape;
+  std::optional<ChannelFiles> channels;
   std::int64_t ticks_per_flush;
   FlightLog flight{};
   bool flight_written = false;
@@ -66,9 +67,19 @@ void Recorder::State::flush() {
     trace.take_back();
     return stop(*std::move(failure));
   }
+  if (channels) {
+    if (std::optional<Error> failure = channels->flush()) {
+      trace.take_back();
+      timing.take_back();
+      return stop(*std::move(failure));
+    }
+  }
   if (std::optional<Error> failure = tape.flush()) {
     trace.take_back();
     timing.take_back();
+    if (channels) {
+      channels->take_back();
+    }
     return stop(*std::move(failure));
   }
   rows += ticks;
@@ -102,7 +113,7 @@ void Recorder::State::stop(Error why) {
 }
 
 Result<Recorder> Recorder::begin(const std::filesystem::path& folder, const TapeHeader& header,
-                                 TraceColumns columns) {
+                                 TraceColumns columns, const std::optional<ChannelRecording>& channels) {
   Result<TapeWriter> tape = TapeWriter::create(folder / kTapeName, header);
   if (!tape) {
     return tape.error();
@@ -115,6 +126,14 @@ Result<Recorder> Recorder::begin(const std::filesystem::path& folder, const Tape
   if (!timing) {
     return timing.error();
   }
+  std::optional<ChannelFiles> channel_files;
+  if (channels) {
+    Result<ChannelFiles> files = ChannelFiles::create(folder, *channels, columns.tick_s());
+    if (!files) {
+      return files.error();
+    }
+    channel_files = std::move(*files);
+  }
   if (std::optional<Error> error = write_trace_json(folder / kTraceJsonName, columns)) {
     return *std::move(error);
   }
@@ -125,6 +144,7 @@ Result<Recorder> Recorder::begin(const std::filesystem::path& folder, const Tape
                                     .trace = std::move(*trace),
                                     .timing = std::move(*timing),
                                     .tape = std::move(*tape),
+                                    .channels = std::move(channel_files),
                                     .ticks_per_flush = std::max<std::int64_t>(ticks_per_flush, 1)}));
 }
 
@@ -140,6 +160,9 @@ void Recorder::tick(const RecordedTick& tick) {
     return;
   }
   s.trace.row({tick.record, tick.task_step, tick.hard_touches});
+  if (s.channels && tick.record.vibrotactile) {
+    s.channels->tick(tick.record.vibrotactile->command);
+  }
   s.timing.row({tick.record.tick, tick.cpu_ns, tick.wake_late_ns, tick.lost_before});
   s.tape.entry(tick.sample, tick.commands, tick.lost_before, digest(tick.record));
   ++s.pending;
@@ -176,7 +199,8 @@ Recorder::Outcome Recorder::finish() {
       s.stop(*std::move(failure));
     }
   }
-  for (std::optional<Error> failure : {s.trace.close(), s.timing.close()}) {
+  const std::optional<Error> of_channels = s.channels ? s.channels->close() : std::nullopt;
+  for (std::optional<Error> failure : {s.trace.close(), s.timing.close(), of_channels}) {
     if (failure) {
       s.stop(*std::move(failure));
     }

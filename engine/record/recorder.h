@@ -1,6 +1,7 @@
 #pragma once
-// Writes a run into its folder while it goes on: trace.csv, trace.json, timing.csv, tape, and flight.csv
-// if the force was stopped by a fault. It belongs to one thread, never the haptic one: it writes files.
+// Writes a run into its folder while it goes on: trace.csv, trace.json, timing.csv, tape, a WAV for each
+// vibrotactile channel, and flight.csv if the force was stopped by a fault. It belongs to one thread, never
+// the haptic one: it writes files.
 //
 // What was ticked reaches the files every 0.25 s of simulated time and, with flush_if_due(), every 0.5 s of
 // real time: a run that is killed loses no more than that. All files tell of the same ticks. If one cannot be
@@ -15,6 +16,7 @@
 #include <span>
 #include <string>
 
+#include "engine/record/channel_files.h"
 #include "engine/record/tape.h"
 #include "engine/record/trace_columns.h"
 #include "haptics/device/device.h"
@@ -41,7 +43,8 @@ public:
 
   // folder: from run_folder.h. The files are created; one that is there already is an error.
   static Result<Recorder> begin(const std::filesystem::path& folder, const TapeHeader& header,
-                                TraceColumns columns);
+                                TraceColumns columns,
+                                const std::optional<ChannelRecording>& channels = std::nullopt);
   Recorder(Recorder&&) noexcept;
   Recorder& operator=(Recorder&&) noexcept;
   ~Recorder();  // without finish() the tape stays without its end, as after a kill

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "engine/record/file_error.h"
 
@@ -55,11 +56,28 @@ Result<fs::path> writable(const fs::path& folder) {
   return folder;
 }
 
+// The names of those in the folder that `name` stands for.
+std::vector<std::string> present(const fs::path& folder, std::string_view name) {
+  const std::size_t star = name.find('*');
+  const std::string_view begin = name.substr(0, star);
+  const std::string_view end = star == name.npos ? std::string_view() : name.substr(star + 1);
+  std::vector<std::string> names;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
+    const std::string file = entry.path().filename().string();
+    const bool same = star == name.npos ? file == name
+                                        : file.size() >= begin.size() + end.size() &&
+                                              file.starts_with(begin) && file.ends_with(end);
+    if (same) names.push_back(file);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::span<const std::string_view> result_file_names() {
-  static constexpr std::array names = {kTraceName,  kTraceJsonName, kTapeName,   kTimingName,
-                                       kFlightName, kSummaryName,   kPictureName};
+  static constexpr std::array names = {kTraceName,  kTraceJsonName, kTapeName,    kTimingName,
+                                       kFlightName, kSummaryName,   kPictureName, kChannelNames};
   return names;
 }
 
@@ -93,18 +111,17 @@ Result<fs::path> prepare_run_folder(const fs::path& folder, bool force,
   if (failure) {
     return file_error("create", folder, failure.value());
   }
-  for (const std::string_view name : files) {
-    const fs::path file = folder / name;
-    if (!fs::exists(fs::symlink_status(file, failure))) {
-      continue;
-    }
-    if (!force) {
-      return Error{folder.string() + " holds results (" + std::string(name) +
-                   "): choose another folder with --out, or replace them with --force."};
-    }
-    // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.
-    if (::unlink(file.c_str()) != 0) {
-      return file_error("remove", file, errno);
+  for (const std::string_view wanted : files) {
+    for (const std::string& name : present(folder, wanted)) {
+      if (!force) {
+        return Error{folder.string() + " holds results (" + name +
+                     "): choose another folder with --out, or replace them with --force."};
+      }
+      // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.
+      const fs::path file = folder / name;
+      if (::unlink(file.c_str()) != 0) {
+        return file_error("remove", file, errno);
+      }
     }
   }
   return writable(folder);

@@ -12,9 +12,10 @@ namespace fulcrum::record {
 
 inline constexpr std::string_view kTraceName = "trace.csv", kTraceJsonName = "trace.json", kTapeName = "tape",
                                   kTimingName = "timing.csv", kFlightName = "flight.csv",
-                                  kSummaryName = "summary.json", kPictureName = "frame.png";
+                                  kSummaryName = "summary.json", kPictureName = "frame.png",
+                                  kChannelNames = "touch-*.wav";
 
-// Every file that a run may write into its folder by itself.
+// Every file that a run may write into its folder by itself; * stands for any characters.
 std::span<const std::string_view> result_file_names();
 
 // Without --out: makes SHELF/SCENARIO-TIME under $XDG_DATA_HOME/fulcrum, or ~/.local/share/fulcrum; TIME is

@@ -105,6 +105,30 @@ void add_impact_vibration(Columns& c) {
              [](const TickRecord& record) -> const Wrench& { return record.impact_vibration->F_H_D; });
 }
 
+void add_vibrotactile_motion(Columns& c, const std::vector<std::string>& channels) {
+  if (!channels.empty())
+    add(c, {"touch/gain", "1", "", "What vibrotactile motion is set to; 0: off."},
+        [](const TickRecord& record) { return record.vibrotactile->gain; });
+  for (std::size_t i = 0; i < channels.size() && i < kMaxChannels; ++i) {
+    add(c, {"touch/" + channels[i], "m/s^2", "", "Amplitude that this channel is told to go to."},
+        [i](const TickRecord& record) { return record.vibrotactile->command.level[i]; });
+  }
+  if (!channels.empty()) {
+    add(c,
+        {"touch/missing", "m/s^2", "",
+         "The most that a channel was asked for beyond what it can, in amplitude."},
+        [](const TickRecord& record) { return record.vibrotactile->missing; });
+    add(c, {"touch/glide", "s", "", "In which the channels go to their amplitudes."},
+        [](const TickRecord& record) { return record.vibrotactile->command.glide; });
+  }
+  add(c, {"touch/x", "m", "", "Along the axis of the sweep, from its centre; as a fallback, in the window."},
+      [](const TickRecord& record) { return record.vibrotactile->x; });
+  add(c, {"touch/direction", "1", "", "Of the sweep along the axis, -1 or 1; 0: at rest."},
+      [](const TickRecord& record) { return std::int64_t{record.vibrotactile->direction}; });
+  add(c, {"touch/force", "N", "", "Wanted along the axis, on the handle, before safety."},
+      [](const TickRecord& record) { return record.vibrotactile->force; });
+}
+
 void add_braking_pulse(Columns& c) {
   add(c, {"pulse/gain", "1", "", "What the braking pulse is set to; 0: off."},
       [](const TickRecord& record) { return record.pulse->gain; });
@@ -192,6 +216,7 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, E
   if (extras.impacts) add_impacts(c, extras.impact_vibration);  // which alone asks what was struck
   if (extras.impact_vibration) add_impact_vibration(c);
   if (extras.braking_pulse) add_braking_pulse(c);
+  if (extras.vibrotactile_motion) add_vibrotactile_motion(c, extras.channels);
   add(c,
       {"fault", "1", "", "Bits of Fault: 0 to 15 stop the force, the others are limits that were applied."},
       [](const TickRecord& record) { return std::int64_t{record.faults}; });

@@ -39,6 +39,8 @@ public:
     bool impacts = false;
     bool impact_vibration = false;
     bool braking_pulse = false;
+    bool vibrotactile_motion = false;
+    std::vector<std::string> channels{};  // their names, in the order of VibrotactileCommand::level
   };
   // motors: their names, in the order of TickRecord::actuator_load; empty for a device without motors.
   TraceColumns(double tick_s, std::span<const std::string> motors, Extras extras);

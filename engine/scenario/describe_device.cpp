@@ -6,6 +6,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "arms"};
 
+constexpr std::array<std::string_view, 2> kChannelKinds{"rumble", "pcm"};
+
 constexpr Range kAngle = from_to(-6.2831853, 6.2831853);
 
 void describe_joint(KeyVisitor& visitor, JointDesc& joint, std::string_view name) {
@@ -42,6 +44,27 @@ void describe_structure(KeyVisitor& visitor, StructureDesc& structure) {
                  above_to(0, 1e9));
   visitor.vector({"angular_stiffness", "N m/rad", "about the handle's axes there", true},
                  structure.angular_stiffness_H, above_to(0, 1e9));
+}
+
+void describe_channel(KeyVisitor& visitor, ChannelDesc& channel, std::string_view name) {
+  channel.name = name;
+  visitor.choice_of({"kind", "",
+                     "rumble: a motor that is told an amplitude; pcm: a voice coil or an audio channel, that "
+                     "is told samples",
+                     true},
+                    channel.kind, kChannelKinds);
+  visitor.number(
+      {"largest", "m/s^2", "amplitude of the acceleration at full drive; pcm: at the resonance", true},
+      channel.largest, above_to(0, 1000));
+  visitor.number({"rate_Hz", "", "pcm: of the samples"}, channel.rate_Hz, from_to(1000, 192000));
+  visitor.number({"resonance_Hz", "", "pcm: of the vibrator, which needs it"}, channel.resonance_Hz,
+                 from_to(0, 20000));
+  visitor.number({"quality", "", "pcm: of the resonance, above 0.5; it needs it"}, channel.quality,
+                 from_to(0, 1000));
+  visitor.number({"lag", "s", "rumble: time constant of the amplitude"}, channel.lag, from_to(0, 10));
+  const bool pcm = channel.kind == ChannelKind::pcm;
+  visitor.rule("resonance_Hz", !pcm || channel.resonance_Hz > 0, "must be positive for the kind pcm");
+  visitor.rule("quality", !pcm || channel.quality > 0.5, "must be above 0.5 for the kind pcm");
 }
 
 }  // namespace
@@ -92,6 +115,12 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
       [&](KeyVisitor& inner) { describe_structure(inner, device.structure.emplace()); });
   visitor.mapping({"spin", "", "a motor that turns the handle about the line between two arms' ends"},
                   [&](KeyVisitor& inner) { describe_spin(inner, device.mechanism.spin.emplace()); });
+  visitor.named({"channels", "",
+                 "vibrators, by name: 'left' and 'right', on either side along x, and two more at most"},
+                0, [&](std::string_view name, KeyVisitor& each) {
+                  if (!device.vibrotactile) device.vibrotactile.emplace();
+                  describe_channel(each, device.vibrotactile->channels.emplace_back(), name);
+                });
 }
 
 }  // namespace fulcrum::scenario

@@ -7,7 +7,10 @@ namespace {
 constexpr std::array<std::string_view, 3> kVariants{"A", "B", "C"};      // in the order of TorqueVariant
 constexpr std::array<std::string_view, 2> kRenders{"wrench", "torque"};  // in the order of ImpactRender
 constexpr std::array<std::string_view, 2> kDistanceModels{"beam",
-                                                          "sinusoid"};  // in the order of DistanceModel
+                                                          "sinusoid"};     // in the order of DistanceModel
+constexpr std::array<std::string_view, 2> kUses{"sweep", "fallback"};      // of VibrotactileUse
+constexpr std::array<std::string_view, 2> kLaws{"linear", "logarithmic"};  // of MotionEnvelope
+constexpr std::array<std::string_view, 2> kOnsets{"together", "asynchronous"};  // of MotionOnset
 constexpr Range kTorque = above_to(0, 100);
 
 void describe_vibration(KeyVisitor& visitor, TorqueSubstitutionDesc& effect) {
@@ -97,6 +100,38 @@ void describe_braking_pulse(KeyVisitor& visitor, BrakingPulseDesc& effect) {
   visitor.number({"gain", "", "of the force; 0: off at the start"}, effect.gain, kFraction);
 }
 
+void describe_vibrotactile_motion(KeyVisitor& visitor, VibrotactileMotionDesc& effect) {
+  visitor.choice_of({"as", "",
+                     "sweep: past a centre of the scene; fallback: in place of the force along the channels' "
+                     "line, on a device that cannot push"},
+                    effect.use, kUses);
+  visitor.choice_of({"law", "", "how levels follow the place"}, effect.law.envelope, kLaws);
+  visitor.choice_of(
+      {"onset", "",
+       "of the two vibrators; asynchronous: the second 0.32 T + 0.0473 s after the first, T the "
+       "time that the finger needs for the window"},
+      effect.law.onset, kOnsets);
+  visitor.number({"window", "m", "in which the phantom goes from one vibrator to the other"},
+                 effect.law.window, above_to(0, 1));
+  visitor.number({"reference", "m", "of the logarithmic law: the shorter, the fuller half way"},
+                 effect.law.reference, above_to(0, 1000));
+  visitor.number({"strength", "m/s^2", "of the vibration at its strongest"}, effect.strength,
+                 above_to(0, 1000));
+  visitor.number({"update_Hz", "", "of the levels; above 0.2 m/s they are updated every tick"},
+                 effect.update_Hz, from_to(1, 10000));
+  visitor.number({"carrier_Hz", "", "of the vibration"}, effect.carrier_Hz, from_to(20, 1000));
+  visitor.number({"gain", "", "of the vibration; 0: off at the start"}, effect.gain, kFraction);
+  visitor.vector({"centre", "m", "sweep: where the window begins, in the scene"}, effect.centre_W, kPosition);
+  visitor.vector({"axis", "", "sweep: to the right of the finger, in the scene"}, effect.axis_W,
+                 from_to(-1, 1));
+  visitor.number({"lateral_force", "N", "sweep: at the handle, against it, on a device that pushes"},
+                 effect.lateral_force, from_to(0, 100));
+  visitor.number({"full_speed", "m/s", "from which on that force is whole"}, effect.full_speed,
+                 above_to(0, 10));
+  visitor.number({"full_force", "N", "fallback: for which the vibration is at its strongest"},
+                 effect.full_force, above_to(0, 1000));
+}
+
 }  // namespace
 
 void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material) {
@@ -122,6 +157,11 @@ void describe_effects(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping(
       {"braking_pulse", "", "stops the hand at an impact, so that what it strikes feels harder"},
       [&](KeyVisitor& inner) { describe_braking_pulse(inner, scenario.braking_pulse.emplace()); });
+  visitor.mapping({"vibrotactile_motion", "",
+                   "resistance told by two vibrators at the finger: a phantom that moves against the sweep"},
+                  [&](KeyVisitor& inner) {
+                    describe_vibrotactile_motion(inner, scenario.vibrotactile_motion.emplace());
+                  });
 }
 
 }  // namespace fulcrum::scenario

@@ -113,6 +113,7 @@ struct Scenario {
   ImpactDetectorDesc impact;
   std::optional<ImpactVibrationEntry> impact_vibration;
   std::optional<BrakingPulseDesc> braking_pulse;
+  std::optional<VibrotactileMotionDesc> vibrotactile_motion;
   std::map<std::string, ImpactMaterial> impact_materials;  // that are named, what their files say
   std::vector<Checkpoint> checkpoints;
   double dwell = TaskDesc{}.dwell;   // s

@@ -9,6 +9,7 @@
 
 #include "haptics/device/mechanism_desc.h"
 #include "haptics/device/structure.h"
+#include "haptics/device/vibrotactile_desc.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 
@@ -36,6 +37,7 @@ struct DeviceCommand {
     Vec3 unwind_D = Vec3::Zero();  // (3) rad, the turn that would take the handle back to the tool
   };
   Cues cues{};
+  VibrotactileCommand vibrotactile{};  // where the device has channels
 };
 
 enum class Kinematics {
@@ -67,6 +69,7 @@ struct DeviceDesc {
   Vec3 workspace{0.080, 0.060, 0.060};            // (3) m, half extents about D's origin
   MechanismDesc mechanism{};                      // of arms
   std::optional<StructureDesc> structure{};       // where it is known
+  std::optional<VibrotactileDesc> vibrotactile{};
 };
 
 // Drivers implement this. read() and write() are called from the haptic thread, in turn, once a tick.

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "haptics/actuation/vibrotactile_output.h"
 #include "haptics/device/device.h"
 #include "haptics/device/friction_axis.h"
 #include "haptics/device/hand.h"
@@ -15,8 +16,9 @@ namespace fulcrum {
 struct SimulatedDeviceDesc {
   DeviceDesc device;
   double tick_s = 1e-3;
-  int sample_age_ticks = 0;  // 0 to 8: how old a pose is when it is read
-  int bus_delay_ticks = 0;   // 0 to 2: how late a command reaches the motors
+  int sample_age_ticks = 0;                    // 0 to 8: how old a pose is when it is read
+  int bus_delay_ticks = 0;                     // 0 to 2: how late a command reaches the motors
+  std::optional<VibrotactileSignal> signal{};  // what the scene has its channels vibrate with, if it does
 };
 
 // What the hand does: where it wants the tool, and how the tool lies in it.
@@ -44,7 +46,8 @@ public:
 
   const Pose& X_DH() const { return X_DH_; }                              // the true pose, not the encoders'
   Vec3 velocity() const { return {axes_[0].v, axes_[1].v, axes_[2].v}; }  // (3) m/s, in D
-  void push(const Vec3& v_D) noexcept;                                    // sets the handle's velocity, m/s
+  const VibrotactileOutput* vibration() const { return vibration_ ? &*vibration_ : nullptr; }
+  void push(const Vec3& v_D) noexcept;  // sets the handle's velocity, m/s
 
 private:
   struct HandTarget {
@@ -60,6 +63,7 @@ private:
   std::optional<HandTask> task_;
   std::optional<Tremor> tremor_;
   std::optional<Yielding> yielding_;
+  std::optional<VibrotactileOutput> vibration_;
   double time_ = 0;
   Pose X_DH_;
   Pose measured_;

@@ -52,6 +52,7 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
       case Command::Kind::impact_gain:
       case Command::Kind::pulse_gain:
       case Command::Kind::pulse_moment:
+      case Command::Kind::vibrotactile_gain:
         break;
     }
   }

@@ -42,4 +42,10 @@ std::optional<BrakingPulse> build_braking_pulse(const SceneDesc& desc) {
   return BrakingPulse(*desc.braking_pulse, desc.mapping, desc.tick_s);
 }
 
+std::optional<VibrotactileMotion> build_vibrotactile_motion(const SceneDesc& desc) {
+  if (!moves_vibration(desc)) return std::nullopt;
+  const auto& channels = desc.device.vibrotactile;
+  return VibrotactileMotion(*desc.vibrotactile_motion, channels ? &*channels : nullptr, desc.tick_s);
+}
+
 }  // namespace fulcrum

@@ -21,4 +21,7 @@ std::optional<ImpactVibration> build_impact_vibration(const SceneDesc& desc);
 
 std::optional<BrakingPulse> build_braking_pulse(const SceneDesc& desc);
 
+// Absent where the scene does not name it or the device has no use for it, see moves_vibration().
+std::optional<VibrotactileMotion> build_vibrotactile_motion(const SceneDesc& desc);
+
 }  // namespace fulcrum

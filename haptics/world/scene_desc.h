@@ -13,6 +13,7 @@
 #include "haptics/effects/braking_pulse.h"
 #include "haptics/effects/impact_vibration.h"
 #include "haptics/effects/torque_substitution.h"
+#include "haptics/effects/vibrotactile_motion.h"
 #include "haptics/estimate/velocity.h"
 #include "haptics/geometry/distance_field.h"
 #include "haptics/geometry/object_map.h"
@@ -59,6 +60,7 @@ struct SceneDesc {
   std::optional<TorqueSubstitutionDesc> torque_substitution;
   std::optional<ImpactVibrationDesc> impact_vibration{};
   std::optional<BrakingPulseDesc> braking_pulse{};
+  std::optional<VibrotactileMotionDesc> vibrotactile_motion{};
 };
 
 // A device that renders torque has nothing to substitute.
@@ -89,6 +91,20 @@ inline bool brakes_at_impacts(const SceneDesc& desc) {
 // Something in the scene asks for impacts.
 inline bool detects_impacts(const SceneDesc& desc) {
   return vibrates_at_impacts(desc) || brakes_at_impacts(desc);
+}
+
+// As a fallback it is for a device that has channels and no motors. Else it needs channels, or a device that
+// pushes and a lateral force.
+inline bool moves_vibration(const SceneDesc& desc) {
+  if (!desc.vibrotactile_motion) return false;
+  const bool channels = desc.device.vibrotactile.has_value();
+  if (desc.vibrotactile_motion->use == VibrotactileUse::fallback)
+    return channels && !desc.device.renders_force && !desc.device.renders_torque;
+  return channels || (desc.device.renders_force && desc.vibrotactile_motion->lateral_force > 0);
+}
+
+inline bool vibrates_channels(const SceneDesc& desc) {
+  return moves_vibration(desc) && desc.device.vibrotactile.has_value();
 }
 
 // What in the scene asks for wrenches that no slew limit slows down.

@@ -9,6 +9,7 @@
 #include "haptics/effects/impact_cues.h"
 #include "haptics/effects/pulse_cues.h"
 #include "haptics/effects/torque_cues.h"
+#include "haptics/effects/vibrotactile_cues.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 
@@ -32,10 +33,11 @@ struct TickRecord {
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
-  TorqueCues torque;                             // of torque substitution; zero where it is not built
-  std::optional<ImpactTick> impact{};            // where impacts are detected
-  std::optional<ImpactCues> impact_vibration{};  // where it is built
-  std::optional<PulseCues> pulse{};              // likewise
+  TorqueCues torque;                               // of torque substitution; zero where it is not built
+  std::optional<ImpactTick> impact{};              // where impacts are detected
+  std::optional<ImpactCues> impact_vibration{};    // where it is built
+  std::optional<PulseCues> pulse{};                // likewise
+  std::optional<VibrotactileCues> vibrotactile{};  // likewise
 };
 
 }  // namespace fulcrum

@@ -32,7 +32,8 @@ World::World(SceneDesc desc)
       torque_substitution_(build_torque_substitution(desc_)),
       impact_detector_(build_impact_detector(desc_)),
       impact_vibration_(build_impact_vibration(desc_)),
-      braking_pulse_(build_braking_pulse(desc_)) {
+      braking_pulse_(build_braking_pulse(desc_)),
+      vibrotactile_motion_(build_vibrotactile_motion(desc_)) {
   X_WH_ = desc_.tool.X_WT_start * desc_.tool.X_HT.inverse();
   X_DH_good_ = desc_.mapping.handle_in_device(X_WH_);
 }
@@ -71,6 +72,9 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if (w.braking_pulse_) {
     for (const Command& command : commands) w.braking_pulse_->obey(command);
   }
+  if (w.vibrotactile_motion_) {
+    for (const Command& command : commands) w.vibrotactile_motion_->obey(command);
+  }
   const Pose X_WH = w.follow_handle(sample, faults);
   Vec6 moved;
   moved << X_WH.p - w.X_WH_.p, rotation_vector(X_WH.q * w.X_WH_.q.conjugate());
@@ -99,6 +103,9 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   Wrench wanted_F_H_D = desc.mapping.wrench_in_device(wanted_F_H_W);
   if (!desc.device.renders_force) wanted_F_H_D.force.setZero();
   if (!desc.device.renders_torque) wanted_F_H_D.torque.setZero();
+  const Vec6 moved_D = desc.mapping.motion_in_device(moved);
+  const Vec3 lateral_D = w.move_vibration(wanted_F_H_W, moved_D);
+  if (!lateral_D.isZero(0)) wanted_F_H_D.force += lateral_D;  // or -0 would become 0
   const Wrench resistance =
       w.passivity_.resist(w.ledger_.deficit(), desc.mapping.motion_in_device(w.counted_.per_tick()));
   if (!resistance.is_zero()) faults |= kPassivityControl;
@@ -107,7 +114,6 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if (desc.device.renders_force)
     own_weight.force = desc.mapping.X_WD.q.conjugate() * Vec3(0, desc.device.handle_weight, 0);
   const Wrench limited_F_H_D = w.guard_.limit(wanted_F_H_D + own_weight, faults);
-  const Vec6 moved_D = desc.mapping.motion_in_device(moved);
   const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
   w.motors_.begin(w.X_DH_good_);
   const Allocation continuous = w.motors_.wrench(limited_F_H_D);
@@ -137,6 +143,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
     const TorqueCues& cues = w.torque_substitution_->cues();
     command.cues = {cues.vibration, cues.ghost, desc.mapping.X_WD.q.conjugate() * -answer.turn_W};
   }
+  if (w.vibrotactile_motion_)
+    command.vibrotactile = w.vibrotactile_motion_->render(w.guard_.gain(), w.guard_.stopped());
   TickRecord& record = result.record;
   for (int motor = 0; motor < w.motors_.motors(); ++motor) {
     const auto slot = static_cast<std::size_t>(motor);

@@ -69,6 +69,8 @@ private:
   Allocation allocate_pulse(const Wrench& commanded_F_H_D, const Vec6& moved_D,
                             std::uint32_t& faults) noexcept;
   void render_transients(const Vec6& moved_D, Wrench& commanded_F_H_D, std::uint32_t& faults) noexcept;
+  // Answers the lateral force on the handle (3) N, in D. F_H_W: that it should feel, clutch or not.
+  Vec3 move_vibration(const Wrench& F_H_W, const Vec6& moved_D) noexcept;
   void record_effects(TickRecord& record) const noexcept;
 
   SceneDesc desc_;
@@ -83,6 +85,7 @@ private:
   std::optional<ImpactDetector> impact_detector_;
   std::optional<ImpactVibration> impact_vibration_;
   std::optional<BrakingPulse> braking_pulse_;
+  std::optional<VibrotactileMotion> vibrotactile_motion_;
   BrakingPulse::Demand pulse_;  // of this tick
   struct {
     double force = 0, moment = 0;

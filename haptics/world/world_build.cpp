@@ -86,6 +86,51 @@ std::optional<Error> refuse_braking_pulse(const BrakingPulseDesc& desc) {
   return std::nullopt;
 }
 
+std::optional<Error> refuse_channels(const DeviceDesc& device) {
+  if (!device.vibrotactile) return std::nullopt;
+  const std::vector<ChannelDesc>& channels = device.vibrotactile->channels;
+  if (channels.size() > kMaxChannels || !device.vibrotactile->find("left") ||
+      !device.vibrotactile->find("right"))
+    return Error{"The device '" + device.name + "' has " + std::to_string(channels.size()) +
+                 " vibrotactile channels: it needs 'left' and 'right', and may have " +
+                 std::to_string(kMaxChannels) + " in all."};
+  for (const ChannelDesc& channel : channels) {
+    const bool known = channel.kind == ChannelKind::rumble
+                           ? channel.lag >= 0 && std::isfinite(channel.lag)
+                           : positive(channel.rate_Hz) && positive(channel.resonance_Hz) &&
+                                 positive(channel.quality) && channel.quality > 0.5;
+    if (!positive(channel.largest) || !known)
+      return Error{"The vibrotactile channel '" + channel.name + "' of the device '" + device.name +
+                   "' needs a positive largest acceleration; as pcm a positive rate_Hz and resonance_Hz and "
+                   "a quality above 0.5, as rumble a lag that is not negative."};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> refuse_vibrotactile_motion(const VibrotactileMotionDesc& desc,
+                                                const DeviceDesc& device) {
+  if (!positive(desc.law.window) || !positive(desc.law.reference) || !positive(desc.strength) ||
+      !positive(desc.update_Hz) || !positive(desc.carrier_Hz) || !within(desc.gain, 0, 1))
+    return Error{
+        "In vibrotactile_motion window, reference, strength, update_Hz and carrier_Hz must be positive and "
+        "the gain from 0 to 1."};
+  if (!desc.centre_W.allFinite() || !desc.axis_W.allFinite() || !(desc.axis_W.norm() > 0) ||
+      !(desc.lateral_force >= 0) || !std::isfinite(desc.lateral_force) || !positive(desc.full_speed) ||
+      !positive(desc.full_force))
+    return Error{
+        "In vibrotactile_motion the centre must be finite, the axis not zero, lateral_force not negative, "
+        "and full_speed and full_force positive."};
+  if (!device.vibrotactile) return std::nullopt;
+  constexpr double samples = 2.5;  // a period; with fewer the held samples are mostly mirror tones
+  for (const ChannelDesc& channel : device.vibrotactile->channels) {
+    if (channel.kind == ChannelKind::pcm && desc.carrier_Hz * samples > channel.rate_Hz)
+      return Error{"vibrotactile_motion.carrier_Hz is " + number_text(desc.carrier_Hz) + ", and channel '" +
+                   channel.name + "' of the device '" + device.name + "' renders up to " +
+                   number_text(channel.rate_Hz / samples) + " Hz: lower it."};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<World> World::build(SceneDesc desc) {
@@ -156,6 +201,10 @@ Result<World> World::build(SceneDesc desc) {
   }
   if (desc.impact_vibration) {
     if (auto error = refuse_impact_vibration(*desc.impact_vibration)) return *error;
+  }
+  if (auto error = refuse_channels(desc.device)) return *error;
+  if (desc.vibrotactile_motion) {
+    if (auto error = refuse_vibrotactile_motion(*desc.vibrotactile_motion, desc.device)) return *error;
   }
   return World(std::move(desc));
 }

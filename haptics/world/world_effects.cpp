@@ -95,6 +95,21 @@ void World::render_transients(const Vec6& moved_D, Wrench& commanded_F_H_D, std:
   }
 }
 
+Vec3 World::move_vibration(const Wrench& F_H_W, const Vec6& moved_D) noexcept {
+  if (!vibrotactile_motion_) return Vec3::Zero();
+  Vec6 V_WH;
+  V_WH << V_WH_.v, V_WH_.w;
+  const Vec3 force_W = vibrotactile_motion_->process({.p_WH = X_WH_.p,
+                                                      .v_WH = V_WH_.v,
+                                                      .moved = moved_D[0],
+                                                      .speed = desc_.mapping.motion_in_device(V_WH)[0],
+                                                      .felt = desc_.mapping.wrench_in_device(F_H_W).force.x(),
+                                                      .touching = !regions().empty(),
+                                                      .engaged = !clutched_,
+                                                      .stopped = guard_.stopped()});
+  return desc_.device.renders_force ? Vec3(desc_.mapping.X_WD.q.conjugate() * force_W) : Vec3(Vec3::Zero());
+}
+
 void World::record_effects(TickRecord& record) const noexcept {
   const auto energy = [this](TransientSource source) {
     const TransientBudget* budget = guard_.budget(source);
@@ -123,6 +138,7 @@ void World::record_effects(TickRecord& record) const noexcept {
       cues.moment_energy = budget->torque_energy();
     }
   }
+  if (vibrotactile_motion_) record.vibrotactile = vibrotactile_motion_->cues();
   record.missing_F_H_D = missing_;
   if (impact_vibration_) {
     record.impact_vibration = impact_vibration_->cues();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "haptics/actuation/vibrotactile_actuator.h"
 #include "haptics/math/number_text.h"
 #include "haptics/world/coupling_gains.h"
 #include "haptics/world/world.h"
@@ -98,6 +99,28 @@ BuiltPart pulse_part(const SceneDesc& desc, const BrakingPulse& effect) {
           sizeof(BrakingPulse)};
 }
 
+BuiltPart motion_part(const VibrotactileMotionDesc& desc, const DeviceDesc& device) {
+  std::string what = desc.law.envelope == MotionEnvelope::linear
+                         ? "linear"
+                         : "logarithmic with " + number_text(desc.law.reference * 1e3) + " mm";
+  what += desc.law.onset == MotionOnset::together ? ", both together" : ", one after the other";
+  what += ", over " + number_text(desc.law.window * 1e3) + " mm";
+  if (device.vibrotactile) {
+    what += "; " + number_text(desc.strength) + " m/s^2 at " + number_text(desc.carrier_Hz) + " Hz on";
+    for (const ChannelDesc& channel : device.vibrotactile->channels) {
+      what += (&channel == device.vibrotactile->channels.data() ? " " : ", ") + channel.name;
+      what += channel.kind == ChannelKind::rumble ? " (rumble: an amplitude alone, "
+                                                  : " (" + number_text(channel.rate_Hz * 1e-3) + " kHz, ";
+      what += "up to " + number_text(actuator_reach(channel, desc.carrier_Hz)) + " m/s^2)";
+    }
+  }
+  if (desc.use == VibrotactileUse::fallback)
+    what += "; in place of the force along the line of the channels";
+  else if (desc.lateral_force > 0 && device.renders_force)
+    what += "; with " + number_text(desc.lateral_force) + " N";
+  return {"vibrotactile motion", what, sizeof(VibrotactileMotion)};
+}
+
 BuiltPart budget_part(const char* name, const TransientBudget& budget) {
   std::string peak;
   if (budget.peak() > 0) peak = number_text(budget.peak()) + " N";
@@ -156,6 +179,7 @@ std::vector<BuiltPart> World::parts() const {
   if (braking_pulse_) parts.push_back(pulse_part(desc_, *braking_pulse_));
   if (const TransientBudget* budget = guard_.budget(TransientSource::braking_pulse))
     parts.push_back(budget_part("pulse budget", *budget));
+  if (vibrotactile_motion_) parts.push_back(motion_part(*desc_.vibrotactile_motion, desc_.device));
   if (const TransientBudget* budget = guard_.budget(TransientSource::impact_vibration))
     parts.push_back(budget_part("impact budget", *budget));
   const std::vector<BuiltPart> motion = motion_->parts();
