@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/scenario/followed.h"
+#include "engine/scenario/level_bars.h"
 #include "engine/scenario/to_glm.h"
 #include "haptics/safety/faults.h"
 
@@ -91,8 +92,13 @@ std::string stop_reason(std::uint32_t faults) {
 
 FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenario& scenario,
                          const SceneDesc& scene)
-    : markers_(desc.markers.size()), guide_(scenario.guide) {
+    : markers_(desc.markers.size()), guide_(scenario.guide), X_TH_(scene.tool.X_HT.inverse()) {
   if (desc.ghost) ghost_q_HT_ = scene.tool.X_HT.q;
+  if (scenario::draws_levels(scene)) {
+    left_ = scene.device.vibrotactile->find("left").value_or(0);
+    right_ = scene.device.vibrotactile->find("right").value_or(0);
+    strongest_ = scene.vibrotactile_motion->strength;
+  }
   for (const render::Instance& instance : desc.instances) {
     if (!instance.movable) continue;
     follows_.push_back(instance.follows);
@@ -108,9 +114,23 @@ glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const
                                double time) {
   if (body >= scenario::kFollowsImpactCircle)
     return impact_circle_pose(body, afterglow.struck(), record.X_WT, time);
-  if (body == scenario::kFollowsGuide)
-    return scenario::to_glm({Quat::Identity(), scenario::guide_place(*guide_, time)});
-  return scenario::to_glm(record.X_WT);
+  const Pose X_WH = record.X_WT * X_TH_;  // where the tool is seen to be held
+  const auto level_at = [&](int side, std::size_t channel) {
+    const double level = record.vibrotactile.value_or(VibrotactileCues()).command.level[channel] / strongest_;
+    return scenario::level_pose(X_WH.p, side, level);
+  };
+  switch (body) {
+    case scenario::kFollowsGuide:
+      return scenario::to_glm({Quat::Identity(), scenario::guide_place(*guide_, time)});
+    case scenario::kFollowsLevelFrame:
+      return scenario::to_glm({Quat::Identity(), X_WH.p});
+    case scenario::kFollowsLeftLevel:
+      return level_at(-1, left_);
+    case scenario::kFollowsRightLevel:
+      return level_at(1, right_);
+    default:
+      return scenario::to_glm(record.X_WT);
+  }
 }
 
 render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow& afterglow,

@@ -35,6 +35,9 @@ private:
 
   std::size_t markers_;
   std::optional<scenario::GuideDesc> guide_;
+  Pose X_TH_;
+  std::size_t left_ = 0, right_ = 0;            // channels
+  double strongest_ = 0;                        // m/s^2, of their levels; 0: they are not drawn
   std::optional<Quat> ghost_q_HT_;              // where there is a ghost
   std::optional<scenario::DeviceLinks> links_;  // where something follows them
   std::vector<std::size_t> follows_;            // of each movable instance

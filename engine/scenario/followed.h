@@ -7,6 +7,8 @@
 namespace fulcrum::scenario {
 
 inline constexpr std::size_t kFollowsGuide = 900;
+inline constexpr std::size_t kFollowsHoldingPoint = 901;
+inline constexpr std::size_t kFollowsLevelFrame = 902, kFollowsLeftLevel = 903, kFollowsRightLevel = 904;
 inline constexpr std::size_t kFollowsImpactCircle = 1000;  // and those after it
 
 inline constexpr std::size_t kFirstFollowed = kFollowsGuide;
