@@ -14,6 +14,8 @@ void leave_out_of_torque_substitution(const SceneDesc& scene, const Add& add) {
   if (!scene.device.senses_rotation) add("ghost", device + "senses no rotation");
   if (!scene.torque_substitution->limit_stiffness)
     add("stiffness limit", "torque_substitution.limit_stiffness is off");
+  else if (!coupled(scene.contact.response))
+    add("stiffness limit", "the response direct has no coupling");
   else if (scene.contact.response == ContactResponse::constraint)
     add("stiffness limit", "under the response constraint the tool stays out whatever the torque");
 }
@@ -71,6 +73,27 @@ void leave_out_of_vibrotactile_motion(const SceneDesc& scene, const Add& add) {
     add("lateral force", device + "has no motors");
 }
 
+template <class Add>
+void leave_out_of_holding(const World& world, const Add& add) {
+  const SceneDesc& scene = world.desc();
+  const std::string device = "the device '" + scene.device.name + "' ";
+  if (!scene.holding_point) {
+    add("holding point", "the scenario does not name it");
+  } else {
+    if (!scene.device.strip) add("strip", device + "has none: the holding point is where it is set");
+    if (!scene.device.structure) add("lever-arm limit", "how stiff " + device + "is, is not known");
+    if (coupled(scene.contact.response) && !moves_grip(scene.contact.response))
+      add("coupling at the holding point",
+          "under the scenario's response the coupling holds the tool at its "
+          "centre of mass");
+  }
+  if (!scene.inertia_compensation) return add("inertia compensation", "the scenario does not name it");
+  if (!compensates_inertia(scene)) return add("inertia compensation", device + "does not push");
+  if (!scene.device.renders_torque) add("inertia compensation by arm", device + "renders no torque");
+  if (!world.compensation()->filter())
+    add("acceleration filter", "the scenario's method needs none and is not switchable");
+}
+
 void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vector<InventoryItem>& out) {
   const SceneDesc& scene = world.desc();
   const auto add = [&out](const std::string& name, const std::string& why) {
@@ -86,6 +109,8 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (response != ContactResponse::quasi_static) add("response static", "the scenario names another");
   if (response != ContactResponse::constraint)
     add("response constraint", "the scenario names another: no constraint solver is built");
+  if (response != ContactResponse::direct) add("response direct", "the scenario names another");
+  if (!coupled(response)) add("coupling", "under the response direct the tool is where the hand wants it");
   if (response != ContactResponse::voxel) add("response voxel", "the scenario names another");
   if (response == ContactResponse::constraint && scene.contact.friction == 0)
     add("friction", "contact.friction is 0");
@@ -98,6 +123,8 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   leave_out_of_impact_vibration(scene, add);
   leave_out_of_braking_pulse(scene, add);
   leave_out_of_vibrotactile_motion(scene, add);
+  leave_out_of_holding(world, add);
+  if (scene.contact.levels.empty()) add("stiffness levels", "contact.levels is not named");
   if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
   if (!scene.tool.weight) add("tool weight", "tool.weight is off");
   if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");

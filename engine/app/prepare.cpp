@@ -27,7 +27,7 @@ Error no_hand(const Prepared& prepared, const std::string& hand) {
 
 // How far the coupling yields under the tool's weight: a person aims so much higher.
 double sag(const SceneDesc& scene) {
-  if (!scene.tool.weight) return 0;
+  if (!scene.tool.weight || !coupled(scene.contact.response)) return 0;
   const double weight = std::min(scene.tool.mass * kGravity, 0.95 * scene.coupling.max_force);
   return -scene.coupling.max_force / scene.coupling.stiffness *
          std::log1p(-weight / scene.coupling.max_force);
@@ -95,6 +95,7 @@ Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepar
     return no_hand(prepared, hand);
   }
   task.hand.seed += trial;
+  if (scene.holding_point) task.stick_H = scene.holding_point->axis_H;
   task.sag_W = Vec3(0, sag(scene), 0);
   if (scene.tool.weight) {
     const Vec3 felt_W(0, -scene.tool.mass * kGravity, 0);

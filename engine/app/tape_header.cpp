@@ -75,7 +75,10 @@ record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskD
            .impact_vibration = vibrates_at_impacts(scene),
            .braking_pulse = brakes_at_impacts(scene),
            .vibrotactile_motion = moves_vibration(scene),
-           .channels = std::move(channels)}};
+           .channels = std::move(channels),
+           .holding_point = scene.holding_point.has_value(),
+           .inertia_compensation = compensates_inertia(scene),
+           .stiffness_levels = !scene.contact.levels.empty()}};
 }
 
 std::optional<record::ChannelRecording> channel_recording(const SceneDesc& scene) {

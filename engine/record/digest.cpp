@@ -52,7 +52,7 @@ std::uint64_t digest(const TickRecord& record) {
   // A field that is added to TickRecord does not compile here until it is added to this list.
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load, missing,
                energy_port, energy_unrendered, force_gain, faults, stopped, clutched, torque, impact,
-               impact_vibration, pulse, vibrotactile] = record;
+               impact_vibration, pulse, vibrotactile, holding, inertia, contact_stiffness] = record;
   Fnv fnv;
   fnv.add(tick);
   fnv.add(X_WH);
@@ -119,6 +119,26 @@ std::uint64_t digest(const TickRecord& record) {
       fnv.add(value);
     }
   }
+  if (holding) {
+    const auto& [place, p_HG, state, strip_ohm, limit] = *holding;
+    fnv.add(p_HG);
+    fnv.add(static_cast<std::int32_t>(state));
+    for (const double value : {place, strip_ohm, limit}) {
+      fnv.add(value);
+    }
+  }
+  if (inertia) {
+    const auto& [method, gain, faded, acceleration_D, force_D, torque_D, energy] = *inertia;
+    fnv.add(static_cast<std::int32_t>(method));
+    fnv.add(faded);
+    fnv.add(acceleration_D);
+    fnv.add(force_D);
+    fnv.add(torque_D);
+    for (const double value : {gain, energy}) {
+      fnv.add(value);
+    }
+  }
+  if (contact_stiffness) fnv.add(*contact_stiffness);
   return fnv.hash();
 }
 

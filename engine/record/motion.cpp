@@ -22,6 +22,7 @@ constexpr std::int64_t kMostLost = 1'000'000;
 // The tick and the seven numbers of a pose, by name.
 constexpr std::array<const char*, 8> kColumns = {"timestamp",  "handle/p/x", "handle/p/y", "handle/p/z",
                                                  "handle/q/w", "handle/q/x", "handle/q/y", "handle/q/z"};
+constexpr const char* kStripColumn = "holding/strip_ohm";
 
 struct TimedSample {
   double time = 0;  // s
@@ -66,12 +67,27 @@ std::optional<double> number(std::string_view cell) {
   return whole ? std::optional(value) : std::nullopt;
 }
 
+// Where the columns are that a motion needs, and the one of a strip if there is one.
+struct Places {
+  std::array<std::size_t, kColumns.size()> pose{};
+  std::optional<std::size_t> strip;
+};
+
+// ohm; any number, and no number at all is no strip.
+double strip_of(std::span<const std::string_view> cells, const std::optional<std::size_t>& where) {
+  double ohm = kNoStrip;
+  if (where && *where < cells.size()) {
+    std::from_chars(cells[*where].data(), cells[*where].data() + cells[*where].size(), ohm);
+  }
+  return ohm;
+}
+
 // One row, or a sentence without its place.
-Result<TimedSample> sample_of_row(std::span<const std::string_view> cells,
-                                  const std::array<std::size_t, kColumns.size()>& where) {
+Result<TimedSample> sample_of_row(std::span<const std::string_view> cells, const Places& places) {
   std::array<double, kColumns.size()> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::optional<double> value = where[i] < cells.size() ? number(cells[where[i]]) : std::nullopt;
+    const std::optional<double> value =
+        places.pose[i] < cells.size() ? number(cells[places.pose[i]]) : std::nullopt;
     if (!value) {
       return Error{std::string(kColumns[i]) + " is not a number."};
     }
@@ -88,6 +104,7 @@ Result<TimedSample> sample_of_row(std::span<const std::string_view> cells,
   TimedSample timed;
   timed.time = values[0];
   timed.sample.X_DH = {q, Vec3(values[1], values[2], values[3])};
+  timed.sample.strip_ohm = strip_of(cells, places.strip);
   return timed;
 }
 
@@ -104,19 +121,20 @@ double tick_of(const std::vector<TimedSample>& rows) {
 }
 
 Result<std::vector<TimedSample>> rows_of_trace(const std::filesystem::path& path, TraceReader& trace) {
-  std::array<std::size_t, kColumns.size()> where{};
-  for (std::size_t i = 0; i < where.size(); ++i) {
+  Places places;
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
     const std::optional<std::size_t> column = trace.column(kColumns[i]);
     if (!column) {
       return Error{path.string() + " is neither a tape nor a trace: it has no column " + kColumns[i] +
                    ". Name a tape, or a trace.csv with timestamp, handle/p and handle/q."};
     }
-    where[i] = *column;
+    places.pose[i] = *column;
   }
+  places.strip = trace.column(kStripColumn);
   std::vector<TimedSample> rows;
   while (trace.next()) {
     const std::string place = path.string() + ", line " + std::to_string(trace.line()) + ": ";
-    const Result<TimedSample> row = sample_of_row(trace.cells(), where);
+    const Result<TimedSample> row = sample_of_row(trace.cells(), places);
     if (!row) {
       return Error{place + row.error().sentence + " Correct or remove that line."};
     }

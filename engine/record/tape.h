@@ -6,9 +6,11 @@
 //     CRC-32C of it chunks:     u32 kind  u32 n  u32 CRC-32C of the 8 bytes before  payload: n bytes  u32
 //     CRC-32C of it
 // Kind "TICK", payload:  u64 index of the first entry  u32 entries  then each entry:
-//     f64 q.w q.x q.y q.z p.x p.y p.z age  u32 buttons  u8 connected  i64 lost_before  u64 digest
+//     f64 q.w q.x q.y q.z p.x p.y p.z age strip_ohm  u32 buttons  u8 connected  i64 lost_before  u64 digest
 //     u32 commands  u32 kind  f64 value of each
 // Kind "END ", payload:  u64 entries of the whole tape. Nothing follows it.
+//
+// Version 2, which is still read, has no strip_ohm: there was no strip.
 
 #include <cstdint>
 #include <map>
@@ -22,7 +24,8 @@
 namespace fulcrum::record {
 
 inline constexpr std::string_view kTapeMagic = "FULCTAPE";
-inline constexpr std::uint32_t kTapeVersion = 2;
+inline constexpr std::uint32_t kTapeVersion = 3;
+inline constexpr std::uint32_t kOldestTapeVersion = 2;  // that is still read
 
 // Everything that a replay needs besides the samples. All text is UTF-8.
 struct TapeHeader {

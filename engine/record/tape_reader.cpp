@@ -40,7 +40,7 @@ Result<std::optional<std::span<const std::byte>>> take_block(ByteReader& reader,
   return std::optional(block);
 }
 
-Result<TapeHeader> take_header(ByteReader& reader, std::span<const std::byte> bytes) {
+Result<TapeHeader> take_header(ByteReader& reader, std::span<const std::byte> bytes, std::uint32_t& version) {
   if (!as_text(bytes).starts_with(kTapeMagic)) {
     return Error{"This is not a tape: byte 0 does not begin the word " + std::string(kTapeMagic) +
                  ". Name the tape in a run's folder."};
@@ -48,11 +48,11 @@ Result<TapeHeader> take_header(ByteReader& reader, std::span<const std::byte> by
   const Error ends_early{"The tape ends at byte " + std::to_string(bytes.size()) +
                          ", within its header: nothing of the run is on it. Record the run again."};
   if (bytes.size() >= kTapeMagic.size() + 4) {
-    const auto version = ByteReader(bytes.subspan(kTapeMagic.size())).get<std::uint32_t>();
-    if (version != kTapeVersion) {
+    version = ByteReader(bytes.subspan(kTapeMagic.size())).get<std::uint32_t>();
+    if (version < kOldestTapeVersion || version > kTapeVersion) {
       return Error{"The tape is of format version " + std::to_string(version) +
-                   " (byte 8), and this program reads " + std::to_string(kTapeVersion) +
-                   ": use the program that recorded it."};
+                   " (byte 8), and this program reads " + std::to_string(kOldestTapeVersion) + " to " +
+                   std::to_string(kTapeVersion) + ": use the program that recorded it."};
     }
   }
   const auto prefix = take_block(reader, kTapeMagic.size() + 8);
@@ -81,7 +81,7 @@ Result<TapeHeader> take_header(ByteReader& reader, std::span<const std::byte> by
 // Counts are not to be trusted though the checksum fits: what they promise is read one by one, and the first
 // that is not there ends it, so that no more is kept than the bytes hold.
 std::optional<Error> take_entries(std::span<const std::byte> payload, std::size_t start,
-                                  std::vector<TapeEntry>& entries) {
+                                  std::uint32_t version, std::vector<TapeEntry>& entries) {
   ByteReader reader(payload);
   const auto first = reader.get<std::uint64_t>();
   const auto count = reader.get<std::uint32_t>();
@@ -98,6 +98,9 @@ std::optional<Error> take_entries(std::span<const std::byte> payload, std::size_
     entry.sample.X_DH = {Quat(values[0], values[1], values[2], values[3]),
                          Vec3(values[4], values[5], values[6])};
     entry.sample.age = values[7];
+    if (version >= 3) {
+      entry.sample.strip_ohm = reader.get_double();
+    }
     entry.sample.buttons = reader.get<std::uint32_t>();
     const auto connected = reader.get<std::uint8_t>();
     entry.sample.connected = connected == 1;
@@ -139,7 +142,8 @@ std::optional<Error> check_end(const ByteReader& file, std::span<const std::byte
 
 Result<Tape> parse_tape(std::span<const std::byte> bytes) {
   ByteReader reader(bytes);
-  Result<TapeHeader> header = take_header(reader, bytes);
+  std::uint32_t version = 0;
+  Result<TapeHeader> header = take_header(reader, bytes, version);
   if (!header) {
     return header.error();
   }
@@ -167,7 +171,7 @@ Result<Tape> parse_tape(std::span<const std::byte> bytes) {
     }
     std::optional<Error> error;
     if (kind == kTickChunk) {
-      error = take_entries(**payload, start, tape.entries);
+      error = take_entries(**payload, start, version, tape.entries);
     } else if (kind == kEndChunk) {
       error = check_end(reader, **payload, start, tape.entries.size());
       tape.complete = true;

@@ -31,9 +31,9 @@ Result<TapeWriter> TapeWriter::create(const std::filesystem::path& path, const T
 
 void TapeWriter::entry(const DeviceSample& sample, std::span<const Command> commands,
                        std::int64_t lost_before, std::uint64_t digest) {
-  const auto& [X_DH, age, buttons, connected] = sample;
+  const auto& [X_DH, age, buttons, connected, strip_ohm] = sample;
   for (const double value :
-       {X_DH.q.w(), X_DH.q.x(), X_DH.q.y(), X_DH.q.z(), X_DH.p.x(), X_DH.p.y(), X_DH.p.z(), age}) {
+       {X_DH.q.w(), X_DH.q.x(), X_DH.q.y(), X_DH.q.z(), X_DH.p.x(), X_DH.p.y(), X_DH.p.z(), age, strip_ohm}) {
     put(pending_, value);
   }
   put(pending_, buttons);

@@ -144,6 +144,37 @@ void add_braking_pulse(Columns& c) {
       [](const TickRecord& record) { return record.pulse->moment_share; });
 }
 
+void add_holding_point(Columns& c) {
+  add(c, {"holding/place", "m", "", "Where the hand holds the stick, along it from the handle's origin."},
+      [](const TickRecord& record) { return record.holding->place; });
+  add(c,
+      {"holding/state", "1", "",
+       "Where that comes from: 0 set, 1 measured, 2 the last that was trusted, 3 on its way to the "
+       "scenario's, 4 the scenario's for want of any other."},
+      [](const TickRecord& record) { return static_cast<std::int64_t>(record.holding->state); });
+  add(c,
+      {"holding/strip_ohm", "ohm", "",
+       "Of the strip under the hand; inf: nothing presses on it, nan: there is none."},
+      [](const TickRecord& record) { return record.holding->strip_ohm; });
+  add(c,
+      {"holding/limit", "N/m", "",
+       "The stiffest wall that the device's structure renders where the tool touches; 0: nothing touches."},
+      [](const TickRecord& record) { return record.holding->limit; });
+}
+
+void add_inertia_compensation(Columns& c) {
+  add(c, {"inertia/method", "1", "", "0 none, 1 arm, 2 acceleration."},
+      [](const TickRecord& record) { return static_cast<std::int64_t>(record.inertia->method); });
+  add(c, {"inertia/gain", "1", "", "Of the device's mass times acceleration, in use."},
+      [](const TickRecord& record) { return record.inertia->gain; });
+  add_vector(c, {"inertia/acceleration", "m/s^2", "D", "Of the handle, as estimated."},
+             [](const TickRecord& record) -> const Vec3& { return record.inertia->acceleration_D; });
+  add_vector(c, {"inertia/force", "N", "D", "Commanded on the handle for the device's inertia."},
+             [](const TickRecord& record) -> const Vec3& { return record.inertia->force_D; });
+  add_vector(c, {"inertia/torque", "N m", "D", "What the method arm adds to the torque on the handle."},
+             [](const TickRecord& record) -> const Vec3& { return record.inertia->torque_D; });
+}
+
 }  // namespace
 
 TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, Extras extras)
@@ -212,11 +243,21 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, E
     add(c, {"energy/moment", "J", "", "What their torque has given to the hand, likewise."},
         [](const TickRecord& record) { return record.pulse->moment_energy; });
   }
+  if (extras.inertia_compensation)
+    add(c,
+        {"energy/inertia", "J", "",
+         "What compensation gave, less what is in the handle's motion and what damping has taken."},
+        [](const TickRecord& record) { return record.inertia->energy; });
   if (extras.torque_substitution) add_torque_substitution(c);
   if (extras.impacts) add_impacts(c, extras.impact_vibration);  // which alone asks what was struck
   if (extras.impact_vibration) add_impact_vibration(c);
   if (extras.braking_pulse) add_braking_pulse(c);
   if (extras.vibrotactile_motion) add_vibrotactile_motion(c, extras.channels);
+  if (extras.stiffness_levels)
+    add(c, {"contact/stiffness", "N/m", "", "Of each contact region, as chosen."},
+        [](const TickRecord& record) { return *record.contact_stiffness; });
+  if (extras.holding_point) add_holding_point(c);
+  if (extras.inertia_compensation) add_inertia_compensation(c);
   add(c,
       {"fault", "1", "", "Bits of Fault: 0 to 15 stop the force, the others are limits that were applied."},
       [](const TickRecord& record) { return std::int64_t{record.faults}; });

@@ -41,6 +41,9 @@ public:
     bool braking_pulse = false;
     bool vibrotactile_motion = false;
     std::vector<std::string> channels{};  // their names, in the order of VibrotactileCommand::level
+    bool holding_point = false;
+    bool inertia_compensation = false;
+    bool stiffness_levels = false;
   };
   // motors: their names, in the order of TickRecord::actuator_load; empty for a device without motors.
   TraceColumns(double tick_s, std::span<const std::string> motors, Extras extras);

@@ -154,6 +154,8 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   }
   scene.braking_pulse = scenario.braking_pulse;
   scene.vibrotactile_motion = scenario.vibrotactile_motion;
+  scene.holding_point = scenario.holding_point;
+  scene.inertia_compensation = scenario.inertia_compensation;
   if (vibrates_at_impacts(scene)) scene.scene_objects = objects_of(scenario, models);
   scene.coupling = suit_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);

@@ -9,6 +9,7 @@ constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "arms
 constexpr std::array<std::string_view, 2> kChannelKinds{"rumble", "pcm"};
 
 constexpr Range kAngle = from_to(-6.2831853, 6.2831853);
+constexpr Range kResistance = from_to(0, 1e7);
 
 void describe_joint(KeyVisitor& visitor, JointDesc& joint, std::string_view name) {
   joint.name = name;
@@ -67,6 +68,26 @@ void describe_channel(KeyVisitor& visitor, ChannelDesc& channel, std::string_vie
   visitor.rule("quality", !pcm || channel.quality > 0.5, "must be above 0.5 for the kind pcm");
 }
 
+void describe_strip(KeyVisitor& visitor, HoldingStripDesc& strip) {
+  visitor.number({"low_place", "m", "where it begins, along the handle's x axis from its origin", true},
+                 strip.low_place, kPosition);
+  visitor.number({"high_place", "m", "where it ends", true}, strip.high_place, kPosition);
+  visitor.number({"low_ohm", "ohm", "where it begins, as calibrated"}, strip.low_ohm, kResistance);
+  visitor.number({"high_ohm", "ohm", "where it ends, likewise"}, strip.high_ohm, kResistance);
+  visitor.number({"closing_force", "N", "a press from which on it is closed"}, strip.closing_force,
+                 from_to(0, 100));
+  visitor.number({"opening_force", "N", "a press below which it is open again"}, strip.opening_force,
+                 from_to(0, 100));
+  visitor.number({"noise_ohm", "rms", "of the simulated strip"}, strip.noise_ohm, kResistance);
+  visitor.number({"dropout_rate", "1/s", "of the simulated strip: how often contact is lost"},
+                 strip.dropout_rate, from_to(0, 1000));
+  visitor.number({"dropout_length", "s", "likewise: how long, in the mean"}, strip.dropout_length,
+                 from_to(0, 100));
+  visitor.number({"tolerance", "",
+                  "likewise: by how much of its length its true ends differ at most from the calibration"},
+                 strip.tolerance, from_to(0, 1));
+}
+
 }  // namespace
 
 void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
@@ -121,6 +142,9 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
                   if (!device.vibrotactile) device.vibrotactile.emplace();
                   describe_channel(each, device.vibrotactile->channels.emplace_back(), name);
                 });
+  visitor.mapping(
+      {"strip", "", "along the handle, that knows where the hand holds: a membrane potentiometer"},
+      [&](KeyVisitor& inner) { describe_strip(inner, device.strip.emplace()); });
 }
 
 }  // namespace fulcrum::scenario

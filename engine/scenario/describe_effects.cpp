@@ -11,6 +11,9 @@ constexpr std::array<std::string_view, 2> kDistanceModels{"beam",
 constexpr std::array<std::string_view, 2> kUses{"sweep", "fallback"};      // of VibrotactileUse
 constexpr std::array<std::string_view, 2> kLaws{"linear", "logarithmic"};  // of MotionEnvelope
 constexpr std::array<std::string_view, 2> kOnsets{"together", "asynchronous"};  // of MotionOnset
+constexpr std::array<std::string_view, 3> kInertiaMethods{"none", "arm",
+                                                          "acceleration"};  // in the order of InertiaMethod
+constexpr std::array<std::string_view, 2> kFilters{"kalman", "adaptive"};   // of AccelerationEstimatorKind
 constexpr Range kTorque = above_to(0, 100);
 
 void describe_vibration(KeyVisitor& visitor, TorqueSubstitutionDesc& effect) {
@@ -132,6 +135,46 @@ void describe_vibrotactile_motion(KeyVisitor& visitor, VibrotactileMotionDesc& e
                  effect.full_force, above_to(0, 1000));
 }
 
+constexpr Range kAlong = from_to(-1, 1);  // m, along a stick
+
+void describe_holding_point(KeyVisitor& visitor, HoldingPointDesc& holding) {
+  visitor.vector({"axis", "", "the stick's direction in the handle's frame; of any length"}, holding.axis_H,
+                 kPosition);
+  visitor.rule("axis", holding.axis_H.norm() > 0, "must not be zero");
+  holding.axis_H.normalize();
+  visitor.number({"place", "m",
+                  "where the hand holds, along the stick from the handle's origin, unless more "
+                  "is known"},
+                 holding.place, kAlong);
+  visitor.number({"low", "m", "likewise, one end of where it can be held"}, holding.low, kAlong);
+  visitor.number({"high", "m", "likewise, the other end"}, holding.high, kAlong);
+  visitor.rule("place", holding.low <= holding.place && holding.place <= holding.high,
+               "must be from 'low' to 'high'");
+  visitor.boolean({"measured", "", "at the start, by the device's strip"}, holding.measured);
+  visitor.number({"speed", "m/s", "the fastest that the point moves, whatever is told or measured"},
+                 holding.speed, above_to(0, 10));
+  visitor.number({"keep", "s", "for which the last trusted place is kept once the strip tells nothing"},
+                 holding.keep, from_to(0, 60));
+  visitor.number({"fade", "s", "in which the point then goes to 'place'"}, holding.fade, above_to(0, 60));
+}
+
+void describe_inertia_compensation(KeyVisitor& visitor, InertiaCompensationDesc& effect) {
+  visitor.choice_of({"method", "",
+                     "at the start; arm: the torque of a force at the hand; acceleration: mass times "
+                     "acceleration on top"},
+                    effect.method, kInertiaMethods);
+  visitor.boolean({"switchable", "", "to the other methods while running"}, effect.switchable);
+  visitor.number({"gain", "", "of mass times acceleration; 0: off at the start"}, effect.gain, kFraction);
+  visitor.number({"budget", "J", "that it may give; beyond, it fades"}, effect.budget, above_to(0, 1));
+  visitor.mapping({"filter", "", "acceleration from position, by a Kalman filter"}, [&](KeyVisitor& inner) {
+    inner.choice_of({"kind", "", "kalman: three states; adaptive: four, expects as much jerk as it sees"},
+                    effect.filter.kind, kFilters);
+    inner.number({"jerk", "", "m/s^3 per root Hz, that it expects"}, effect.filter.jerk, above_to(0, 1e6));
+    inner.optional_number({"noise", "m", "rms, of positions; without it that of the device's encoder"},
+                          effect.encoder_noise, above_to(0, 0.1));
+  });
+}
+
 }  // namespace
 
 void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material) {
@@ -162,6 +205,12 @@ void describe_effects(KeyVisitor& visitor, Scenario& scenario) {
                   [&](KeyVisitor& inner) {
                     describe_vibrotactile_motion(inner, scenario.vibrotactile_motion.emplace());
                   });
+  visitor.mapping(
+      {"holding_point", "", "where the hand holds the tool, along a stick: told, or measured by its strip"},
+      [&](KeyVisitor& inner) { describe_holding_point(inner, scenario.holding_point.emplace()); });
+  visitor.mapping({"inertia_compensation", "", "makes up for the device's own mass"}, [&](KeyVisitor& inner) {
+    describe_inertia_compensation(inner, scenario.inertia_compensation.emplace());
+  });
 }
 
 }  // namespace fulcrum::scenario

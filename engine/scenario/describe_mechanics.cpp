@@ -5,7 +5,7 @@ namespace fulcrum::scenario {
 namespace {
 
 // Each in the order of its enumeration.
-constexpr std::array<std::string_view, 4> kResponses{"penalty", "voxel", "static", "constraint"};
+constexpr std::array<std::string_view, 5> kResponses{"penalty", "voxel", "static", "constraint", "direct"};
 constexpr std::array<std::string_view, 3> kIntegrators{"semi_implicit_euler", "implicit_euler", "momentum"};
 constexpr std::array<std::string_view, 2> kFieldFormats{"int16", "float32"};
 constexpr std::array<std::string_view, 3> kAllocations{"exact", "algorithm1", "pseudoinverse"};
@@ -13,6 +13,8 @@ constexpr std::array<std::string_view, 3> kAllocations{"exact", "algorithm1", "p
 void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {
   visitor.choice_of({"response", "", "how contact forces are found"}, contact.response, kResponses);
   visitor.number({"stiffness", "N/m", "of each contact region"}, contact.stiffness, above_to(0, 1e7));
+  visitor.numbers({"levels", "N/m", "of stiffness, that a person can choose of while running"},
+                  contact.levels, above_to(0, 1e7), 12);
   visitor.number({"dissipation", "s/m", "Hunt-Crossley damping"}, contact.dissipation, from_to(0, 1000));
   visitor.number({"friction", "", "Coulomb's coefficient, under the response constraint"}, contact.friction,
                  from_to(0, 10));

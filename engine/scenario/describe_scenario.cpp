@@ -108,6 +108,8 @@ void describe_hands(KeyVisitor& visitor, std::vector<HandEntry>& hands) {
         each.file({"path", "", "a file of waypoints in the scenario's folder", true}, entry.path);
         each.number({"stiffness", "N/m", "of the hand about its path"}, hand.stiffness, above_to(0, 1e5));
         each.number({"damping", "N s/m", "likewise"}, hand.damping, from_to(0, 1e4));
+        each.number({"mass", "kg", "of the hand that moves with the handle, where it holds it"}, hand.mass,
+                    from_to(0, 10));
         each.number({"angular_stiffness", "N m/rad", "likewise, in rotation"}, hand.angular_stiffness,
                     above_to(0, 1e3));
         each.number({"angular_damping", "N m s/rad", "likewise, in rotation"}, hand.angular_damping,
@@ -156,6 +158,14 @@ void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints) {
         each.number({"travel", "s", "from the waypoint before; the first has none"}, waypoint.travel,
                     above_to(0, 3600));
         each.number({"dwell", "s", "how long the hand rests here"}, waypoint.dwell, from_to(0, 3600));
+        each.optional_number(
+            {"hold", "m",
+             "where the hand holds the stick from here on, along it from the handle's origin; "
+             "on the way there it slides. Without it as at the waypoint before, and at the "
+             "handle's origin to begin with"},
+            waypoint.hold, from_to(-1, 1));
+        each.optional_number({"press", "N", "on the stick's strip, likewise; to begin with 2 N"},
+                             waypoint.press, from_to(0, 100));
       });
 }
 

@@ -18,6 +18,7 @@ public:
   void word(const Key& key, std::string&) override { add(key); }
   void choice(const Key& key, std::size_t&, std::span<const std::string_view>) override { add(key); }
   void vector(const Key& key, Vec3&, const Range&) override { add(key); }
+  void numbers(const Key& key, std::vector<double>&, const Range&, std::size_t) override { add(key); }
   void each_axis(const Key& key, Vec3&, const Range&) override { add(key); }
   void rotation(const Key& key, Quat&) override { add(key); }
   void colour(const Key& key, Vec3&) override { add(key); }

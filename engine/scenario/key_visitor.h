@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/scenario/scenario.h"
 
@@ -71,6 +72,8 @@ public:
   virtual void word(const Key& key, std::string& value) = 0;  // letters, digits, '_' and '-'
   virtual void choice(const Key& key, std::size_t& index, std::span<const std::string_view> names) = 0;
   virtual void vector(const Key& key, Vec3& value, const Range& each) = 0;
+  // Up to `most` numbers; none: the key may be left out.
+  virtual void numbers(const Key& key, std::vector<double>& values, const Range& each, std::size_t most) = 0;
   virtual void each_axis(const Key& key, Vec3& value, const Range& each) = 0;  // three, or one for all
   virtual void rotation(const Key& key, Quat& value) = 0;
   virtual void colour(const Key& key, Vec3& value) = 0;  // linear

@@ -114,6 +114,8 @@ struct Scenario {
   std::optional<ImpactVibrationEntry> impact_vibration;
   std::optional<BrakingPulseDesc> braking_pulse;
   std::optional<VibrotactileMotionDesc> vibrotactile_motion;
+  std::optional<HoldingPointDesc> holding_point;
+  std::optional<InertiaCompensationDesc> inertia_compensation;
   std::map<std::string, ImpactMaterial> impact_materials;  // that are named, what their files say
   std::vector<Checkpoint> checkpoints;
   double dwell = TaskDesc{}.dwell;   // s

@@ -61,6 +61,9 @@ public:
   void vector(const Key& key, Vec3& value, const Range& each) override {
     add(key, numbers_schema(3, each), {value.x(), value.y(), value.z()});
   }
+  void numbers(const Key& key, std::vector<double>&, const Range& each, std::size_t most) override {
+    add(key, {{"type", "array"}, {"items", number_schema(each)}, {"minItems", 1}, {"maxItems", most}});
+  }
   void each_axis(const Key& key, Vec3& value, const Range& each) override {
     add(key, {{"oneOf", Json::array({number_schema(each), numbers_schema(3, each)})}},
         {value.x(), value.y(), value.z()});

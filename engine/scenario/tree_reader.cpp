@@ -44,6 +44,9 @@ public:
   void vector(const Key& key, Vec3& value, const Range& each) override {
     take(key, value, [&](const Node& node) { return parse_vector(node, each, key.unit); });
   }
+  void numbers(const Key& key, std::vector<double>& values, const Range& each, std::size_t most) override {
+    take(key, values, [&](const Node& node) { return parse_numbers(node, each, key.unit, most); });
+  }
   void each_axis(const Key& key, Vec3& value, const Range& each) override {
     take(key, value, [&](const Node& node) { return parse_each_axis(node, each, key.unit); });
   }

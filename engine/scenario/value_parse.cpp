@@ -163,6 +163,14 @@ Parsed<Vec3> parse_vector(const Node& node, const Range& each, std::string_view 
   return Vec3((*values)[0], (*values)[1], (*values)[2]);
 }
 
+Parsed<std::vector<double>> parse_numbers(const Node& node, const Range& each, std::string_view unit,
+                                          std::size_t most) {
+  const std::string what = "a list of 1 to " + std::to_string(most) + " numbers" +
+                           (unit.empty() ? std::string() : " in " + std::string(unit));
+  const bool counts = !node.items.empty() && node.items.size() <= most;
+  return parse_reals(node, counts ? node.items.size() : most, each, unit, what);
+}
+
 Parsed<Vec3> parse_each_axis(const Node& node, const Range& each, std::string_view unit) {
   if (!is_scalar(node)) return parse_vector(node, each, unit);
   const auto value = parse_real(node, each, unit);

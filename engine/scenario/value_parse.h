@@ -37,6 +37,9 @@ Parsed<std::string> parse_line(const Node& node);
 Parsed<std::string> parse_word(const Node& node);
 Parsed<std::size_t> parse_choice(const Node& node, std::span<const std::string_view> names);
 Parsed<Vec3> parse_vector(const Node& node, const Range& each, std::string_view unit);
+// One to `most` of them.
+Parsed<std::vector<double>> parse_numbers(const Node& node, const Range& each, std::string_view unit,
+                                          std::size_t most);
 Parsed<Vec3> parse_each_axis(const Node& node, const Range& each, std::string_view unit);
 Parsed<Quat> parse_rotation(const Node& node);
 Parsed<Vec3> parse_colour(const Node& node);  // linear; "#rrggbb" is sRGB

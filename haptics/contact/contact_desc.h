@@ -1,23 +1,37 @@
 #pragma once
 // How a scene answers to touch.
 
+#include <vector>
+
 namespace fulcrum {
 
 enum class ContactResponse {
   penalty,       // springs against a tool with mass
   voxel,         // the same with depths from occupied voxels: the classic method, to compare with
   quasi_static,  // springs against a tool without: "static" in a scenario
-  constraint     // the tool stays out, as near to the hand as it can
+  constraint,    // the tool stays out, as near to the hand as it can
+  direct         // springs against a tool that is where the hand wants it: no coupling
 };
 
 // Whether the tool has no mass under it.
 inline bool massless(ContactResponse response) {
-  return response == ContactResponse::quasi_static || response == ContactResponse::constraint;
+  return response != ContactResponse::penalty && response != ContactResponse::voxel;
+}
+
+// Whether a coupling is between the hand and the tool.
+inline bool coupled(ContactResponse response) {
+  return response != ContactResponse::direct;
+}
+
+// Whether the coupling's spring is where the hand holds the tool, where a scene says so; else it is at T.
+inline bool moves_grip(ContactResponse response) {
+  return response == ContactResponse::penalty || response == ContactResponse::voxel;
 }
 
 struct ContactDesc {
   ContactResponse response = ContactResponse::constraint;
   double stiffness = 20000;      // N/m, per contact region; a constraint has none
+  std::vector<double> levels{};  // (n) N/m, that a person may choose of; none: it stays what it is
   double dissipation = 20;       // s/m, Hunt-Crossley: force k d (1 + dissipation * approach speed)
   double friction = 0;           // Coulomb's coefficient, of a constraint; 0: none is built
   double region_radius = 0.012;  // m, touching points nearer than this with like normals are one region

@@ -40,6 +40,10 @@ public:
   };
   Answer push(const ContactSet& set, const BodyState& tool) noexcept;
 
+  double stiffness() const { return desc_.stiffness; }  // N/m, of a region
+  // From the next push on; a spring that is pressed by then makes energy.
+  void stiffen(double stiffness) noexcept { desc_.stiffness = stiffness; }
+
   // Adds that of the last push().
   void linearise(const ContactSet& set, const BodyState& tool, Linearisation& around) const noexcept;
 

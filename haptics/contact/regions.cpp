@@ -45,11 +45,16 @@ std::size_t RegionTracker::cluster(std::span<const Contact> contacts) noexcept {
   return labels;
 }
 
-void RegionTracker::update(std::span<const Contact> contacts, std::span<const Vec3> forces,
-                           const BodyState& tool) noexcept {
+std::span<const std::uint16_t> RegionTracker::find(std::span<const Contact> contacts) noexcept {
+  found_ = cluster(contacts);
+  return {label_.data(), contacts.size()};
+}
+
+void RegionTracker::describe(std::span<const Contact> contacts, std::span<const Vec3> forces,
+                             const BodyState& tool) noexcept {
   std::copy_n(regions_.begin(), count_, before_.begin());
   const std::size_t count_before = count_;
-  count_ = cluster(contacts);
+  count_ = found_;
   std::array<double, kMaxRegions> pressure{};
   std::fill_n(regions_.begin(), count_, ContactRegion{});
   for (std::size_t i = 0; i < contacts.size(); ++i) {

@@ -22,9 +22,16 @@ public:
   // region, and a region keeps its id while its centre in the scene moves less than this in a tick.
   explicit RegionTracker(double radius) : radius_(radius) {}
 
-  // forces: (n x 3) N, one for each contact; at most kMaxContacts.
+  // Which contacts are of one region: (contacts) their region's number in this tick. At most kMaxContacts.
+  std::span<const std::uint16_t> find(std::span<const Contact> contacts) noexcept;
+  // What the regions of the last find() are. forces: (n x 3) N, one for each contact.
+  void describe(std::span<const Contact> contacts, std::span<const Vec3> forces,
+                const BodyState& tool) noexcept;
   void update(std::span<const Contact> contacts, std::span<const Vec3> forces,
-              const BodyState& tool) noexcept;
+              const BodyState& tool) noexcept {
+    find(contacts);
+    describe(contacts, forces, tool);
+  }
 
   std::span<const ContactRegion> regions() const { return {regions_.data(), count_}; }
   // contacts: those of the last update().
@@ -38,6 +45,7 @@ private:
 
   double radius_;
   std::uint32_t next_id_ = 1;
+  std::size_t found_ = 0;  // by the last find()
   std::size_t count_ = 0;
   std::array<ContactRegion, kMaxRegions> regions_{}, before_{};
   std::array<std::uint16_t, kMaxContacts> label_{};

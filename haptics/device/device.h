@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "haptics/device/holding_strip.h"
 #include "haptics/device/mechanism_desc.h"
 #include "haptics/device/structure.h"
 #include "haptics/device/vibrotactile_desc.h"
@@ -19,10 +20,11 @@ inline constexpr std::size_t kMaxMotors = 8;
 
 // What the device knew at one moment. D: device base, H: handle.
 struct DeviceSample {
-  Pose X_DH;                  // handle pose
-  double age = 0;             // s since the pose was measured
-  std::uint32_t buttons = 0;  // bit n: button n is down
-  bool connected = true;      // false: the device is lost and the pose is the last one known
+  Pose X_DH;                    // handle pose
+  double age = 0;               // s since the pose was measured
+  std::uint32_t buttons = 0;    // bit n: button n is down
+  bool connected = true;        // false: the device is lost and the pose is the last one known
+  double strip_ohm = kNoStrip;  // of the strip that knows where the hand holds; kStripOpen: nothing presses
 };
 
 // What the device is to do until the next command.
@@ -70,6 +72,7 @@ struct DeviceDesc {
   MechanismDesc mechanism{};                      // of arms
   std::optional<StructureDesc> structure{};       // where it is known
   std::optional<VibrotactileDesc> vibrotactile{};
+  std::optional<HoldingStripDesc> strip{};  // along the handle
 };
 
 // Drivers implement this. read() and write() are called from the haptic thread, in turn, once a tick.

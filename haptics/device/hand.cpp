@@ -14,6 +14,21 @@ HandPath::HandPath(std::vector<Waypoint> waypoints) : waypoints_(std::move(waypo
   end_.push_back(end);
   for (std::size_t i = 1; i < waypoints_.size(); ++i)
     end_.push_back(end += waypoints_[i].travel + waypoints_[i].dwell);
+  Grip grip;
+  for (const Waypoint& waypoint : waypoints_) {
+    grip = {waypoint.hold.value_or(grip.hold), waypoint.press.value_or(grip.press)};
+    grips_.push_back(grip);
+    slides_ = slides_ || waypoint.hold;
+  }
+}
+
+Grip HandPath::grip(double time) const {
+  const auto next = static_cast<std::size_t>(std::upper_bound(end_.begin(), end_.end(), time) - end_.begin());
+  if (next == 0) return grips_.front();
+  if (next == grips_.size()) return grips_.back();
+  const double s = std::min(1.0, (time - end_[next - 1]) / waypoints_[next].travel);
+  return {std::lerp(grips_[next - 1].hold, grips_[next].hold, s),
+          std::lerp(grips_[next - 1].press, grips_[next].press, s)};
 }
 
 Pose HandPath::at(double time) const {

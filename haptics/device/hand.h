@@ -22,6 +22,7 @@ struct HandDesc {
   double damping = 4;              // N s/m
   double angular_stiffness = 1.0;  // N m/rad
   double angular_damping = 0.01;   // N m s/rad
+  double mass = 0;                 // kg, of the hand, that moves with the handle where it holds it
   double tremor = 50e-6;           // m rms, each axis
   double tremor_rad = 1e-3;        // rad rms, each axis
   double tremor_low_Hz = 8;
@@ -37,6 +38,14 @@ struct Waypoint {
   Pose X_WT;
   double travel = 1;  // s, from the waypoint before
   double dwell = 0;   // s
+  // Of a stick: where it is held from here on, m along it from the handle's origin, and the force on its
+  // strip, N. Absent: as at the waypoint before; to begin with at the handle's origin, and 2 N.
+  std::optional<double> hold{}, press{};
+};
+
+struct Grip {
+  double hold = 0;   // m, along the stick from the handle's origin
+  double press = 2;  // N
 };
 
 class HandPath {
@@ -44,11 +53,16 @@ public:
   explicit HandPath(std::vector<Waypoint> waypoints);  // at least one
 
   Pose at(double time) const;  // X_WT at s
+  // Where and how firmly the stick is held at s: on a straight line in time from waypoint to waypoint.
+  Grip grip(double time) const;
+  bool slides() const { return slides_; }  // a waypoint says where the stick is held
   double duration() const { return end_.back(); }
 
 private:
   std::vector<Waypoint> waypoints_;
   std::vector<double> end_;  // s, when each waypoint's dwell ends
+  std::vector<Grip> grips_;  // at each
+  bool slides_ = false;
 };
 
 // Physiological tremor: a sum of tones with seeded frequencies and phases, of the given rms on every axis.

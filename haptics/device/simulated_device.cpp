@@ -42,11 +42,36 @@ SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, HandTask task)
     : SimulatedDevice(desc, task.mapping.handle_in_device(task.path.at(0) * task.X_HT.inverse())) {
   task_ = std::move(task);
   tremor_.emplace(task_->hand);
+  if (task_->path.slides())
+    hold_elsewhere();
+  else
+    for (std::size_t axis = 0; axis < 3; ++axis) axes_[axis].mass += task_->hand.mass;
+  if (desc_.device.strip) {
+    strip_.emplace(*desc_.device.strip, desc_.tick_s, task_->hand.seed);
+    strip_ohm_ = kStripOpen;
+  }
   if (task_->hand.yields) yielding_.emplace(*task_->hand.yields, desc_.tick_s, task_->hand.seed);
+}
+
+void SimulatedDevice::hold_elsewhere() {
+  HeldHandle::Figures figures;
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    figures.mass[i] = axes_[axis].mass;
+    figures.damping[i] = axes_[axis].damping;
+    figures.friction[i] = axes_[axis].friction;
+  }
+  figures.hand_mass = task_->hand.mass;
+  figures.stiffness = task_->hand.stiffness;
+  figures.hand_damping = task_->hand.damping;
+  figures.angular_stiffness = task_->hand.angular_stiffness;
+  figures.angular_damping = task_->hand.angular_damping;
+  held_.emplace(figures, X_DH_);
 }
 
 void SimulatedDevice::push(const Vec3& v_D) noexcept {
   for (std::size_t axis = 0; axis < 3; ++axis) axes_[axis].v = v_D[static_cast<Eigen::Index>(axis)];
+  if (held_) held_->push(v_D);
 }
 
 DeviceSample SimulatedDevice::read() noexcept {
@@ -54,6 +79,7 @@ DeviceSample SimulatedDevice::read() noexcept {
   DeviceSample sample;
   sample.X_DH = seen_[(at_ + kDelay - age) % kDelay];
   sample.age = desc_.sample_age_ticks * desc_.tick_s;
+  sample.strip_ohm = strip_ohm_;
   return sample;
 }
 
@@ -76,6 +102,10 @@ void SimulatedDevice::miss(int ticks) noexcept {
 }
 
 void SimulatedDevice::measure() noexcept {
+  if (strip_) {
+    const Grip grip = task_->path.grip(time_);
+    strip_ohm_ = strip_->advance(grip.hold, grip.press);
+  }
   measured_.p = stepped(X_DH_.p, desc_.device.encoder_step);
   seen_[at_] = measured_;
   if (!desc_.device.senses_rotation) return;
@@ -105,14 +135,38 @@ SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time) const noex
 }
 
 void SimulatedDevice::advance(const Wrench& F_H_D, const DeviceCommand::Cues& cues) noexcept {
-  Vec6 force;
-  force << F_H_D.force, F_H_D.torque;
-  Vec6 hand_x = Vec6::Zero(), hand_v = Vec6::Zero();
+  Wrench force_D = F_H_D;
+  HandTarget target;
   if (task_) {
     const Vec3 up_D = task_->mapping.X_WD.q.conjugate() * Vec3::UnitY();
-    force.head<3>() += task_->carried_D - desc_.device.handle_weight * up_D;
+    force_D.force += task_->carried_D - desc_.device.handle_weight * up_D;
     if (yielding_) yielding_->advance(cues);
-    const HandTarget target = hand_target(time_);
+    target = hand_target(time_);
+  }
+  if (held_)
+    advance_held(force_D, target);
+  else
+    advance_axes(force_D, target);
+  time_ += desc_.tick_s;
+}
+
+// What the hand carries it carries where it holds.
+void SimulatedDevice::advance_held(const Wrench& F_H_D, const HandTarget& target) noexcept {
+  const Vec3 p_HG = task_->path.grip(time_).hold * task_->stick_H;
+  Wrench force_D = F_H_D;
+  force_D.torque += (X_DH_.q * p_HG).cross(task_->carried_D);
+  held_->advance({.F_H_D = force_D,
+                  .p_HG = p_HG,
+                  .X_DH_wanted = target.X_DH,
+                  .V_wanted = {target.rate.head<3>(), target.rate.tail<3>()}},
+                 desc_.tick_s);
+  X_DH_ = held_->X_DH();
+}
+
+void SimulatedDevice::advance_axes(const Wrench& F_H_D, const HandTarget& target) noexcept {
+  Vec6 force, hand_x = Vec6::Zero(), hand_v = Vec6::Zero();
+  force << F_H_D.force, F_H_D.torque;
+  if (task_) {
     hand_x << target.X_DH.p, rotation_vector(target.X_DH.q * X_DH_.q.conjugate());
     hand_v = target.rate;
   }
@@ -142,7 +196,6 @@ void SimulatedDevice::advance(const Wrench& F_H_D, const DeviceCommand::Cues& cu
   }
   if (!turns_alike_) turn = q_DA * turn;
   X_DH_.q = (quaternion_exp(turn) * X_DH_.q).normalized();
-  time_ += desc_.tick_s;
 }
 
 }  // namespace fulcrum

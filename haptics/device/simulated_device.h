@@ -9,6 +9,8 @@
 #include "haptics/device/device.h"
 #include "haptics/device/friction_axis.h"
 #include "haptics/device/hand.h"
+#include "haptics/device/held_handle.h"
+#include "haptics/device/holding_strip.h"
 #include "haptics/device/mapping.h"
 
 namespace fulcrum {
@@ -29,6 +31,7 @@ struct HandTask {
   MappingDesc mapping;
   Vec3 sag_W = Vec3::Zero();  // (3) m, how far the tool hangs below the handle by its weight: a person aims
                               // so much higher
+  Vec3 stick_H = Vec3::UnitX();  // (3) unit, along which the path says where it is held
   Vec3 carried_D =
       Vec3::Zero();  // (3) N, the weight that the hand has learnt to carry, as a force on the handle
 };
@@ -44,8 +47,12 @@ public:
   void write(const DeviceCommand& command) noexcept override;
   void miss(int ticks) noexcept override;
 
-  const Pose& X_DH() const { return X_DH_; }                              // the true pose, not the encoders'
-  Vec3 velocity() const { return {axes_[0].v, axes_[1].v, axes_[2].v}; }  // (3) m/s, in D
+  const Pose& X_DH() const { return X_DH_; }  // the true pose, not the encoders'
+  Vec3 velocity() const {                     // (3) m/s, in D
+    return held_ ? held_->velocity() : Vec3(axes_[0].v, axes_[1].v, axes_[2].v);
+  }
+  // Of a hand whose path says where it holds the stick; null for others.
+  const HeldHandle* held() const { return held_ ? &*held_ : nullptr; }
   const VibrotactileOutput* vibration() const { return vibration_ ? &*vibration_ : nullptr; }
   void push(const Vec3& v_D) noexcept;  // sets the handle's velocity, m/s
 
@@ -56,6 +63,9 @@ private:
   };
   HandTarget hand_target(double time) const noexcept;
   void advance(const Wrench& F_H_D, const DeviceCommand::Cues& cues) noexcept;
+  void advance_held(const Wrench& F_H_D, const HandTarget& target) noexcept;
+  void advance_axes(const Wrench& F_H_D, const HandTarget& target) noexcept;
+  void hold_elsewhere();
   void measure() noexcept;
 
   SimulatedDeviceDesc desc_;
@@ -65,11 +75,15 @@ private:
   std::optional<Yielding> yielding_;
   std::optional<VibrotactileOutput> vibration_;
   double time_ = 0;
+  std::optional<SimulatedStrip> strip_;
+  double strip_ohm_ = kNoStrip;
   Pose X_DH_;
   Pose measured_;
   // Translation in D; rotation about the axes of D, or of H where they differ, x from the pose at the tick's
   // start.
   std::array<FrictionAxis, 6> axes_;
+  std::optional<HeldHandle>
+      held_;  // in place of the axes, where the hand holds the stick elsewhere than at H
   static constexpr std::size_t kDelay = 9;
   std::array<Pose, kDelay> seen_{};
   std::array<DeviceCommand, kDelay> sent_{};

@@ -1,6 +1,7 @@
 #include "haptics/motion/build_motion.h"
 
 #include "haptics/motion/constrained_motion.h"
+#include "haptics/motion/direct_motion.h"
 #include "haptics/motion/dynamic_motion.h"
 #include "haptics/motion/static_motion.h"
 
@@ -15,6 +16,8 @@ std::unique_ptr<ToolMotion> build_motion(const SceneDesc& desc) {
       return std::make_unique<StaticMotion>(desc);
     case ContactResponse::constraint:
       return std::make_unique<ConstrainedMotion>(desc);
+    case ContactResponse::direct:
+      return std::make_unique<DirectMotion>(desc);
   }
   return std::make_unique<DynamicMotion>(desc);
 }

@@ -20,18 +20,22 @@ const char* integrator_text(Integrator integrator) {
   return "semi-implicit Euler, order 1, rotation of order 2 that keeps momentum";
 }
 
+VirtualCoupling coupling_of(const SceneDesc& desc, const RigidBody& tool) {
+  return desc.holding_point ? VirtualCoupling(desc.coupling, tool, longest_grip(desc))
+                            : VirtualCoupling(desc.coupling, tool);
+}
+
 }  // namespace
 
 DynamicMotion::DynamicMotion(const SceneDesc& desc)
     : tick_s_(desc.tick_s),
       integrator_(desc.integrator),
-      contact_(desc.contact),
       body_(desc.tool.mass, desc.tool.inertia_T),
       weight_(tool_weight(desc.tool)),
       query_(desc.tool_shell, desc.scene_field),
       response_(desc.contact, body_, desc.tick_s, desc.integrator),
       regions_(desc.contact.region_radius),
-      coupling_(desc.coupling, body_),
+      coupling_(coupling_of(desc, body_)),
       motion_allowance_(motion_allowance(*desc.scene_field)) {
   tool_.X_WT = desc.tool.X_WT_start;
   if (desc.contact.response == ContactResponse::voxel) voxels_.emplace(desc.tool_shell, desc.scene_field);
@@ -100,6 +104,12 @@ void DynamicMotion::move(const Wrench& F_T_W, std::uint32_t& faults) noexcept {
   tool_.V_WT = move.after;
 }
 
+bool DynamicMotion::stiffen(double stiffness) noexcept {
+  if (!contacts_.contacts().empty()) return false;
+  response_.stiffen(stiffness);
+  return true;
+}
+
 double DynamicMotion::stored_energy() const noexcept {
   return coupling_.stored() + body_.kinetic_energy(tool_);
 }
@@ -108,7 +118,7 @@ std::vector<BuiltPart> DynamicMotion::parts() const {
   std::vector<BuiltPart> parts{
       query_part(query_),
       {"response",
-       "penalty, " + number_text(contact_.stiffness) + " N/m per region, at most " +
+       "penalty, " + number_text(response_.stiffness()) + " N/m per region, at most " +
            std::to_string(kMaxContacts) + " points in " + std::to_string(kMaxRegions) + " regions",
        sizeof(PenaltyResponse) + sizeof(RegionTracker) + kMaxContacts * sizeof(Contact)},
       {"integrator",

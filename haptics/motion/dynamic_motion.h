@@ -20,6 +20,8 @@ public:
 
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   void limit_torque(double limit) noexcept override { coupling_.limit_torque(limit); }
+  void hold_at(const Vec3& p_TG) noexcept override { coupling_.hold_at(p_TG); }
+  bool stiffen(double stiffness) noexcept override;
   const BodyState& tool() const override { return tool_; }
   Touching touching() const override { return regions_.touching(contacts_.contacts()); }
   double depth_max() const override { return contacts_.depth_max(); }
@@ -33,7 +35,6 @@ private:
 
   double tick_s_;
   Integrator integrator_;
-  ContactDesc contact_;
   RigidBody body_;
   double weight_;  // N
   ContactQuery query_;

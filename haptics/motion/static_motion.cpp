@@ -34,11 +34,10 @@ BodyState at_rest(const Pose& X_WT) {
 }  // namespace
 
 StaticMotion::StaticMotion(const SceneDesc& desc)
-    : contact_(springs_alone(desc.contact)),
-      coupling_(desc.coupling),
+    : coupling_(desc.coupling),
       tool_(desc),
       query_(desc.tool_shell, desc.scene_field),
-      response_(contact_, RigidBody(desc.tool.mass, desc.tool.inertia_T), desc.tick_s,
+      response_(springs_alone(desc.contact), RigidBody(desc.tool.mass, desc.tool.inertia_T), desc.tick_s,
                 Integrator::implicit_euler),
       regions_(desc.contact.region_radius),
       allowance_(motion_allowance(*desc.scene_field)),
@@ -94,12 +93,18 @@ Vec6 StaticMotion::newton_step(const Pose& X_WG) noexcept {
   return around.K.ldlt().solve(force);
 }
 
+bool StaticMotion::stiffen(double stiffness) noexcept {
+  if (!contacts_.contacts().empty()) return false;
+  response_.stiffen(stiffness);
+  return true;
+}
+
 std::vector<BuiltPart> StaticMotion::parts() const {
   return {
       query_part(query_),
       {"response",
        "static: at most " + std::to_string(kRounds) + " 6 x 6 steps a tick, " +
-           number_text(contact_.stiffness) + " N/m per region, at most " + std::to_string(kMaxContacts) +
+           number_text(response_.stiffness()) + " N/m per region, at most " + std::to_string(kMaxContacts) +
            " points in " + std::to_string(kMaxRegions) + " regions",
        sizeof(StaticMotion)},
   };

@@ -19,6 +19,7 @@ public:
 
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   void limit_torque(double limit) noexcept override { tool_.limit_torque(limit); }
+  bool stiffen(double stiffness) noexcept override;
   const BodyState& tool() const override { return tool_.state(); }
   Touching touching() const override { return regions_.touching(contacts_.contacts()); }
   double depth_max() const override { return contacts_.depth_max(); }
@@ -28,7 +29,6 @@ public:
 private:
   Vec6 newton_step(const Pose& X_WG) noexcept;
 
-  ContactDesc contact_;
   CouplingDesc coupling_;
   QuasiStaticTool tool_;
   ContactQuery query_;

@@ -41,6 +41,14 @@ public:
   // no spring.
   virtual void limit_torque(double) noexcept {}
 
+  // Where on the tool the hand holds it from the next tick on: p_TG (3) m, in T. The coupling's spring is
+  // there. Nothing to do where a coupling holds the tool by T, or where there is none.
+  virtual void hold_at(const Vec3& /*p_TG*/) noexcept {}
+
+  // N/m, of each contact region from the next tick on. False, and nothing is changed: the scene is touched,
+  // and a spring that is pressed would gain energy; or contact has none.
+  virtual bool stiffen(double /*stiffness*/) noexcept { return false; }
+
   virtual const BodyState& tool() const = 0;
   virtual Touching touching() const = 0;  // as the last advance() found it, at the pose of its answer
   std::span<const ContactRegion> regions() const { return touching().regions; }

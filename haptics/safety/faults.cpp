@@ -24,6 +24,10 @@ std::span<const FaultName> fault_names() {
       {kPassivityControl, "passivity_control",
        "The motion was resisted, to take back energy that the loop had made."},
       {kTransientLimited, "transient_limited", "A vibration was held to what transients may do."},
+      {kHoldingPointLost, "holding_point_lost",
+       "The strip did not tell where the hand holds; the last place was used, then the scenario's."},
+      {kCompensationFaded, "compensation_faded",
+       "Making up for the device's inertia would have added energy, so that it was faded out."},
   };
   return names;
 }

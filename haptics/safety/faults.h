@@ -27,7 +27,10 @@ enum Fault : std::uint32_t {
   kEnergyBound = 1u << 23,      // the port gave out more energy than its bound allows
   kPassivityControl =
       1u << 24,  // the handle's motion was resisted, to take back energy that the loop had made
-  kTransientLimited = 1u << 25,  // a vibration or pulse asked for more than its budget and got less
+  kTransientLimited = 1u << 25,   // a vibration or pulse asked for more than its budget and got less
+  kHoldingPointLost = 1u << 26,   // nothing trustworthy tells where the hand holds: the last place, then the
+                                  // scene's own
+  kCompensationFaded = 1u << 27,  // the device's inertia is felt: making up for it would add energy
 };
 
 inline constexpr std::uint32_t kStoppingFaults = 0x0000ffffu;

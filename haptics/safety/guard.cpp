@@ -53,6 +53,10 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
       case Command::Kind::pulse_gain:
       case Command::Kind::pulse_moment:
       case Command::Kind::vibrotactile_gain:
+      case Command::Kind::hold_at:
+      case Command::Kind::hold_measured:
+      case Command::Kind::contact_stiffness:
+      case Command::Kind::compensation:
         break;
     }
   }

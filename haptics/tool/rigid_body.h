@@ -25,6 +25,9 @@ public:
 
   double mass() const { return mass_; }
   double smallest_inertia() const { return smallest_inertia_; }  // kg m^2, principal
+  double least_mass_at(double lever) const {  // kg, that a force feels at so many m from T, at least
+    return 1 / (1 / mass_ + lever * lever / smallest_inertia_);
+  }
   Mat3 inertia_W(const Quat& q_WT) const;
   Mat3 inverse_inertia_W(const Quat& q_WT) const;
   // S with S S = I, in W: critical damping of an anisotropic body is 2 sqrt(k) S.

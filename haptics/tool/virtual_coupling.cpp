@@ -14,9 +14,16 @@ VirtualCoupling::VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool
       angular_damping_(2.0 * desc.damping_ratio * std::sqrt(desc.angular_stiffness)),
       tool_(tool) {}
 
+// The damper is critical for the mass that the tool has at the end of its longest grip, where that is least.
+VirtualCoupling::VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool, double longest_grip)
+    : VirtualCoupling(desc, tool) {
+  damping_ = 2.0 * desc.damping_ratio * std::sqrt(desc.stiffness * tool.least_mass_at(longest_grip));
+}
+
 Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept {
   rotation_ = rotation_vector_near(X_WG.q * tool.X_WT.q.conjugate(), rotation_);
   offset_ = X_WG.p - tool.X_WT.p;
+  if (!held_at_T_) return pull_at_grip(X_WG, V_WG, tool);
   Wrench F;
   // The sum is bounded too: a hand that flies past a held tool would push it with its damper alone.
   F.force = saturated_spring(offset_, desc_.stiffness, desc_.max_force) - damping_ * (tool.V_WT.v - V_WG.v);
@@ -25,6 +32,24 @@ Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyStat
   F.force = shortened(F.force, desc_.max_force);
   full_torque_ = shortened(F.torque, desc_.max_torque);
   F.torque = shortened(full_torque_, torque_limit_);
+  return F;
+}
+
+Wrench VirtualCoupling::pull_at_grip(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept {
+  lever_W_ = tool.X_WT.q * p_TG_;
+  const Vec3 wanted_lever_W = X_WG.q * p_TG_;
+  offset_ += wanted_lever_W - lever_W_;
+  const Vec3 v_W = tool.V_WT.v + tool.V_WT.w.cross(lever_W_);
+  const Vec3 wanted_v_W = V_WG.v + V_WG.w.cross(wanted_lever_W);
+  Wrench F;
+  F.force =
+      shortened(saturated_spring(offset_, desc_.stiffness, desc_.max_force) - damping_ * (v_W - wanted_v_W),
+                desc_.max_force);
+  const Vec3 torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
+                      angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
+  full_torque_ = shortened(torque, desc_.max_torque);
+  moment_ = lever_W_.cross(F.force);
+  F.torque = shortened(full_torque_, torque_limit_) + moment_;
   return F;
 }
 
@@ -37,6 +62,17 @@ void VirtualCoupling::linearise(const BodyState& tool, Linearisation& around) co
   around.K.topLeftCorner<3, 3>().diagonal().array() += k;
   around.K.bottomRightCorner<3, 3>().diagonal().array() += k_R;
   around.B.topLeftCorner<3, 3>().diagonal().array() += damping_;
+  if (!held_at_T_) {
+    Mat3 turned;  // of the velocity of G by that of the tool: v_G = v + turned w
+    turned << 0, lever_W_.z(), -lever_W_.y(), -lever_W_.z(), 0, lever_W_.x(), lever_W_.y(), -lever_W_.x(), 0;
+    const auto add = [&turned](Mat6& to, double gain) {
+      to.topRightCorner<3, 3>() += gain * turned;
+      to.bottomLeftCorner<3, 3>() += gain * turned.transpose();
+      to.bottomRightCorner<3, 3>() += gain * (turned.transpose() * turned);
+    };
+    add(around.K, k);
+    add(around.B, damping_);
+  }
   around.B.bottomRightCorner<3, 3>() += part * angular_damping_ * tool_.root_inertia_W(tool.X_WT.q);
 }
 

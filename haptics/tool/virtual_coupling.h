@@ -1,8 +1,8 @@
 #pragma once
 // Virtual coupling: a spring and damper in six axes between where the hand wants the tool and where the tool
-// is. J. E. Colgate, M. C. Stanley, J. M. Brown, "Issues in the haptic display of tool use", IROS 1995; W. A.
-// McNeely, K. D. Puterbaugh, J. J. Troy, "Voxel-based 6-DOF haptic rendering improvements", Haptics-e 3(7),
-// 2006.
+// is. Its springs meet in T, or in a point G where the hand holds the tool. J. E. Colgate, M. C. Stanley, J.
+// M. Brown, "Issues in the haptic display of tool use", IROS 1995; W. A. McNeely, K. D. Puterbaugh, J. J.
+// Troy, "Voxel-based 6-DOF haptic rendering improvements", Haptics-e 3(7), 2006.
 
 #include <limits>
 
@@ -23,6 +23,14 @@ struct CouplingDesc {
 class VirtualCoupling {
 public:
   VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool);
+  // Held elsewhere than at T, see hold_at(): up to longest_grip m from it.
+  VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool, double longest_grip);
+
+  // From the next pull on: the spring is at G, p_TG (3) m in T, instead of at T, and its damper with it.
+  void hold_at(const Vec3& p_TG) noexcept {
+    p_TG_ = p_TG;
+    held_at_T_ = false;
+  }
 
   // F_T_W, the wrench on the tool about T. X_WG, V_WG: where and how fast the hand wants the tool. Springs
   // saturate as F_s (1 - exp(-k |d| / F_s)); a rotation past pi keeps the direction it was wound up in, up to
@@ -34,8 +42,9 @@ public:
   void limit_torque(double limit) noexcept { torque_limit_ = limit; }
   double torque_limit() const { return torque_limit_; }
 
-  // Of the last pull (3): N m, what it would have been without a limit; rad, by which the spring is wound.
-  const Vec3& full_torque() const { return full_torque_; }
+  // Of the last pull (3): N m about T, what it would have been without a limit; rad, by which the spring is
+  // wound.
+  Vec3 full_torque() const { return held_at_T_ ? full_torque_ : Vec3(full_torque_ + moment_); }
   const Vec3& turn() const { return rotation_; }
 
   // Of the last pull(): tangent stiffness of the saturated springs, and the dampers.
@@ -45,10 +54,16 @@ public:
   double stored() const noexcept;
 
 private:
+  Wrench pull_at_grip(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept;
+
   CouplingDesc desc_;
   double damping_;          // N s/m
   double angular_damping_;  // 2 zeta sqrt(k_R): times the root of the inertia
   RigidBody tool_;
+  bool held_at_T_ = true;
+  Vec3 p_TG_ = Vec3::Zero();                                       // (3) m, in T
+  Vec3 lever_W_ = Vec3::Zero();                                    // (3) m, the same in W, at the last pull
+  Vec3 moment_ = Vec3::Zero();                                     // (3) N m, of the force there about T
   Vec3 offset_ = Vec3::Zero();                                     // (3) m, of the last pull
   Vec3 rotation_ = Vec3::Zero();                                   // (3) rad, likewise, as a rotation vector
   Vec3 full_torque_ = Vec3::Zero();                                // (3) N m, likewise

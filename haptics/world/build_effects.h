@@ -24,4 +24,9 @@ std::optional<BrakingPulse> build_braking_pulse(const SceneDesc& desc);
 // Absent where the scene does not name it or the device has no use for it, see moves_vibration().
 std::optional<VibrotactileMotion> build_vibrotactile_motion(const SceneDesc& desc);
 
+std::optional<HoldingPoint> build_holding_point(const SceneDesc& desc);
+
+// Absent where the scene does not name it or the device does not push.
+std::optional<InertiaCompensation> build_inertia_compensation(const SceneDesc& desc);
+
 }  // namespace fulcrum

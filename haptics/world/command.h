@@ -8,16 +8,20 @@ namespace fulcrum {
 
 struct Command {
   enum class Kind : std::uint32_t {
-    stop = 1,               // the force falls to zero and stays there
-    acknowledge = 2,        // ends a stop: the force ramps in again
-    watchdog = 3,           // the live loop lost ticks to a stall
-    vibration_gain = 4,     // of the vibration that tells of torque: value 0 (off) to 1
-    ghost_gain = 5,         // of the ghost, likewise
-    impact_gain = 6,        // of the vibration at impacts, likewise
-    pulse_gain = 7,         // of the braking pulse, likewise
-    pulse_moment = 8,       // whether its moment makes up for missing force: 0 or 1
-    vibrotactile_gain = 9,  // of vibrotactile motion, likewise
-    last = vibrotactile_gain
+    stop = 1,                // the force falls to zero and stays there
+    acknowledge = 2,         // ends a stop: the force ramps in again
+    watchdog = 3,            // the live loop lost ticks to a stall
+    vibration_gain = 4,      // of the vibration that tells of torque: value 0 (off) to 1
+    ghost_gain = 5,          // of the ghost, likewise
+    impact_gain = 6,         // of the vibration at impacts, likewise
+    pulse_gain = 7,          // of the braking pulse, likewise
+    pulse_moment = 8,        // whether its moment makes up for missing force: 0 or 1
+    vibrotactile_gain = 9,   // of the vibrotactile motion, 0 (off) to 1
+    hold_at = 10,            // where the hand holds the stick: m from the handle's origin along it
+    hold_measured = 11,      // whether that is measured: 0 or 1
+    contact_stiffness = 12,  // N/m, of each region: the level that is nearest
+    compensation = 13,       // of the device's inertia: 0 none, 1 arm, 2 acceleration
+    last = compensation
   };
   Kind kind = Kind::stop;
   double value = 0;  // what it is set to; 0 where there is nothing to set

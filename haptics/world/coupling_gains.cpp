@@ -121,6 +121,7 @@ CouplingDesc suit_coupling(const CouplingGains& given, const SceneDesc& desc) {
 }
 
 std::optional<std::string> beyond_limits(const SceneDesc& desc) {
+  if (!coupled(desc.contact.response)) return std::nullopt;
   const StiffnessLimits limits = coupling_limits(desc);
   if (desc.coupling.stiffness > limits.stiffness)
     return sentence("coupling.stiffness", desc.coupling.stiffness, "N/m", limits.stiffness);

@@ -1,6 +1,7 @@
 #pragma once
 // A scene as plain data. World::build() turns it into what ticks; a part that is not named here is not built.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,8 +13,10 @@
 #include "haptics/device/mapping.h"
 #include "haptics/effects/braking_pulse.h"
 #include "haptics/effects/impact_vibration.h"
+#include "haptics/effects/inertia_compensation.h"
 #include "haptics/effects/torque_substitution.h"
 #include "haptics/effects/vibrotactile_motion.h"
+#include "haptics/estimate/holding_point.h"
 #include "haptics/estimate/velocity.h"
 #include "haptics/geometry/distance_field.h"
 #include "haptics/geometry/object_map.h"
@@ -61,6 +64,8 @@ struct SceneDesc {
   std::optional<ImpactVibrationDesc> impact_vibration{};
   std::optional<BrakingPulseDesc> braking_pulse{};
   std::optional<VibrotactileMotionDesc> vibrotactile_motion{};
+  std::optional<HoldingPointDesc> holding_point{};
+  std::optional<InertiaCompensationDesc> inertia_compensation{};
 };
 
 // A device that renders torque has nothing to substitute.
@@ -86,6 +91,19 @@ inline bool vibrates_at_impacts(const SceneDesc& desc) {
 // A device that does not push cannot brake.
 inline bool brakes_at_impacts(const SceneDesc& desc) {
   return desc.braking_pulse && desc.device.renders_force;
+}
+
+// A device that does not push can make up for nothing.
+inline bool compensates_inertia(const SceneDesc& desc) {
+  return desc.inertia_compensation && desc.device.renders_force;
+}
+
+// m, of the places where the tool can be held, the largest distance from T.
+inline double longest_grip(const SceneDesc& desc) {
+  double longest = 0;
+  for (const double place : {desc.holding_point->low, desc.holding_point->high})
+    longest = std::max(longest, (desc.tool.X_HT.inverse() * (place * desc.holding_point->axis_H)).norm());
+  return longest;
 }
 
 // Something in the scene asks for impacts.

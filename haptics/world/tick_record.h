@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "haptics/device/device.h"
+#include "haptics/effects/holding_cues.h"
 #include "haptics/effects/impact_cues.h"
+#include "haptics/effects/inertia_cues.h"
 #include "haptics/effects/pulse_cues.h"
 #include "haptics/effects/torque_cues.h"
 #include "haptics/effects/vibrotactile_cues.h"
@@ -38,6 +40,9 @@ struct TickRecord {
   std::optional<ImpactCues> impact_vibration{};    // where it is built
   std::optional<PulseCues> pulse{};                // likewise
   std::optional<VibrotactileCues> vibrotactile{};  // likewise
+  std::optional<HoldingCues> holding{};            // where the scene names a holding point
+  std::optional<InertiaCues> inertia{};            // where it is built
+  std::optional<double> contact_stiffness{};       // N/m, of a region, where the scene has levels of it
 };
 
 }  // namespace fulcrum

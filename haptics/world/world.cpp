@@ -1,5 +1,6 @@
 #include "haptics/world/world.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "haptics/math/rotation.h"
@@ -15,6 +16,13 @@ Vec6 encoder_steps(const SceneDesc& desc) {
   step.head<3>().setConstant(desc.mapping.position_scale * desc.device.encoder_step);
   step.tail<3>().setConstant(desc.device.encoder_step_rad);
   return step;
+}
+
+// What was commanded of a force, 0 to 1.
+double part_of(const Vec3& commanded, const Vec3& wanted) {
+  if (commanded == wanted) return 1;
+  const double size = wanted.squaredNorm();
+  return size > 0 ? std::clamp(commanded.dot(wanted) / size, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace
@@ -33,7 +41,11 @@ World::World(SceneDesc desc)
       impact_detector_(build_impact_detector(desc_)),
       impact_vibration_(build_impact_vibration(desc_)),
       braking_pulse_(build_braking_pulse(desc_)),
-      vibrotactile_motion_(build_vibrotactile_motion(desc_)) {
+      vibrotactile_motion_(build_vibrotactile_motion(desc_)),
+      holding_point_(build_holding_point(desc_)),
+      inertia_compensation_(build_inertia_compensation(desc_)),
+      stiffness_wanted_(desc_.contact.stiffness),
+      stiffness_(desc_.contact.stiffness) {
   X_WH_ = desc_.tool.X_WT_start * desc_.tool.X_HT.inverse();
   X_DH_good_ = desc_.mapping.handle_in_device(X_WH_);
 }
@@ -63,18 +75,7 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
 
   // Read.
   std::uint32_t faults = w.guard_.watch(sample, commands);
-  if (w.torque_substitution_) {
-    for (const Command& command : commands) w.torque_substitution_->obey(command);
-  }
-  if (w.impact_vibration_) {
-    for (const Command& command : commands) w.impact_vibration_->obey(command);
-  }
-  if (w.braking_pulse_) {
-    for (const Command& command : commands) w.braking_pulse_->obey(command);
-  }
-  if (w.vibrotactile_motion_) {
-    for (const Command& command : commands) w.vibrotactile_motion_->obey(command);
-  }
+  w.obey(commands);
   const Pose X_WH = w.follow_handle(sample, faults);
   Vec6 moved;
   moved << X_WH.p - w.X_WH_.p, rotation_vector(X_WH.q * w.X_WH_.q.conjugate());
@@ -83,6 +84,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
 
   // Estimate.
   w.V_WH_ = w.velocity_.update(w.X_WH_);
+
+  w.hold(sample, faults);
 
   // Query, solve and couple.
   const Pose X_WG = w.X_WH_ * desc.tool.X_HT;
@@ -97,6 +100,10 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   if (w.impact_detector_)
     w.impact_detector_->process(
         {.X_WT = answer.X_WT, .X_WG = X_WG, .V_WG = V_WG, .touching = w.motion_->touching()});
+
+  const World::Touched touched = w.touched(answer.X_WT);
+  if (w.holding_point_ && touched.any && desc.device.structure)
+    w.stiffness_limit_ = stiffness_at(*desc.device.structure, touched.p_HC, touched.nhat_H);
 
   // Guard and allocate. The device's own weight is held up here, so that the hand feels the tool's alone.
   const Wrench wanted_F_H_W = w.clutched_ ? Wrench{} : F_H_W;
@@ -113,22 +120,32 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   Wrench own_weight;
   if (desc.device.renders_force)
     own_weight.force = desc.mapping.X_WD.q.conjugate() * Vec3(0, desc.device.handle_weight, 0);
-  const Wrench limited_F_H_D = w.guard_.limit(wanted_F_H_D + own_weight, faults);
+  const Wrench made_up = w.make_up_for_inertia(touched, wanted_F_H_D.force);
+  Wrench all_F_H_D = wanted_F_H_D + own_weight;
+  if (!made_up.is_zero()) all_F_H_D += made_up;  // or -0 would become 0
+  const Wrench limited_F_H_D = w.guard_.limit(all_F_H_D, faults);
   const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
   w.motors_.begin(w.X_DH_good_);
-  const Allocation continuous = w.motors_.wrench(limited_F_H_D);
+  const Allocation continuous = w.motors_.wrench(limited_F_H_D, w.p_HG_D());
   w.motors_.take(continuous);
   w.guard_.commanded(continuous.F_H_D);
   if (continuous.clamped()) faults |= kMotorClamped;
   DeviceCommand command{.F_H_D = continuous.F_H_D};
   // Slew goes on from what the motors did: what they have not is missing of what was wanted before it.
-  w.missing_ = (continuous.clamped() ? (wanted_F_H_D + own_weight) * w.guard_.gain() : limited_F_H_D) +
-               -continuous.F_H_D;
+  w.missing_ = (continuous.clamped() ? all_F_H_D * w.guard_.gain() : limited_F_H_D) + -continuous.F_H_D;
   w.demand_transients(answer, {X_WG, V_WG}, felt_D, answer.X_WT.p + p_TH_W);
   w.render_transients(moved_D, command.F_H_D, faults);
 
   // Book what the hand did, against what it felt and feels from here on.
-  Wrench felt_F_H_W = desc.mapping.wrench_in_world(continuous.F_H_D + own_weight * -w.guard_.gain());
+  Wrench felt_F_H_D = continuous.F_H_D + own_weight * -w.guard_.gain();
+  if (w.inertia_compensation_) {  // it has an account of its own
+    w.inertia_compensation_->book(part_of(continuous.F_H_D.force, all_F_H_D.force), moved_D.head<3>(),
+                                  desc.mapping.motion_in_device(w.counted_.within_tick()).head<3>());
+    const Vec3& force_D = w.inertia_compensation_->cues().force_D;
+    if (!force_D.isZero(0)) felt_F_H_D.force -= force_D;
+    if (w.inertia_compensation_->cues().faded) faults |= kCompensationFaded;
+  }
+  Wrench felt_F_H_W = desc.mapping.wrench_in_world(felt_F_H_D);
   if (!desc.device.renders_force) felt_F_H_W.force = wanted_F_H_W.force * w.guard_.gain();
   if (!desc.device.renders_torque) felt_F_H_W.torque = wanted_F_H_W.torque * w.guard_.gain();
   w.ledger_.book(moved, w.counted_.within_tick(),

@@ -51,6 +51,11 @@ public:
     return torque_substitution_ ? &*torque_substitution_ : nullptr;
   }
 
+  // Of the device's inertia; null: not built.
+  const InertiaCompensation* compensation() const {
+    return inertia_compensation_ ? &*inertia_compensation_ : nullptr;
+  }
+
 private:
   explicit World(SceneDesc desc);
   friend StepResult step(World& world, const DeviceSample& sample,
@@ -71,6 +76,20 @@ private:
   void render_transients(const Vec6& moved_D, Wrench& commanded_F_H_D, std::uint32_t& faults) noexcept;
   // Answers the lateral force on the handle (3) N, in D. F_H_W: that it should feel, clutch or not.
   Vec3 move_vibration(const Wrench& F_H_W, const Vec6& moved_D) noexcept;
+  void obey(std::span<const Command> commands) noexcept;
+  void tell_holding_point(const Command& command) noexcept;
+  // Where the hand holds the tool and how stiff the scene is, before the tick's query.
+  void hold(const DeviceSample& sample, std::uint32_t& faults) noexcept;
+  // Where the tool is touched: the centre of the forces on it, and the normal of the strongest region.
+  struct Touched {
+    bool any = false;
+    Vec3 p_HC = Vec3::Zero();    // (3) m, in H
+    Vec3 nhat_H = Vec3::Zero();  // (3) unit, towards the tool
+  };
+  Touched touched(const Pose& X_WT) const noexcept;
+  Vec3 p_HG_D() const noexcept;  // (3) m, where the hand holds, from the handle; zero where no scene says
+  // The wrench on the handle, in D. rendered_D (3) N: what it is to feel.
+  Wrench make_up_for_inertia(const Touched& touched, const Vec3& rendered_D) noexcept;
   void record_effects(TickRecord& record) const noexcept;
 
   SceneDesc desc_;
@@ -91,6 +110,12 @@ private:
     double force = 0, moment = 0;
   } pulse_shares_;                                      // likewise
   std::array<Wrench, kTransientSources> transients_{};  // on the handle, in D; what was commanded at last
+
+  std::optional<HoldingPoint> holding_point_;
+  std::optional<InertiaCompensation> inertia_compensation_;
+  double stiffness_wanted_, stiffness_;  // N/m, of a contact region
+  double strip_ohm_ = kNoStrip;          // of this tick
+  double stiffness_limit_ = 0;           // N/m, of the device's structure, where it is touched in this tick
 
   Wrench missing_;  // of what was wanted in this tick, on the handle, in D
 

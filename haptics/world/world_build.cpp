@@ -131,6 +131,55 @@ std::optional<Error> refuse_vibrotactile_motion(const VibrotactileMotionDesc& de
   return std::nullopt;
 }
 
+std::optional<Error> refuse_levels(const ContactDesc& contact) {
+  for (const double level : contact.levels) {
+    if (!positive(level)) return Error{"The levels of contact stiffness must be positive."};
+  }
+  if (!contact.levels.empty() && contact.response == ContactResponse::constraint)
+    return Error{
+        "A constraint has no stiffness to choose: leave contact.levels out, or name another response."};
+  return std::nullopt;
+}
+
+std::optional<Error> refuse_holding_point(const SceneDesc& desc) {
+  const HoldingPointDesc& holding = *desc.holding_point;
+  if (!holding.axis_H.allFinite() || std::abs(holding.axis_H.norm() - 1) > 1e-6)
+    return Error{"The axis of holding_point must be a unit vector: the stick's direction in the handle."};
+  if (!within(holding.place, holding.low, holding.high) || !std::isfinite(holding.low) ||
+      !std::isfinite(holding.high))
+    return Error{"holding_point.place is " + number_text(holding.place) +
+                 " m and must lie on the stick, from 'low' to 'high'."};
+  if (!positive(holding.speed)) return Error{"holding_point.speed must be positive."};
+  return std::nullopt;
+}
+
+std::optional<Error> refuse_inertia_compensation(const SceneDesc& desc) {
+  const InertiaCompensationDesc& inertia = *desc.inertia_compensation;
+  if (inertia.method == InertiaMethod::arm && !desc.holding_point)
+    return Error{
+        "inertia_compensation by the method arm needs to know where the hand holds: name holding_point."};
+  if (!within(inertia.gain, 0, 1) || !positive(inertia.budget))
+    return Error{"In inertia_compensation the gain must be from 0 to 1 and the budget positive."};
+  if (!positive(inertia.filter.jerk) || (inertia.encoder_noise && !positive(*inertia.encoder_noise)))
+    return Error{"In inertia_compensation the filter's jerk and noise must be positive."};
+  return std::nullopt;
+}
+
+// Held elsewhere than at its centre of mass the tool gives way more easily there, and its motions mix.
+std::optional<Error> refuse_grip(const SceneDesc& desc, double smallest_inertia) {
+  const double lever = longest_grip(desc);
+  const double rate_squared =
+      desc.coupling.stiffness * (1 / desc.tool.mass + lever * lever / smallest_inertia) +
+      desc.coupling.angular_stiffness / smallest_inertia;
+  const double largest = kCouplingShare / (desc.tick_s * desc.tick_s);
+  if (rate_squared <= largest) return std::nullopt;
+  return Error{"Held up to " + number_text(lever * 1e3) +
+               " mm from its centre of mass the tool can bear no more than " +
+               number_text(100 * largest / rate_squared) +
+               " % of the coupling's stiffness at this tick rate: lower coupling.stiffness and "
+               "coupling.angular_stiffness, raise tick_rate_Hz, or name the integrator implicit_euler."};
+}
+
 }  // namespace
 
 Result<World> World::build(SceneDesc desc) {
@@ -162,6 +211,9 @@ Result<World> World::build(SceneDesc desc) {
         "contact.friction is there for the response constraint alone: name that response, or leave friction "
         "out."};
   if (auto error = refuse_mechanism(desc.device)) return *error;
+  if (desc.device.strip) {
+    if (auto error = refuse_strip(*desc.device.strip)) return *error;
+  }
   if (!positive(desc.allocation.moment_weight))
     return Error{"The weight of missing moment in the allocation must be positive."};
   if (!desc.scene_edges != !desc.tool_field)
@@ -185,7 +237,18 @@ Result<World> World::build(SceneDesc desc) {
       (!any_gain && desc.coupling.angular_stiffness > largest_kr))
     return refuse_gain("coupling.angular_stiffness", desc.coupling.angular_stiffness, "N m/rad", largest_kr,
                        desc.tick_s);
-  if (massless(desc.contact.response) && tool_weight(tool) > kLargestSag * desc.coupling.max_force)
+  if (desc.holding_point) {
+    if (auto error = refuse_holding_point(desc)) return *error;
+    if (!any_gain) {
+      if (auto error = refuse_grip(desc, smallest_inertia)) return *error;
+    }
+  }
+  if (desc.inertia_compensation) {
+    if (auto error = refuse_inertia_compensation(desc)) return *error;
+  }
+  if (auto error = refuse_levels(desc.contact)) return *error;
+  if (coupled(desc.contact.response) && massless(desc.contact.response) &&
+      tool_weight(tool) > kLargestSag * desc.coupling.max_force)
     return Error{"The tool weighs " + number_text(tool_weight(tool)) + " N, which a coupling of at most " +
                  number_text(desc.coupling.max_force) +
                  " N cannot carry: raise coupling.max_force or set tool.weight to false."};

@@ -139,6 +139,12 @@ void World::record_effects(TickRecord& record) const noexcept {
     }
   }
   if (vibrotactile_motion_) record.vibrotactile = vibrotactile_motion_->cues();
+  if (holding_point_) {
+    record.holding = {holding_point_->place(), holding_point_->p_HG(), holding_point_->state(), strip_ohm_,
+                      stiffness_limit_};
+  }
+  if (inertia_compensation_) record.inertia = inertia_compensation_->cues();
+  if (!desc_.contact.levels.empty()) record.contact_stiffness = stiffness_;
   record.missing_F_H_D = missing_;
   if (impact_vibration_) {
     record.impact_vibration = impact_vibration_->cues();

@@ -121,6 +121,36 @@ BuiltPart motion_part(const VibrotactileMotionDesc& desc, const DeviceDesc& devi
   return {"vibrotactile motion", what, sizeof(VibrotactileMotion)};
 }
 
+BuiltPart coupling_part(const SceneDesc& desc) {
+  return {"coupling",
+          number_text(desc.coupling.stiffness) + " N/m, " + number_text(desc.coupling.angular_stiffness) +
+              " N m/rad; the device renders " +
+              number_text(desc.coupling.stiffness * desc.mapping.position_scale * desc.mapping.force_scale) +
+              " N/m" + let_go_text(desc),
+          sizeof(VirtualCoupling)};
+}
+
+BuiltPart holding_part(const SceneDesc& desc) {
+  const HoldingPointDesc& holding = *desc.holding_point;
+  std::string what = "at " + number_text(holding.place * 1e3) + " mm along the stick unless it is told";
+  if (moves_grip(desc.contact.response)) what += "; the coupling's spring is there";
+  if (desc.device.structure) what += "; how stiff a wall can be where it touches";
+  return {"holding point", what, sizeof(HoldingPoint)};
+}
+
+BuiltPart inertia_part(const InertiaCompensation& effect) {
+  constexpr const char* methods[] = {"none", "arm", "acceleration"};
+  std::string what = methods[static_cast<int>(effect.desc().method)];
+  if (effect.desc().switchable) what += ", and can be switched";
+  what += "; " + number_text(effect.figures().mass * 1e3) + " g";
+  if (const AccelerationEstimator* filter = effect.filter())
+    what += ", acceleration " + number_text(filter->lag() * 1e3) + " ms late, " +
+            number_text(filter->noise()) + " m/s^2 of noise, up to " +
+            number_text(effect.figures().largest_force) + " N and " +
+            number_text(effect.desc().budget * 1e3) + " mJ";
+  return {"inertia compensation", what, sizeof(InertiaCompensation)};
+}
+
 BuiltPart budget_part(const char* name, const TransientBudget& budget) {
   std::string peak;
   if (budget.peak() > 0) peak = number_text(budget.peak()) + " N";
@@ -147,12 +177,6 @@ std::vector<BuiltPart> World::parts() const {
        std::to_string(shell.size()) + " points, no surface farther than " +
            number_text(shell.covering_radius_m * 1e3) + " mm from one",
        bytes_of(shell)},
-      {"coupling",
-       number_text(desc_.coupling.stiffness) + " N/m, " + number_text(desc_.coupling.angular_stiffness) +
-           " N m/rad; the device renders " +
-           number_text(desc_.coupling.stiffness * desc_.mapping.position_scale * desc_.mapping.force_scale) +
-           " N/m" + let_go_text(desc_),
-       sizeof(VirtualCoupling)},
       {"estimator",
        std::string("velocity by ") + estimators[static_cast<int>(desc_.velocity.kind)] + ", delay " +
            number_text(velocity_.delay() * 1e3) + " ms",
@@ -164,6 +188,7 @@ std::vector<BuiltPart> World::parts() const {
       {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control: always built",
        sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl)},
   };
+  if (coupled(desc_.contact.response)) parts.insert(parts.begin() + 2, coupling_part(desc_));
   if (desc_.scene_edges) {
     const Pointshell& edges = *desc_.scene_edges;
     parts.insert(
@@ -177,6 +202,8 @@ std::vector<BuiltPart> World::parts() const {
   if (impact_detector_) parts.push_back(impact_part(desc_));
   if (impact_vibration_) parts.push_back(vibration_part(*desc_.impact_vibration, *impact_vibration_));
   if (braking_pulse_) parts.push_back(pulse_part(desc_, *braking_pulse_));
+  if (holding_point_) parts.push_back(holding_part(desc_));
+  if (inertia_compensation_) parts.push_back(inertia_part(*inertia_compensation_));
   if (const TransientBudget* budget = guard_.budget(TransientSource::braking_pulse))
     parts.push_back(budget_part("pulse budget", *budget));
   if (vibrotactile_motion_) parts.push_back(motion_part(*desc_.vibrotactile_motion, desc_.device));

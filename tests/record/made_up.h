@@ -56,7 +56,8 @@ public:
     return {.X_DH = pose(),
             .age = number() * number(),
             .buttons = static_cast<std::uint32_t>(random_() % 4),
-            .connected = random_() % 50 != 0};
+            .connected = random_() % 50 != 0,
+            .strip_ohm = random_() % 3 == 0 ? kStripOpen : 1e3 * number()};
   }
 
   TickRecord record(std::int64_t tick) {

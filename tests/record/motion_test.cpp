@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "engine/record/tape_writer.h"
@@ -36,6 +37,7 @@ TEST(Motion, OfATapeIsItsSamples) {
   ASSERT_EQ(motion->samples.size(), std::size(expected));
   for (std::size_t i = 0; i < std::size(expected); ++i) {
     EXPECT_TRUE(same(motion->samples[i].X_DH, samples[static_cast<std::size_t>(expected[i])].X_DH)) << i;
+    EXPECT_EQ(motion->samples[i].strip_ohm, samples[static_cast<std::size_t>(expected[i])].strip_ohm) << i;
   }
 }
 
@@ -58,6 +60,24 @@ TEST(Motion, OfATraceIsItsHandleBitForBit) {
   for (std::size_t i = 0; i < records.size(); ++i) {
     EXPECT_TRUE(same(motion->samples[i].X_DH, records[i].X_WH)) << i;
   }
+}
+
+TEST(Motion, AStripInATraceIsRead) {
+  const TemporaryFolder folder;
+  std::string header = kHeader;
+  header.insert(header.size() - 1, ",holding/strip_ohm");
+  write(folder / "m.csv", header +
+                              "0,1,0,0,1,0,0,0,5050.25\n"
+                              "0.001,1,0,0,1,0,0,0,inf\n"
+                              "0.002,1,0,0,1,0,0,0,nan\n"
+                              "0.003,1,0,0,1,0,0,0\n");
+  const Result<HandleMotion> motion = read_motion(folder / "m.csv");
+  ASSERT_TRUE(motion) << motion.error().sentence;
+  ASSERT_EQ(motion->samples.size(), 4u);
+  EXPECT_EQ(motion->samples[0].strip_ohm, 5050.25);
+  EXPECT_EQ(motion->samples[1].strip_ohm, kStripOpen);
+  EXPECT_TRUE(std::isnan(motion->samples[2].strip_ohm));
+  EXPECT_TRUE(std::isnan(motion->samples[3].strip_ohm));
 }
 
 TEST(Motion, AGapHoldsAndARoundedQuaternionIsMadeUnit) {

@@ -40,11 +40,12 @@ std::vector<TapeEntry> made_up_entries(int count) {
 
 void expect_same(const TapeEntry& read, const TapeEntry& written) {
   const auto bits = [](const DeviceSample& s) {
-    return std::array<std::uint64_t, 8>{
+    return std::array<std::uint64_t, 9>{
         std::bit_cast<std::uint64_t>(s.X_DH.q.w()), std::bit_cast<std::uint64_t>(s.X_DH.q.x()),
         std::bit_cast<std::uint64_t>(s.X_DH.q.y()), std::bit_cast<std::uint64_t>(s.X_DH.q.z()),
         std::bit_cast<std::uint64_t>(s.X_DH.p.x()), std::bit_cast<std::uint64_t>(s.X_DH.p.y()),
-        std::bit_cast<std::uint64_t>(s.X_DH.p.z()), std::bit_cast<std::uint64_t>(s.age)};
+        std::bit_cast<std::uint64_t>(s.X_DH.p.z()), std::bit_cast<std::uint64_t>(s.age),
+        std::bit_cast<std::uint64_t>(s.strip_ohm)};
   };
   EXPECT_EQ(bits(read.sample), bits(written.sample));
   EXPECT_EQ(read.sample.buttons, written.sample.buttons);
@@ -132,11 +133,41 @@ TEST(Tape, AnyTurnedBitIsRefused) {
 
 TEST(Tape, OtherVersionsAreNamed) {
   std::string text = tape_of(made_up_entries(1));
-  text[8] = 3;
+  text[8] = 4;
   const Result<Tape> tape = parse_tape(bytes_of(text));
   ASSERT_FALSE(tape);
-  EXPECT_NE(tape.error().sentence.find("format version 3 (byte 8)"), std::string::npos)
+  EXPECT_NE(tape.error().sentence.find("format version 4 (byte 8), and this program reads 2 to 3"),
+            std::string::npos)
       << tape.error().sentence;
+}
+
+// Version 2 had no strip: its entries are 8 bytes shorter, after the age.
+TEST(Tape, OfVersion2IsStillRead) {
+  std::vector<TapeEntry> entries = made_up_entries(2);
+  entries.erase(entries.begin());
+  std::vector<std::size_t> ends;
+  std::string text = tape_of(entries, &ends);
+  const auto put_word = [&text](std::size_t at, std::uint32_t value) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      text[at + i] = static_cast<char>((value >> (8 * i)) & 0xff);
+    }
+  };
+  const auto seal = [&](std::size_t at, std::size_t size) {
+    put_word(at + size, crc32c(bytes_of(text).subspan(at, size)));
+  };
+  text[8] = 2;
+  seal(0, 16);
+  const std::size_t frame = ends[0], payload = frame + 12, before_strip = 12 + 64;
+  text.erase(payload + before_strip, 8);
+  const std::size_t size = ends[1] - payload - 4 - 8;
+  put_word(frame + 4, static_cast<std::uint32_t>(size));
+  seal(frame, 8);
+  seal(payload, size);
+  const Result<Tape> tape = parse_tape(bytes_of(text));
+  ASSERT_TRUE(tape) << tape.error().sentence;
+  ASSERT_EQ(tape->entries.size(), 1u);
+  entries[0].sample.strip_ohm = kNoStrip;
+  expect_same(tape->entries[0], entries[0]);
 }
 
 TEST(Tape, AChunkMayNeitherBeMissingNorComeTwice) {

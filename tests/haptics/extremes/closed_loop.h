@@ -96,6 +96,8 @@ public:
         return "Static";
       case ContactResponse::constraint:
         return "Constraint";
+      case ContactResponse::direct:
+        return "Direct";
     }
     return "Unnamed";
   }

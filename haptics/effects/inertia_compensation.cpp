@@ -1,0 +1,93 @@
+#include "haptics/effects/inertia_compensation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/math/shortened.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double kFall = 20e-3;    // s, from the whole gain to none
+constexpr double kRise = 0.5;      // s, back
+constexpr double kSwitch = 20e-3;  // s, of the arm's torque, in and out
+constexpr double kWindow = 10e-3;  // s, of damping: no stretch of it can have taken less than this says
+
+bool needs_filter(const InertiaCompensationDesc& desc) {
+  return desc.switchable || desc.method == InertiaMethod::acceleration;
+}
+
+}  // namespace
+
+InertiaCompensation::InertiaCompensation(const InertiaCompensationDesc& desc, const Figures& figures)
+    : desc_(desc), figures_(figures), arm_(kSwitch, figures.tick_s) {
+  cues_.method = desc.method;
+  if (needs_filter(desc)) filter_.emplace(desc.filter, figures.tick_s);
+}
+
+void InertiaCompensation::obey(const Command& command) noexcept {
+  if (command.kind != Command::Kind::compensation || !desc_.switchable) return;
+  const double method = std::round(command.value);
+  if (method >= 0 && method <= 2) cues_.method = static_cast<InertiaMethod>(static_cast<int>(method));
+}
+
+// What follows a stop or a clutch begins anew: by then the handle may be anywhere, at any speed.
+void InertiaCompensation::fade(bool open) noexcept {
+  falling_ = 0;
+  if (!open) {
+    cues_.gain = given_ = 0;
+    cues_.faded = false;
+    return;
+  }
+  if (cues_.energy > desc_.budget) cues_.faded = true;
+  if (cues_.faded && cues_.gain == 0 && cues_.energy < 0.5 * desc_.budget) cues_.faded = false;
+  const bool wanted = cues_.method == InertiaMethod::acceleration && !cues_.faded;
+  const double target = wanted ? desc_.gain : 0.0;
+  const double up = figures_.tick_s / kRise, down = figures_.tick_s / kFall;
+  const double before = cues_.gain;
+  cues_.gain += std::clamp(target - cues_.gain, -down, up);
+  falling_ = std::max(0.0, before - cues_.gain) / figures_.tick_s;
+}
+
+Wrench InertiaCompensation::process(const Tick& tick) noexcept {
+  Wrench F_H_D;
+  fade(tick.open);
+  if (filter_) {
+    cues_.acceleration_D = filter_->update(tick.p_DH);
+    F_H_D.force =
+        shortened(figures_.mass * (cues_.gain * cues_.acceleration_D - 0.5 * falling_ * filter_->velocity()),
+                  figures_.largest_force);
+  }
+  const bool arm = tick.open && tick.between && cues_.method == InertiaMethod::arm;
+  const double level = arm_.towards(arm ? 1.0 : 0.0);
+  if (level > 0) F_H_D.torque = -level * tick.p_HG_D.cross(tick.force_D);
+  cues_.force_D = F_H_D.force;
+  cues_.torque_D = F_H_D.torque;
+  return F_H_D;
+}
+
+void InertiaCompensation::book(double share, const Vec3& moved_D, const Vec3& held_D) noexcept {
+  cues_.force_D *= share;
+  cues_.torque_D *= share;
+  given_ += last_force_D_.dot(held_D) + 0.5 * (last_force_D_ + cues_.force_D).dot(moved_D - held_D);
+  last_force_D_ = cues_.force_D;
+  take_damping(moved_D);
+  const double speed_squared = filter_ ? filter_->velocity().squaredNorm() : 0.0;
+  const double lent = 0.5 * cues_.gain * figures_.mass * speed_squared;
+  given_ = std::max(given_, lent - desc_.budget);
+  cues_.energy = given_ - lent;
+}
+
+// Of all motions between two places in a given time the even one loses least (Cauchy and Schwarz); the
+// encoder may show up to a count too much of the way.
+void InertiaCompensation::take_damping(const Vec3& moved_D) noexcept {
+  way_D_ += moved_D;
+  const double elapsed = ++ticks_ * figures_.tick_s;
+  if (elapsed < kWindow) return;
+  const Vec3 least = (way_D_.cwiseAbs().array() - figures_.encoder_step).max(0.0);
+  given_ -= figures_.damping * least.squaredNorm() / elapsed;
+  way_D_.setZero();
+  ticks_ = 0;
+}
+
+}  // namespace fulcrum
