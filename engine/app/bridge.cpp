@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/app/holding_controls.h"
 #include "engine/scenario/followed.h"
 #include "engine/scenario/level_bars.h"
 #include "engine/scenario/to_glm.h"
@@ -122,6 +123,8 @@ glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const
   switch (body) {
     case scenario::kFollowsGuide:
       return scenario::to_glm({Quat::Identity(), scenario::guide_place(*guide_, time)});
+    case scenario::kFollowsHoldingPoint:
+      return scenario::to_glm({X_WH.q, X_WH * record.holding.value_or(HoldingCues()).p_HG});
     case scenario::kFollowsLevelFrame:
       return scenario::to_glm({Quat::Identity(), X_WH.p});
     case scenario::kFollowsLeftLevel:
@@ -197,6 +200,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.torque_bad = record.torque.bad;
   if (scenario::draws_arms(prepared.scenario, scene))
     state.motors = motor_bars(scene.device.mechanism, record, afterglow);
+  state.holding = holding_panel(scene, record);
   if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
   if (record.stopped)
     state.force = ui::Force::stopped;

@@ -4,6 +4,7 @@
 
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/device_shapes.h"
+#include "engine/scenario/holding_axes.h"
 #include "engine/scenario/level_bars.h"
 #include "engine/scenario/to_glm.h"
 #include "engine/scenario/words.h"
@@ -103,6 +104,7 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
     add_device_arms(desc, scene.device.mechanism, scene.mapping, scenario.device.floor, kWhole | kCut);
   }
   if (scenario.guide) add_guide(desc, *scenario.guide, kWhole | kCut);
+  if (scene.holding_point) add_holding_axes(desc, kWhole | kCut);
   if (draws_levels(scene)) add_level_bars(desc, kWhole | kCut);
   for (const Checkpoint& checkpoint : scenario.checkpoints) {
     desc.markers.push_back(

@@ -47,6 +47,10 @@ float overlay_scale(std::uint32_t height) {
   return std::clamp(steps / 8.0F, 0.75F, 4.0F);
 }
 
+float cues_height(const OverlayState& state) {
+  return state.cues.empty() ? 0.0F : kHead + static_cast<float>(state.cues.size()) * kRow + 2.0F;
+}
+
 PanelPoint panel_point(render::Extent picture, double x, double y) {
   const float unit = overlay_scale(picture.height), height = static_cast<float>(picture.height);
   return {static_cast<float>(picture.width) / unit, static_cast<float>(x) * height / unit,
@@ -56,7 +60,7 @@ PanelPoint panel_point(render::Extent picture, double x, double y) {
 void draw_cues(const Canvas& canvas, const OverlayState& state) {
   if (state.cues.empty()) return;
   const ImVec2 at = panel_at(state, canvas.width());
-  canvas.card(at, {kWidth, kHead + static_cast<float>(state.cues.size()) * kRow + 2.0F});
+  canvas.card(at, {kWidth, cues_height(state)});
   canvas.disc({at.x + theme::kPadding + 4.0F, at.y + 18.0F}, 4.0F,
               state.torque_bad ? theme::kWarn : theme::kFaint);
   canvas.text(canvas.fonts().strong, {at.x + theme::kPadding + 16.0F, at.y + 9.0F}, theme::kText,
