@@ -63,16 +63,16 @@ struct DeviceDesc {
   double handle_weight = 0.3;  // N, what the mechanism leaves uncompensated; the tick holds it up
   double bandwidth_Hz = 500;   // of forces and torques that it renders
   double damping = 0.005;      // N s/m
-  Vec3 angular_damping = Vec3::Constant(2.0e-5);  // (3) N m s, likewise
-  double friction = 0.038;                        // N, Coulomb, each axis
-  double angular_friction = 2.0e-4;               // N m, Coulomb, each axis
-  double encoder_step = 28e-6;                    // m
-  double encoder_step_rad = 2.0e-4;               // rad
-  Vec3 workspace{0.080, 0.060, 0.060};            // (3) m, half extents about D's origin
-  MechanismDesc mechanism{};                      // of arms
-  std::optional<StructureDesc> structure{};       // where it is known
-  std::optional<VibrotactileDesc> vibrotactile{};
-  std::optional<HoldingStripDesc> strip{};  // along the handle
+  Vec3 angular_damping = Vec3::Constant(2.0e-5);   // (3) N m s, likewise
+  double friction = 0.038;                         // N, Coulomb, each axis
+  double angular_friction = 2.0e-4;                // N m, Coulomb, each axis
+  double encoder_step = 28e-6;                     // m
+  double encoder_step_rad = 2.0e-4;                // rad
+  Vec3 workspace{0.080, 0.060, 0.060};             // (3) m, half extents about D's origin
+  MechanismDesc mechanism{};                       // of arms
+  std::optional<StructureDesc> structure{};        // where it is known
+  std::optional<VibrotactileDesc> vibrotactile{};  // its channels, where it has such
+  std::optional<HoldingStripDesc> strip{};         // along the handle
 };
 
 // Drivers implement this. read() and write() are called from the haptic thread, in turn, once a tick.
