@@ -11,6 +11,7 @@ namespace {
 constexpr double kFall = 20e-3;    // s, from the whole gain to none
 constexpr double kRise = 0.5;      // s, back
 constexpr double kSwitch = 20e-3;  // s, of the arm's torque, in and out
+constexpr double kOldest = 25e-3;  // s, of a sample: an older one stops the force
 constexpr double kWindow = 10e-3;  // s, of damping: no stretch of it can have taken less than this says
 
 bool needs_filter(const InertiaCompensationDesc& desc) {
@@ -22,6 +23,7 @@ bool needs_filter(const InertiaCompensationDesc& desc) {
 InertiaCompensation::InertiaCompensation(const InertiaCompensationDesc& desc, const Figures& figures)
     : desc_(desc), figures_(figures), arm_(kSwitch, figures.tick_s) {
   cues_.method = desc.method;
+  forces_D_.resize(static_cast<std::size_t>(std::ceil(kOldest / figures.tick_s)) + 2, Vec3::Zero());
   if (needs_filter(desc)) filter_.emplace(desc.filter, figures.tick_s);
 }
 
@@ -39,8 +41,8 @@ void InertiaCompensation::fade(bool open) noexcept {
     cues_.faded = false;
     return;
   }
-  if (cues_.energy > desc_.budget) cues_.faded = true;
-  if (cues_.faded && cues_.gain == 0 && cues_.energy < 0.5 * desc_.budget) cues_.faded = false;
+  if (cues_.energy > 0.5 * desc_.budget) cues_.faded = true;
+  if (cues_.faded && cues_.gain == 0 && cues_.energy < 0.25 * desc_.budget) cues_.faded = false;
   const bool wanted = cues_.method == InertiaMethod::acceleration && !cues_.faded;
   const double target = wanted ? desc_.gain : 0.0;
   const double up = figures_.tick_s / kRise, down = figures_.tick_s / kFall;
@@ -49,14 +51,21 @@ void InertiaCompensation::fade(bool open) noexcept {
   falling_ = std::max(0.0, before - cues_.gain) / figures_.tick_s;
 }
 
+// What brakes is bounded by safety alone: what was lent is to come back in full.
+Vec3 InertiaCompensation::force() const noexcept {
+  const Vec3 v = filter_->velocity();
+  Vec3 f = figures_.mass * cues_.gain * cues_.acceleration_D;
+  const double gives = f.dot(v);
+  if (cues_.faded && gives > 0) f -= gives / v.squaredNorm() * v;  // it takes, and gives no more
+  return shortened(f, figures_.largest_force) - 0.5 * falling_ * figures_.mass * v;
+}
+
 Wrench InertiaCompensation::process(const Tick& tick) noexcept {
   Wrench F_H_D;
   fade(tick.open);
   if (filter_) {
     cues_.acceleration_D = filter_->update(tick.p_DH);
-    F_H_D.force =
-        shortened(figures_.mass * (cues_.gain * cues_.acceleration_D - 0.5 * falling_ * filter_->velocity()),
-                  figures_.largest_force);
+    F_H_D.force = force();
   }
   const bool arm = tick.open && tick.between && cues_.method == InertiaMethod::arm;
   const double level = arm_.towards(arm ? 1.0 : 0.0);
@@ -66,11 +75,20 @@ Wrench InertiaCompensation::process(const Tick& tick) noexcept {
   return F_H_D;
 }
 
-void InertiaCompensation::book(double share, const Vec3& moved_D, const Vec3& held_D) noexcept {
+const Vec3& InertiaCompensation::commanded(std::size_t ticks_ago) const noexcept {
+  const std::size_t n = forces_D_.size();
+  return forces_D_[(newest_ + n - std::min(ticks_ago, n - 1)) % n];
+}
+
+void InertiaCompensation::book(double share, const Vec3& moved_D, const Vec3& held_D, double age) noexcept {
   cues_.force_D *= share;
   cues_.torque_D *= share;
-  given_ += last_force_D_.dot(held_D) + 0.5 * (last_force_D_ + cues_.force_D).dot(moved_D - held_D);
-  last_force_D_ = cues_.force_D;
+  newest_ = (newest_ + 1) % forces_D_.size();
+  forces_D_[newest_] = cues_.force_D;
+  const double late = std::round((age > 0 ? std::min(age, kOldest) : 0.0) / figures_.tick_s);
+  const Vec3& then_D = commanded(static_cast<std::size_t>(late) + 1);
+  const Vec3& next_D = commanded(static_cast<std::size_t>(late));
+  given_ += then_D.dot(held_D) + 0.5 * (then_D + next_D).dot(moved_D - held_D);
   take_damping(moved_D);
   const double speed_squared = filter_ ? filter_->velocity().squaredNorm() : 0.0;
   const double lent = 0.5 * cues_.gain * figures_.mass * speed_squared;

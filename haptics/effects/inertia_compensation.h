@@ -18,7 +18,9 @@
 // |dg/dt| m v / 2, which takes back what was lent. It comes back once E is below half of the budget. What
 // damping took is remembered down to minus the budget, so that no calm minute pays for a wild second.
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "haptics/effects/inertia_cues.h"
 #include "haptics/estimate/acceleration.h"
@@ -34,7 +36,7 @@ struct InertiaCompensationDesc {
   double gain = 1;         // g, 0 to 1, of acceleration; 0: named but off
   double budget = 1e-3;    // J
   AccelerationEstimatorDesc filter{};
-  std::optional<double> encoder_noise;  // m rms, of the position; without it that of the device's encoder
+  std::optional<double> encoder_noise{};  // m rms, of the position; without it that of the device's encoder
 };
 
 class InertiaCompensation {
@@ -59,9 +61,9 @@ public:
   };
   // The wrench that it adds on the handle, in D about H.
   Wrench process(const Tick& tick) noexcept;
-  // What was commanded of that, 0 to 1, and where the handle went under what was commanded before: moved_D
-  // (3) m in this tick, held_D (3) m the part of it under that alone.
-  void book(double share, const Vec3& moved_D, const Vec3& held_D) noexcept;
+  // What was commanded of that, 0 to 1, and what the handle did `age` s ago, when the sample was taken:
+  // moved_D (3) m since the sample before, held_D (3) m the part of it that was under one command alone.
+  void book(double share, const Vec3& moved_D, const Vec3& held_D, double age) noexcept;
 
   bool filters() const { return filter_.has_value(); }
   const AccelerationEstimator* filter() const { return filter_ ? &*filter_ : nullptr; }
@@ -71,17 +73,21 @@ public:
 
 private:
   void fade(bool open) noexcept;
+  Vec3 force() const noexcept;
   void take_damping(const Vec3& moved_D) noexcept;
 
   InertiaCompensationDesc desc_;
   Figures figures_;
   std::optional<AccelerationEstimator> filter_;
   Ramp arm_;
-  double falling_ = 0;                // 1/s, how fast g falls in this tick
-  Vec3 last_force_D_ = Vec3::Zero();  // (3) N, as commanded
-  double given_ = 0;                  // J, G less the damping's part
-  Vec3 way_D_ = Vec3::Zero();         // (3) m, in the window of damping that is open
-  int ticks_ = 0;                     // of that window
+  double falling_ = 0;  // 1/s, how fast g falls in this tick
+  const Vec3& commanded(std::size_t ticks_ago) const noexcept;
+
+  std::vector<Vec3> forces_D_;  // (n x 3) N, as commanded: a ring over what a sample may be late
+  std::size_t newest_ = 0;
+  double given_ = 0;           // J, G less the damping's part
+  Vec3 way_D_ = Vec3::Zero();  // (3) m, in the window of damping that is open
+  int ticks_ = 0;              // of that window
   InertiaCues cues_;
 };
 

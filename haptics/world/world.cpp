@@ -140,7 +140,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   Wrench felt_F_H_D = continuous.F_H_D + own_weight * -w.guard_.gain();
   if (w.inertia_compensation_) {  // it has an account of its own
     w.inertia_compensation_->book(part_of(continuous.F_H_D.force, all_F_H_D.force), moved_D.head<3>(),
-                                  desc.mapping.motion_in_device(w.counted_.within_tick()).head<3>());
+                                  desc.mapping.motion_in_device(w.counted_.within_tick()).head<3>(),
+                                  sample.age);
     const Vec3& force_D = w.inertia_compensation_->cues().force_D;
     if (!force_D.isZero(0)) felt_F_H_D.force -= force_D;
     if (w.inertia_compensation_->cues().faded) faults |= kCompensationFaded;
