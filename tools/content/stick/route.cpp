@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 
 constexpr double above = 28.0 * mm;  // over the ball, between touches
 constexpr double at_middle = 100.0 * mm;
-constexpr double grip = 1.2;                                     // N, on the strip
+constexpr double grip = 2.5;                                     // N, on the strip
 constexpr double down = 0.6, up = 0.5, aside = 0.6, rest = 0.4;  // s
 constexpr double sphere = 3.0 * mm;  // radius of a checkpoint: 1 mm deep in the ball is in it
 constexpr double wanted = 4.0 * mm;  // depth of its middle
