@@ -195,6 +195,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
   state.cues = cue_lines(scene, record, afterglow);
+  if (!detects_impacts(scene)) state.cue_title = "Fingertip";
   state.tells_torque = vibrates_for_torque(scene) || shows_ghost(scene);
   if (state.tells_torque) state.variant = variant_text(record.torque);
   state.torque_bad = record.torque.bad;

@@ -64,9 +64,9 @@ void draw_cues(const Canvas& canvas, const OverlayState& state) {
   canvas.disc({at.x + theme::kPadding + 4.0F, at.y + 18.0F}, 4.0F,
               state.torque_bad ? theme::kWarn : theme::kFaint);
   canvas.text(canvas.fonts().strong, {at.x + theme::kPadding + 16.0F, at.y + 9.0F}, theme::kText,
-              !state.tells_torque ? "Impacts"
-              : state.torque_bad  ? "Bad torque"
-                                  : "Torque");
+              !state.tells_torque ? state.cue_title
+              : state.torque_bad  ? std::string("Bad torque")
+                                  : std::string("Torque"));
   canvas.text(canvas.fonts().body, {at.x + kWidth - theme::kPadding, at.y + 9.0F}, theme::kSecondary,
               state.variant, Align::right);
   float y = at.y + kHead;

@@ -91,11 +91,21 @@ void draw_scale(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
   canvas.line({x, at.y - 4.0F}, {x, at.y + kScaleHeight + 4.0F}, theme::kBad, 2.0F);
 }
 
+// Where a method's field ends, from the left: each is as wide as its word asks for.
+float method_end(const HoldingPanel& panel, std::size_t method) {
+  float all = 0.0F, up_to = 0.0F;
+  for (std::size_t i = 0; i < panel.methods.size(); ++i) {
+    all += static_cast<float>(panel.methods[i].size() + 3);
+    if (i == method) up_to = all;
+  }
+  return kLength * up_to / all;
+}
+
 void draw_methods(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
-  const float each = kLength / static_cast<float>(panel.methods.size());
   canvas.box(at, {kLength, kMethodHeight}, theme::kTrack, 4.0F);
   for (std::size_t i = 0; i < panel.methods.size(); ++i) {
-    const float x = at.x + each * static_cast<float>(i);
+    const float x = at.x + (i > 0 ? method_end(panel, i - 1) : 0.0F);
+    const float each = at.x + method_end(panel, i) - x;
     const bool chosen = i == panel.method;
     if (chosen)
       canvas.box({x, at.y}, {each, kMethodHeight}, thin(panel.faded ? theme::kWarn : theme::kAccent, 160),
@@ -166,8 +176,9 @@ std::optional<HoldingPress> pressed_holding(const OverlayState& state, float wid
                         })};
   }
   if (down >= kMethods - 2.0F && down <= kMethods + kMethodHeight + 2.0F && !panel.methods.empty()) {
-    const auto n = static_cast<double>(panel.methods.size());
-    return HoldingPress{Part::method, std::clamp(std::floor(n * static_cast<double>(along)), 0.0, n - 1.0)};
+    std::size_t method = 0;
+    while (method + 1 < panel.methods.size() && along * kLength > method_end(panel, method)) ++method;
+    return HoldingPress{Part::method, static_cast<double>(method)};
   }
   return std::nullopt;
 }

@@ -79,6 +79,7 @@ struct OverlayState {
   std::string variant;                       // of the study that the switches amount to; read with the cues
   bool torque_bad = false;                   // no force tells of it; likewise
   bool tells_torque = true;                  // some of the cues do
+  std::string cue_title = "Impacts";         // of the cues, where none does
   std::optional<HoldingPanel> holding;       // none: no panel
   std::vector<MotorBar> motors;              // empty: no panel
   TickHealth ticks;
