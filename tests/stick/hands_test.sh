@@ -42,5 +42,5 @@ run_hand stick expert 0 2.6
 watch expert
 run_hand stick clumsy 3 2.6
 watch clumsy
-grep -q "strip" "$box/clumsy/summary.json" || fail "the summary does not say that the holding point was lost"
+grep -q "holding_point_lost" "$box/clumsy/summary.json" || fail "the summary does not say that the holding point was lost"
 echo "all good"
