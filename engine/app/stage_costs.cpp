@@ -87,7 +87,7 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
     std::uint32_t faults = 0;
     unused += motion->advance(place.X_WH * scene.tool.X_HT, {}, faults).contact_F_T_W.force.x();
   });
-  us["response"] -= us["coupling"];
+  if (coupled(scene.contact.response)) us["response"] -= us["coupling"];
   // A tool with mass queries once a tick. One without looks as often as it moves: its queries are its
   // response's.
   if (!massless(scene.contact.response)) {

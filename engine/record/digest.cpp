@@ -128,13 +128,13 @@ std::uint64_t digest(const TickRecord& record) {
     }
   }
   if (inertia) {
-    const auto& [method, gain, faded, acceleration_D, force_D, torque_D, energy] = *inertia;
+    const auto& [method, gain, faded, acceleration_D, force_D, torque_D, energy, arm_energy] = *inertia;
     fnv.add(static_cast<std::int32_t>(method));
     fnv.add(faded);
     fnv.add(acceleration_D);
     fnv.add(force_D);
     fnv.add(torque_D);
-    for (const double value : {gain, energy}) {
+    for (const double value : {gain, energy, arm_energy}) {
       fnv.add(value);
     }
   }

@@ -248,6 +248,11 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, E
         {"energy/inertia", "J", "",
          "What compensation gave, less what is in the handle's motion and what damping has taken."},
         [](const TickRecord& record) { return record.inertia->energy; });
+  if (extras.inertia_compensation)
+    add(c,
+        {"energy/arm", "J", "",
+         "What the torque of the method arm gave to the hand, forgotten over a second."},
+        [](const TickRecord& record) { return record.inertia->arm_energy; });
   if (extras.torque_substitution) add_torque_substitution(c);
   if (extras.impacts) add_impacts(c, extras.impact_vibration);  // which alone asks what was struck
   if (extras.impact_vibration) add_impact_vibration(c);

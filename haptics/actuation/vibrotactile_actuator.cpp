@@ -26,9 +26,8 @@ VibrotactileActuator::VibrotactileActuator(const ChannelDesc& channel, double st
     return;
   }
   w_ = 2 * std::numbers::pi * channel.resonance_Hz;
-  damping_ = w_ / channel.quality;
-  out_ = largest_ / channel.quality;
-  const double decay = 0.5 * damping_, w_d = std::sqrt(w_ * w_ - decay * decay);
+  out_ = largest_ / (channel.quality * step_s);
+  const double decay = 0.5 * w_ / channel.quality, w_d = std::sqrt(w_ * w_ - decay * decay);
   const double kept = std::exp(-decay * step_s), c = std::cos(w_d * step_s), s = std::sin(w_d * step_s) / w_d;
   xx_ = kept * (c + decay * s);
   xv_ = kept * s;
@@ -41,11 +40,10 @@ double VibrotactileActuator::advance(double drive) noexcept {
     amplitude_ = drive + keep_ * (amplitude_ - drive);
     return largest_ * amplitude_;
   }
-  const double a = out_ * (drive - damping_ * v_ - w_ * w_ * x_);
   const double rest = drive / (w_ * w_), x = x_ - rest, v = v_;
   x_ = rest + xx_ * x + xv_ * v;
   v_ = vx_ * x + vv_ * v;
-  return a;
+  return out_ * (v_ - v);
 }
 
 }  // namespace fulcrum

@@ -28,8 +28,8 @@ public:
   // step_s: s between two drives.
   VibrotactileActuator(const ChannelDesc& channel, double step_s);
 
-  // The drive from now on, until the next step. Answers, of pcm: the acceleration now, m/s^2; of rumble: its
-  // amplitude at the step's end.
+  // The drive of the next step. Answers, of pcm: the step's mean acceleration, m/s^2; of rumble: the
+  // amplitude at its end.
   double advance(double drive) noexcept;
 
 private:
@@ -37,10 +37,10 @@ private:
   double largest_;
   double keep_ = 0;                           // rumble: of the amplitude, each step
   double amplitude_ = 0;                      // rumble: share
-  double w_ = 0, damping_ = 0;                // rad/s; 1/s, w_0/Q
+  double w_ = 0;                              // rad/s
   double xx_ = 0, xv_ = 0, vx_ = 0, vv_ = 0;  // free motion over a step, from (x, v) to (x, v)
   double x_ = 0, v_ = 0;                      // of a drive of 1
-  double out_ = 0;                            // m/s^2, of x'' = 1
+  double out_ = 0;                            // m/s^2, of a change of v by 1
 };
 
 }  // namespace fulcrum

@@ -14,9 +14,13 @@
 // is the handle's motion and comes back, less what the device's own damping has taken for certain,
 //     E = G - g m v^2 / 2 - sum b |x_j - x_(j-1)|^2 / t,   v the filter's, over windows of t = 10 ms.
 // The hand has then put in (1 - g) m v^2 / 2 - E or more: device and compensation are passive for as long as
-// E stays in its budget. Above it g fades, within 20 ms; while it does, the handle is braked by
-// |dg/dt| m v / 2, which takes back what was lent. It comes back once E is below half of the budget. What
-// damping took is remembered down to minus the budget, so that no calm minute pays for a wild second.
+// E stays in its budget. From half of it on g fades, within 20 ms; while it does, the handle is braked by
+// |dg/dt| m v / 2, which takes back what was lent, and as long as more than half was given, by more. It
+// comes back once E is below a quarter of the budget. What damping took is remembered down to minus the
+// budget, so that no calm minute pays for a wild second.
+//
+// The torque of arm is no spring's: it turns the hand as it comes and goes. Its account forgets over a
+// second, and above 20 mJ it fades.
 
 #include <cstddef>
 #include <optional>
@@ -62,8 +66,12 @@ public:
   // The wrench that it adds on the handle, in D about H.
   Wrench process(const Tick& tick) noexcept;
   // What was commanded of that, 0 to 1, and what the handle did `age` s ago, when the sample was taken:
-  // moved_D (3) m since the sample before, held_D (3) m the part of it that was under one command alone.
-  void book(double share, const Vec3& moved_D, const Vec3& held_D, double age) noexcept;
+  // moved_D (6) m and rad since the sample before, held_D (6) the part of it that was under one command
+  // alone.
+  struct Shares {
+    double force = 1, torque = 1;
+  };
+  void book(const Shares& commanded, const Vec6& moved_D, const Vec6& held_D, double age) noexcept;
 
   bool filters() const { return filter_.has_value(); }
   const AccelerationEstimator* filter() const { return filter_ ? &*filter_ : nullptr; }
@@ -81,10 +89,11 @@ private:
   std::optional<AccelerationEstimator> filter_;
   Ramp arm_;
   double falling_ = 0;  // 1/s, how fast g falls in this tick
-  const Vec3& commanded(std::size_t ticks_ago) const noexcept;
+  const Wrench& commanded(std::size_t ticks_ago) const noexcept;
 
-  std::vector<Vec3> forces_D_;  // (n x 3) N, as commanded: a ring over what a sample may be late
+  std::vector<Wrench> commanded_D_;  // (n) a ring over what a sample may be late
   std::size_t newest_ = 0;
+  bool faded_ = false, arm_faded_ = false;
   double given_ = 0;           // J, G less the damping's part
   Vec3 way_D_ = Vec3::Zero();  // (3) m, in the window of damping that is open
   int ticks_ = 0;              // of that window

@@ -17,7 +17,8 @@ struct InertiaCues {
   Vec3 acceleration_D = Vec3::Zero();  // (3) m/s^2, of the handle, as estimated
   Vec3 force_D = Vec3::Zero();         // (3) N on the handle, what was commanded of it
   Vec3 torque_D = Vec3::Zero();        // (3) N m, what the method arm changed
-  double energy = 0;                   // J, its account, see InertiaCompensation
+  double energy = 0;                   // J, the account of acceleration, see InertiaCompensation
+  double arm_energy = 0;               // J, that of arm
 };
 
 }  // namespace fulcrum

@@ -1,7 +1,9 @@
 #pragma once
 // Which way something goes along a line, from its place alone, without the chatter of a velocity's sign: it
 // has turned round once it is `least` back from the farthest it got, and it rests once it has not gone on by
-// that much for kRest. A hand trembles by less than 0.1 mm; that much in kRest is 1 mm/s.
+// that much for kRest. A hand that holds still trembles by 0.05 mm
+// rms (device/hand.h), seldom by more than 0.25 mm from one side to the other; that much in kRest is 1.7
+// mm/s.
 
 #include <algorithm>
 
@@ -9,8 +11,8 @@ namespace fulcrum {
 
 class SweepDirection {
 public:
-  static constexpr double kLeast = 0.1e-3;  // m
-  static constexpr double kRest = 0.1;      // s
+  static constexpr double kLeast = 0.25e-3;  // m
+  static constexpr double kRest = 0.15;      // s
 
   SweepDirection(double least, double tick_s) : least_(least), tick_s_(tick_s) {}
 

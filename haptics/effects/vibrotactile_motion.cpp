@@ -53,15 +53,13 @@ VibrotactileMotion::Place VibrotactileMotion::fall_back(const Tick& tick) noexce
   place.direction = way_direction_.update(way_);
   const bool resisted = tick.engaged && place.direction * tick.felt < 0;
   place.share = resisted ? std::min(1.0, std::abs(tick.felt) / desc_.full_force) : 0.0;
-  if (resisted && inside_ != place.direction) {
-    begin_ = way_;
-    place.begins = true;
-  }
+  place.begins = resisted && inside_ != place.direction;
+  if (place.begins || place.direction * (way_ - begin_) < 0) begin_ = way_;  // back, but not turned round
   place.x = place.direction * (way_ - begin_);
-  if (resisted && !(place.x >= 0 && place.x < desc_.law.window)) {
-    place.x -= desc_.law.window * std::floor(place.x / desc_.law.window);
+  if (place.x > desc_.law.window) {
+    place.x = std::fmod(place.x, desc_.law.window);
     begin_ = way_ - place.direction * place.x;
-    place.begins = true;
+    place.begins = resisted;
   }
   cues_.x = resisted ? place.direction * place.x : 0.0;
   return place;

@@ -29,6 +29,15 @@ Mat3 RigidBody::root_inertia_W(const Quat& q_WT) const {
   return R * root_inertia_T_ * R.transpose();
 }
 
+// 1/m of a direction n is n . (1/m + (p x n)^T I^-1 (p x n)).
+double RigidBody::least_mass_at(const Vec3& p_T) const {
+  Mat3 turned;  // p x n
+  turned << 0, -p_T.z(), p_T.y(), p_T.z(), 0, -p_T.x(), -p_T.y(), p_T.x(), 0;
+  const Mat3 about = turned.transpose() * inverse_inertia_T_ * turned;
+  return 1 /
+         (1 / mass_ + Eigen::SelfAdjointEigenSolver<Mat3>(about, Eigen::EigenvaluesOnly).eigenvalues()[2]);
+}
+
 double RigidBody::kinetic_energy(const BodyState& state) const noexcept {
   const Twist& V = state.V_WT;
   return 0.5 * mass_ * V.v.squaredNorm() + 0.5 * V.w.dot(inertia_W(state.X_WT.q) * V.w);

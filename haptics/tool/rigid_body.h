@@ -25,9 +25,8 @@ public:
 
   double mass() const { return mass_; }
   double smallest_inertia() const { return smallest_inertia_; }  // kg m^2, principal
-  double least_mass_at(double lever) const {  // kg, that a force feels at so many m from T, at least
-    return 1 / (1 / mass_ + lever * lever / smallest_inertia_);
-  }
+  // kg, that a force at p_T (3) m has to move, in the direction in which that is least.
+  double least_mass_at(const Vec3& p_T) const;
   Mat3 inertia_W(const Quat& q_WT) const;
   Mat3 inverse_inertia_W(const Quat& q_WT) const;
   // S with S S = I, in W: critical damping of an anisotropic body is 2 sqrt(k) S.

@@ -15,7 +15,7 @@ VirtualCoupling::VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool
       tool_(tool) {}
 
 // The damper is critical for the mass that the tool has at the end of its longest grip, where that is least.
-VirtualCoupling::VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool, double longest_grip)
+VirtualCoupling::VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool, const Vec3& longest_grip)
     : VirtualCoupling(desc, tool) {
   damping_ = 2.0 * desc.damping_ratio * std::sqrt(desc.stiffness * tool.least_mass_at(longest_grip));
 }

@@ -23,8 +23,8 @@ struct CouplingDesc {
 class VirtualCoupling {
 public:
   VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool);
-  // Held elsewhere than at T, see hold_at(): up to longest_grip m from it.
-  VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool, double longest_grip);
+  // Held elsewhere than at T, see hold_at(). longest_grip (3) m, in T: as far from it as it will be.
+  VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool, const Vec3& longest_grip);
 
   // From the next pull on: the spring is at G, p_TG (3) m in T, instead of at T, and its damper with it.
   void hold_at(const Vec3& p_TG) noexcept {

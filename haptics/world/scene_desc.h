@@ -1,7 +1,6 @@
 #pragma once
 // A scene as plain data. World::build() turns it into what ticks; a part that is not named here is not built.
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -98,12 +97,12 @@ inline bool compensates_inertia(const SceneDesc& desc) {
   return desc.inertia_compensation && desc.device.renders_force;
 }
 
-// m, of the places where the tool can be held, the largest distance from T.
-inline double longest_grip(const SceneDesc& desc) {
-  double longest = 0;
-  for (const double place : {desc.holding_point->low, desc.holding_point->high})
-    longest = std::max(longest, (desc.tool.X_HT.inverse() * (place * desc.holding_point->axis_H)).norm());
-  return longest;
+// (3) m, in T: of the places where the tool can be held, the one that is farthest from its centre of mass.
+inline Vec3 longest_grip(const SceneDesc& desc) {
+  const Pose X_TH = desc.tool.X_HT.inverse();
+  const Vec3 low = X_TH * (desc.holding_point->low * desc.holding_point->axis_H);
+  const Vec3 high = X_TH * (desc.holding_point->high * desc.holding_point->axis_H);
+  return low.norm() > high.norm() ? low : high;
 }
 
 // Something in the scene asks for impacts.

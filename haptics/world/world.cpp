@@ -126,7 +126,9 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Wrench limited_F_H_D = w.guard_.limit(all_F_H_D, faults);
   const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
   w.motors_.begin(w.X_DH_good_);
-  const Allocation continuous = w.motors_.wrench(limited_F_H_D, w.p_HG_D());
+  Allocation continuous = w.motors_.wrench(limited_F_H_D);
+  if (continuous.clamped() && w.holding_point_)  // what is cut keeps its direction where the hand feels it
+    continuous = w.motors_.wrench(limited_F_H_D, w.p_HG_D());
   w.motors_.take(continuous);
   w.guard_.commanded(continuous.F_H_D);
   if (continuous.clamped()) faults |= kMotorClamped;
@@ -139,11 +141,13 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   // Book what the hand did, against what it felt and feels from here on.
   Wrench felt_F_H_D = continuous.F_H_D + own_weight * -w.guard_.gain();
   if (w.inertia_compensation_) {  // it has an account of its own
-    w.inertia_compensation_->book(part_of(continuous.F_H_D.force, all_F_H_D.force), moved_D.head<3>(),
-                                  desc.mapping.motion_in_device(w.counted_.within_tick()).head<3>(),
+    w.inertia_compensation_->book({part_of(continuous.F_H_D.force, all_F_H_D.force),
+                                   part_of(continuous.F_H_D.torque, all_F_H_D.torque)},
+                                  moved_D, desc.mapping.motion_in_device(w.counted_.within_tick()),
                                   sample.age);
-    const Vec3& force_D = w.inertia_compensation_->cues().force_D;
-    if (!force_D.isZero(0)) felt_F_H_D.force -= force_D;
+    const InertiaCues& cues = w.inertia_compensation_->cues();
+    if (!cues.force_D.isZero(0)) felt_F_H_D.force -= cues.force_D;
+    if (!cues.torque_D.isZero(0)) felt_F_H_D.torque -= cues.torque_D;
     if (w.inertia_compensation_->cues().faded) faults |= kCompensationFaded;
   }
   Wrench felt_F_H_W = desc.mapping.wrench_in_world(felt_F_H_D);

@@ -167,13 +167,13 @@ std::optional<Error> refuse_inertia_compensation(const SceneDesc& desc) {
 
 // Held elsewhere than at its centre of mass the tool gives way more easily there, and its motions mix.
 std::optional<Error> refuse_grip(const SceneDesc& desc, double smallest_inertia) {
-  const double lever = longest_grip(desc);
+  const Vec3 p_TG = longest_grip(desc);
+  const double mass = RigidBody(desc.tool.mass, desc.tool.inertia_T).least_mass_at(p_TG);
   const double rate_squared =
-      desc.coupling.stiffness * (1 / desc.tool.mass + lever * lever / smallest_inertia) +
-      desc.coupling.angular_stiffness / smallest_inertia;
+      desc.coupling.stiffness / mass + desc.coupling.angular_stiffness / smallest_inertia;
   const double largest = kCouplingShare / (desc.tick_s * desc.tick_s);
   if (rate_squared <= largest) return std::nullopt;
-  return Error{"Held up to " + number_text(lever * 1e3) +
+  return Error{"Held up to " + number_text(p_TG.norm() * 1e3) +
                " mm from its centre of mass the tool can bear no more than " +
                number_text(100 * largest / rate_squared) +
                " % of the coupling's stiffness at this tick rate: lower coupling.stiffness and "
@@ -239,7 +239,7 @@ Result<World> World::build(SceneDesc desc) {
                        desc.tick_s);
   if (desc.holding_point) {
     if (auto error = refuse_holding_point(desc)) return *error;
-    if (!any_gain) {
+    if (!any_gain && moves_grip(desc.contact.response)) {
       if (auto error = refuse_grip(desc, smallest_inertia)) return *error;
     }
   }

@@ -94,5 +94,17 @@ TEST(Allocation, NoTickWithImpactsAllocates) {
   EXPECT_EQ(allocations_in(*prepared, "clumsy"), 0);
 }
 
+// Direct rendering, a strip, a filter, a hand that holds the stylus elsewhere than at the handle.
+TEST(Allocation, NoTickWithAHoldingPointAllocates) {
+  std::optional<app::Prepared> prepared = app::prepare(
+      "plate", std::vector<std::string>{"contact={response: direct, stiffness: 300, levels: [300, 600]}",
+                                        "holding_point={place: 0.05, low: -0.1, high: 0.1}",
+                                        "inertia_compensation={filter: {kind: adaptive}}"});
+  ASSERT_TRUE(prepared);
+  prepared->haptic.scene.device.strip = HoldingStripDesc{};
+  for (scenario::HandScript& hand : prepared->haptic.hands) hand.waypoints.front().hold = 0.05;
+  EXPECT_EQ(allocations_in(*prepared, "expert"), 0);
+}
+
 }  // namespace
 }  // namespace fulcrum::test

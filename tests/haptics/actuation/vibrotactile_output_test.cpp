@@ -55,15 +55,15 @@ TEST(VibrotactileActuator, AnswersAToneAsItsTransferFunctionSays) {
   }
 }
 
-// Free, it rings and dies away as a damped oscillator does.
+// Switched on, it rings and dies away as a damped oscillator does.
 TEST(VibrotactileActuator, RingsAsADampedOscillator) {
   const double T = 1 / 48000.0, w0 = 2 * std::numbers::pi * 233, d = w0 / (2 * 3.0);
   const double w_d = std::sqrt(w0 * w0 - d * d);
   VibrotactileActuator actuator(coil(), T);
   for (int n = 0; n < 2000; ++n) {
     const double t = n * T;
-    // of a unit step: x'' = e^(-d t) (cos w_d t - d/w_d sin w_d t)
-    const double truth = 10.0 / 3 * std::exp(-d * t) * (std::cos(w_d * t) - d / w_d * std::sin(w_d * t));
+    const auto v = [&](double at) { return std::exp(-d * at) * std::sin(w_d * at) / w_d; };  // of a unit step
+    const double truth = 10.0 / 3 * (v(t + T) - v(t)) / T;
     ASSERT_NEAR(actuator.advance(1), truth, 1e-9) << n;
   }
 }

@@ -1,4 +1,4 @@
-// A handle held on a lever, against the same equations by Runge and Kutta's rule in steps of 1 us, and
+// A handle held on a lever, against the same equations by Runge and Kutta's rule in steps of 2 us, and
 // against FrictionAxis where there is no lever.
 
 #include "haptics/device/held_handle.h"

@@ -13,6 +13,12 @@ namespace {
 
 constexpr double kTick = 1e-3;  // s
 
+Vec6 motion(const Vec3& moved) {
+  Vec6 d;
+  d << moved, Vec3::Zero();
+  return d;
+}
+
 // What the hand feels at G of a force and torque on the handle at C, whose mass m moves with a.
 Wrench felt(const Wrench& commanded, const Vec3& p_HG, double mass, const Vec3& a) {
   const Vec3 f_h = commanded.force - mass * a;
@@ -34,7 +40,7 @@ struct Accelerated {
       tick.open = true;
       wrench = compensation.process(tick);
       const Vec3 moved = n > 0 ? Vec3((t - 0.5 * kTick) * kTick * a) : Vec3(Vec3::Zero());
-      compensation.book(1, moved, moved, 0);
+      compensation.book({}, motion(moved), motion(moved), 0);
     }
     return wrench;
   }
@@ -42,13 +48,13 @@ struct Accelerated {
 
 Accelerated accelerated(InertiaMethod method, const Vec3& f, const Vec3& p_HG, bool between,
                         double gain = 1) {
-  Accelerated motion{{{.method = method, .gain = gain, .budget = 1e3},
+  Accelerated handle{{{.method = method, .gain = gain, .budget = 1e3},
                       {.tick_s = kTick, .mass = 0.25, .largest_force = 100}},
                      Vec3(0, 1, 0)};
-  motion.tick.force_D = f;
-  motion.tick.p_HG_D = p_HG;
-  motion.tick.between = between;
-  return motion;
+  handle.tick.force_D = f;
+  handle.tick.p_HG_D = p_HG;
+  handle.tick.between = between;
+  return handle;
 }
 
 // m = .25, a = 1, l = .1, h = .03, f = 1: wanted .0300 N m, uncompensated .0475.
@@ -56,9 +62,9 @@ TEST(InertiaCompensation, FeltWrenchByEachMethodIsAsPublished) {
   const Vec3 f(0, 1, 0), l(0.1, 0, 0), h(0.03, 0, 0), p_HG = l - h;
   const Wrench rendered{f, l.cross(f)};
   for (const InertiaMethod method : {InertiaMethod::none, InertiaMethod::acceleration}) {
-    Accelerated motion = accelerated(method, f, p_HG, false);
-    const Wrench added = motion.run(2000);
-    const Wrench hand = felt(rendered + added, p_HG, 0.25, motion.a);
+    Accelerated handle = accelerated(method, f, p_HG, false);
+    const Wrench added = handle.run(2000);
+    const Wrench hand = felt(rendered + added, p_HG, 0.25, handle.a);
     if (method == InertiaMethod::none) {
       EXPECT_NEAR(hand.force.y(), 0.75, 1e-12);
       EXPECT_NEAR(hand.torque.z(), 0.0475, 1e-12);
@@ -73,17 +79,17 @@ TEST(InertiaCompensation, FeltWrenchByEachMethodIsAsPublished) {
 // The contact between hand and stage: the torque about C is h x f, and the force stays.
 TEST(InertiaCompensation, ArmCommandsTheTorqueOfAForceAtTheHand) {
   const Vec3 f(0, 1, 0.2), l(0.1, 0, 0), p_HG(0.13, 0, 0), h = l - p_HG;
-  Accelerated motion = accelerated(InertiaMethod::arm, f, p_HG, true);
-  const Wrench added = motion.run(2000);
+  Accelerated handle = accelerated(InertiaMethod::arm, f, p_HG, true);
+  const Wrench added = handle.run(2000);
   EXPECT_EQ(added.force, Vec3(Vec3::Zero()));
   EXPECT_NEAR((l.cross(f) + added.torque - h.cross(f)).norm(), 0, 1e-15);
   // Eq. 10, its own signs: felt torque -(2 h + l) x f + (h + l) x m a with |h| = .03.
-  const Wrench hand = felt({f, l.cross(f) + added.torque}, p_HG, 0.25, motion.a);
+  const Wrench hand = felt({f, l.cross(f) + added.torque}, p_HG, 0.25, handle.a);
   EXPECT_NEAR(hand.torque.z(), -(2 * 0.03 + 0.1) * 1 + (0.03 + 0.1) * 0.25, 1e-12);
-  motion.tick.between = false;  // beyond the hand nothing is changed, and it is left within 20 ms
+  handle.tick.between = false;  // beyond the hand nothing is changed, and it is left within 20 ms
   double before = added.torque.norm();
   for (int i = 0; i < 21; ++i) {
-    const double now = motion.run(1).torque.norm();
+    const double now = handle.run(1).torque.norm();
     EXPECT_LE(before - now, added.torque.norm() / 20 * 1.001);
     before = now;
   }
@@ -92,13 +98,13 @@ TEST(InertiaCompensation, ArmCommandsTheTorqueOfAForceAtTheHand) {
 
 // Of an even acceleration the account is empty: all that was given is in the handle's motion.
 TEST(InertiaCompensation, LendsTheHandleItsMotion) {
-  Accelerated motion = accelerated(InertiaMethod::acceleration, Vec3::Zero(), Vec3::Zero(), false);
-  motion.run(3000);
+  Accelerated handle = accelerated(InertiaMethod::acceleration, Vec3::Zero(), Vec3::Zero(), false);
+  handle.run(3000);
   const double lent = 0.5 * 0.25 * 9;
-  EXPECT_NEAR(motion.compensation.cues().energy, 0, 0.01 * lent);  // the ramp's part, until g is 1
-  const double before = motion.compensation.cues().energy;
-  motion.run(1000);
-  EXPECT_NEAR(motion.compensation.cues().energy, before, 1e-3 * lent);
+  EXPECT_NEAR(handle.compensation.cues().energy, 0, 0.01 * lent);  // the ramp's part, until g is 1
+  const double before = handle.compensation.cues().energy;
+  handle.run(1000);
+  EXPECT_NEAR(handle.compensation.cues().energy, before, 1e-3 * lent);
 }
 
 // Shaken so fast that the filter is late: the account fills, the gain is gone in 20 ms, and it does not come
@@ -119,7 +125,7 @@ TEST(InertiaCompensation, FadesWhereItWouldAddEnergy) {
     before = tick.p_DH;
     given += last.dot(moved);
     last = compensation.process(tick).force;
-    compensation.book(1, moved, moved, 0);
+    compensation.book({}, motion(moved), motion(moved), 0);
     most = std::max(most, compensation.cues().energy);
     if (full < 0 && compensation.cues().faded) full = i;
     if (full >= 0 && gone < 0 && compensation.cues().gain == 0) gone = i;
@@ -147,7 +153,7 @@ TEST(InertiaCompensation, DampingPaysAndFlickerDoesNot) {
       compensation.process(tick);
       const Vec3 moved(tick.p_DH.x() - before, 0, 0);
       before = tick.p_DH.x();
-      compensation.book(1, moved, moved, 0);
+      compensation.book({}, motion(moved), motion(moved), 0);
     }
     return compensation.cues().energy;
   };
@@ -173,7 +179,7 @@ TEST(InertiaCompensation, BooksTheForceThatALateSampleTellsOf) {
       tick.open = i > 0;
       const Vec3 moved(0, place(t) - place(t - kTick), 0);
       forces.push_back(compensation.process(tick).force.y());
-      compensation.book(1, moved, moved, late * kTick);
+      compensation.book({}, motion(moved), motion(moved), late * kTick);
       if (i > late) given += forces[static_cast<std::size_t>(i - late - 1)] * moved.y();
     }
     const double lent = 0.5 * 0.25 * std::pow(compensation.filter()->velocity().norm(), 2);
