@@ -22,6 +22,8 @@ int ambiguity_command(const RunOptions& options);  // its scenario, overrides, o
 int hardness_command(const HardnessOptions& options);
 int stability_command(const RunOptions& options);      // its out, force and json
 int workprecision_command(const RunOptions& options);  // likewise
+int strip_command(const std::string& device, const std::string& presses);
+int uniformity_command(const RunOptions& options);     // its out and force
 int schema_command(const std::string& of);             // scenario, hand, device or material
 
 }  // namespace fulcrum::app

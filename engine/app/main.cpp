@@ -132,7 +132,7 @@ int dispatch(int argc, char** argv) {
   RunOptions options;
   CompareOptions compare_options;
   HardnessOptions hardness_options;
-  std::string size, variants, tape, scenario, schema_of = "scenario";
+  std::string size, variants, tape, scenario, schema_of = "scenario", presses, strip_device = "freedom6s";
   std::vector<std::string> files;
 
   CLI::App* list = program.add_subcommand("list", "The scenarios, a line each");
@@ -166,6 +166,17 @@ int dispatch(int argc, char** argv) {
       "workprecision", "What each choice costs, and how far from a known truth it leaves the answer");
   add_out(workprecision, options);
   workprecision->add_flag("--json", options.json, "Print the figures as JSON");
+  CLI::App* strip = program.add_subcommand(
+      "strip", "Calibrate a device's strip: the ends of it from presses at known places");
+  strip->add_option("presses", presses, "A line for each: its place in m along the stick, and ohm")
+      ->required()
+      ->type_name("FILE");
+  strip->add_option("--device", strip_device, "A file of content/devices, by name (default: freedom6s)")
+      ->type_name("NAME");
+  CLI::App* uniformity = program.add_subcommand(
+      "uniformity",
+      "Whether a ball feels alike along a whole stick, though the device has a mass at one end");
+  add_out(uniformity, options);
   CLI::App* schema = program.add_subcommand("schema", "The JSON Schema of a file, for an editor");
   schema->add_option("of", schema_of, "scenario (default), hand, device or material")
       ->check(CLI::IsMember({"scenario", "hand", "device", "material"}));
@@ -185,6 +196,8 @@ int dispatch(int argc, char** argv) {
   if (*ambiguity) return ambiguity_command(options);
   if (*hardness) return hardness_command(hardness_options);
   if (*stability) return stability_command(options);
+  if (*strip) return strip_command(strip_device, presses);
+  if (*uniformity) return uniformity_command(options);
   if (*workprecision) return workprecision_command(options);
   return schema_command(schema_of);
 }

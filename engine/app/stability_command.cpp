@@ -8,11 +8,12 @@
 #include "engine/app/terminal.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "haptics/actuation/actuators.h"
 
 namespace fulcrum::app {
 namespace {
 
-// Each device file that can be read; what is wrong with another is said, and nothing is returned.
+// Each device file of a device that has motors; what is wrong with another is said, and nothing is returned.
 std::optional<std::vector<analysis::NamedAxis>> device_axes() {
   std::vector<analysis::NamedAxis> axes;
   for (const auto& [name, file] : scenario::device_files(scenario::content_roots())) {
@@ -21,6 +22,7 @@ std::optional<std::vector<analysis::NamedAxis>> device_axes() {
       complain(scenario::to_text(device.faults()));
       return std::nullopt;
     }
+    if (Actuators::count(*device) == 0) continue;  // no motors, no wall
     axes.push_back({name,
                     {.mass = device->handle_mass,
                      .damping = device->damping,

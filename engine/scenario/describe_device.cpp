@@ -142,6 +142,13 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
                   if (!device.vibrotactile) device.vibrotactile.emplace();
                   describe_channel(each, device.vibrotactile->channels.emplace_back(), name);
                 });
+  if (device.vibrotactile) {
+    const VibrotactileDesc& vibrators = *device.vibrotactile;
+    visitor.rule(
+        "channels",
+        vibrators.find("left") && vibrators.find("right") && vibrators.channels.size() <= kMaxChannels,
+        "must have 'left' and 'right', and two more at most");
+  }
   visitor.mapping(
       {"strip", "", "along the handle, that knows where the hand holds: a membrane potentiometer"},
       [&](KeyVisitor& inner) { describe_strip(inner, device.strip.emplace()); });

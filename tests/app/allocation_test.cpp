@@ -94,6 +94,14 @@ TEST(Allocation, NoTickWithImpactsAllocates) {
   EXPECT_EQ(allocations_in(*prepared, "clumsy"), 0);
 }
 
+TEST(Allocation, NoTickThatVibratesAtTheFingerAllocates) {
+  for (const std::string model : {"two_channel", "rumble_pad"}) {
+    const std::optional<app::Prepared> prepared = app::prepare("piping", std::vector{"device.model=" + model});
+    ASSERT_TRUE(prepared);
+    EXPECT_EQ(allocations_in(*prepared, "clumsy"), 0) << model;
+  }
+}
+
 // Direct rendering, a strip, a filter, a hand that holds the stylus elsewhere than at the handle.
 TEST(Allocation, NoTickWithAHoldingPointAllocates) {
   std::optional<app::Prepared> prepared = app::prepare(

@@ -4,7 +4,9 @@
 
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "haptics/actuation/actuators.h"
 #include "haptics/actuation/allocator.h"
+#include "haptics/actuation/vibrotactile_actuator.h"
 #include "tests/haptics/actuation/w6d.h"
 
 namespace fulcrum::scenario {
@@ -96,6 +98,27 @@ TEST(DeviceFiles, TheDesktopArmGivesItsForceAlongEveryAxis) {
   EXPECT_EQ(device.max_force, 7.9);
   for (int axis = 0; axis < 3; ++axis)
     EXPECT_GE(largest(device, {Vec3::Unit(axis), Vec3::Zero()}), device.max_force) << axis;
+}
+
+// Two vibrators of 1.31 g at 233 Hz, as in "Virtual vibrotactile motion as lateral force", alone and on an
+// arm.
+TEST(DeviceFiles, TheFingertipsVibratorsDoWhatThePaperAsksFor) {
+  for (const char* name : {"two_channel", "fingertip"}) {
+    const DeviceDesc device = shipped(name);
+    ASSERT_TRUE(device.vibrotactile) << name;
+    for (const char* side : {"left", "right"}) {
+      const auto channel = device.vibrotactile->find(side);
+      ASSERT_TRUE(channel) << name;
+      EXPECT_GE(actuator_reach(device.vibrotactile->channels[*channel], 233), 1.31 * 9.8) << name;
+    }
+  }
+  EXPECT_EQ(Actuators::count(shipped("two_channel")), 0);
+  EXPECT_EQ(Actuators::count(shipped("rumble_pad")), 0);
+  const DeviceDesc fingertip = shipped("fingertip");
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_GE(largest(fingertip, {Vec3::Unit(axis), Vec3::Zero()}), fingertip.max_force) << axis;
+  for (const ChannelDesc& channel : shipped("rumble_pad").vibrotactile->channels)
+    EXPECT_EQ(channel.kind, ChannelKind::rumble);
 }
 
 }  // namespace

@@ -231,5 +231,17 @@ TEST(Devices, SayWhatIsWrong) {
   EXPECT_FALSE(load_device(folder.root() / "devices" / "nothing.yaml"));
 }
 
+TEST(Devices, SayWhatTheirVibratorsLack) {
+  const Folder folder;
+  folder.write("devices/test_arm.yaml",
+               "fulcrum: 1\nname: Arm\nchannels:\n  left: {kind: pcm, largest: 10, resonance_Hz: 233}\n");
+  const auto device = load_device(folder.root() / "devices" / "test_arm.yaml");
+  ASSERT_FALSE(device);
+  const std::string text = to_text(device.faults());
+  EXPECT_NE(text.find("test_arm.yaml:4:"), std::string::npos) << text;
+  EXPECT_NE(text.find("must be above 0.5 for the kind pcm"), std::string::npos) << text;
+  EXPECT_NE(text.find("must have 'left' and 'right', and two more at most"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace fulcrum::scenario::test

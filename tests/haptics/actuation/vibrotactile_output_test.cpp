@@ -50,7 +50,7 @@ TEST(VibrotactileActuator, AnswersAToneAsItsTransferFunctionSays) {
         const double a = actuator.advance(0.5 * std::sin(2 * std::numbers::pi * f * n / 48000));
         if (n > 24000) most = std::max(most, std::abs(a));
       }
-      EXPECT_NEAR(most, 0.5 * 10 * H, 0.02 * 0.5 * 10 * H + 0.01) << quality << ' ' << f;
+      EXPECT_NEAR(most, 0.5 * 10 * H, 0.005 * 0.5 * 10 * H) << quality << ' ' << f;
     }
   }
 }

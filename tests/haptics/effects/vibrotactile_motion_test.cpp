@@ -148,6 +148,24 @@ TEST(VibrotactileMotion, LevelsAreTheLawsAtEachUpdate) {
   }
 }
 
+// In time: the trailing vibrator begins 0.32 T + 0.0473 s after the leading one, to an update; on a pass that
+// is too fast for it, with it.
+TEST(VibrotactileMotion, TheSecondOnsetComesLaterByTheAsynchrony) {
+  VibrotactileMotionDesc desc;
+  desc.law.onset = MotionOnset::asynchronous;
+  for (const double speed : {0.01, 0.05, 0.1, 0.14, 0.16, 0.2}) {
+    const double T_s = kWindow / speed, soa = 0.32 * T_s + 0.0473;
+    double leading = 0, trailing = 0;
+    for (const Moment& m : swept(desc, 1e-4, 0.04 / speed, [&](double t) { return speed * t - 0.02; })) {
+      if (leading == 0 && m.cues.command.level[1] > 0) leading = m.time;
+      if (trailing == 0 && m.cues.command.level[0] > 0) trailing = m.time;
+    }
+    ASSERT_GT(leading, 0) << speed;
+    EXPECT_GE(trailing - leading, soa < T_s ? soa - 1e-4 : 0.0) << speed;
+    EXPECT_LE(trailing - leading, (soa < T_s ? soa : 0.0) + 0.0102) << speed;
+  }
+}
+
 TEST(VibrotactileMotion, TurnsRoundWithTheHandAndEntersAgain) {
   // To 8 mm, back to -8 mm, and again: the window is that of the way the finger goes.
   const double speed = 0.1;

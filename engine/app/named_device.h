@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "haptics/device/device.h"
+
+namespace fulcrum::app {
+
+// A file of content/devices that has motors, by name. Nothing if there is none such, which is said on stderr.
+std::optional<DeviceDesc> device_named(const std::string& name);
+
+}  // namespace fulcrum::app
