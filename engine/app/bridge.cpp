@@ -5,6 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "engine/app/holding_controls.h"
+#include "engine/scenario/followed.h"
+#include "engine/scenario/level_bars.h"
 #include "engine/scenario/to_glm.h"
 #include "haptics/safety/faults.h"
 
@@ -88,17 +91,49 @@ std::string stop_reason(std::uint32_t faults) {
 
 }  // namespace
 
-FrameBridge::FrameBridge(const render::VisualDesc& desc, const SceneDesc& scene)
-    : markers_(desc.markers.size()) {
+FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenario& scenario,
+                         const SceneDesc& scene)
+    : markers_(desc.markers.size()), guide_(scenario.guide), X_TH_(scene.tool.X_HT.inverse()) {
   if (desc.ghost) ghost_q_HT_ = scene.tool.X_HT.q;
+  if (scenario::draws_levels(scene)) {
+    left_ = scene.device.vibrotactile->find("left").value_or(0);
+    right_ = scene.device.vibrotactile->find("right").value_or(0);
+    strongest_ = scene.vibrotactile_motion->strength;
+  }
   for (const render::Instance& instance : desc.instances) {
     if (!instance.movable) continue;
     follows_.push_back(instance.follows);
     X_WM_.push_back(instance.X_WM);
-    if (instance.follows > 0 && instance.follows < kFirstPiece && !links_)
+    if (instance.follows > 0 && instance.follows < scenario::kFirstFollowed && !links_)
       links_.emplace(scene.device.mechanism, scene.mapping);
   }
   marker_states_.resize(markers_);
+}
+
+// All but the device's links.
+glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const Afterglow& afterglow,
+                               double time) {
+  if (body >= scenario::kFollowsImpactCircle)
+    return impact_circle_pose(body, afterglow.struck(), record.X_WT, time);
+  const Pose X_WH = record.X_WT * X_TH_;  // where the tool is seen to be held
+  const auto level_at = [&](int side, std::size_t channel) {
+    const double level = record.vibrotactile.value_or(VibrotactileCues()).command.level[channel] / strongest_;
+    return scenario::level_pose(X_WH.p, side, level);
+  };
+  switch (body) {
+    case scenario::kFollowsGuide:
+      return scenario::to_glm({Quat::Identity(), scenario::guide_place(*guide_, time)});
+    case scenario::kFollowsHoldingPoint:
+      return scenario::to_glm({X_WH.q, X_WH * record.holding.value_or(HoldingCues()).p_HG});
+    case scenario::kFollowsLevelFrame:
+      return scenario::to_glm({Quat::Identity(), X_WH.p});
+    case scenario::kFollowsLeftLevel:
+      return level_at(-1, left_);
+    case scenario::kFollowsRightLevel:
+      return level_at(1, right_);
+    default:
+      return scenario::to_glm(record.X_WT);
+  }
 }
 
 render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow& afterglow,
@@ -107,8 +142,8 @@ render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow&
   const std::vector<Pose>* X_WL = links_ ? &links_->follow(record.X_WH) : nullptr;
   for (std::size_t i = 0; i < X_WM_.size(); ++i) {
     const std::size_t body = follows_[i];
-    X_WM_[i] = body >= kFirstPiece ? impact_circle_pose(body, afterglow.struck(), record.X_WT, time)
-                                   : scenario::to_glm(body == 0 ? record.X_WT : (*X_WL)[body - 1]);
+    const bool link = body > 0 && body < scenario::kFirstFollowed;
+    X_WM_[i] = link ? scenario::to_glm((*X_WL)[body - 1]) : pose_of(body, record, afterglow, time);
   }
   for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
   render::FrameState state;
@@ -160,11 +195,13 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
   state.cues = cue_lines(scene, record, afterglow);
+  if (!detects_impacts(scene)) state.cue_title = "Fingertip";
   state.tells_torque = vibrates_for_torque(scene) || shows_ghost(scene);
   if (state.tells_torque) state.variant = variant_text(record.torque);
   state.torque_bad = record.torque.bad;
   if (scenario::draws_arms(prepared.scenario, scene))
     state.motors = motor_bars(scene.device.mechanism, record, afterglow);
+  state.holding = holding_panel(scene, record);
   if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
   if (record.stopped)
     state.force = ui::Force::stopped;

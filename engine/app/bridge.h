@@ -11,6 +11,7 @@
 #include "engine/input/tool_mouse.h"
 #include "engine/render/frame_state.h"
 #include "engine/scenario/device_links.h"
+#include "engine/scenario/guide.h"
 #include "engine/scenario/task_judge.h"
 #include "engine/ui/overlay_state.h"
 #include "haptics/world/command.h"
@@ -21,7 +22,7 @@ namespace fulcrum::app {
 // The storage that a FrameState looks into.
 class FrameBridge {
 public:
-  FrameBridge(const render::VisualDesc& desc, const SceneDesc& scene);
+  FrameBridge(const render::VisualDesc& desc, const scenario::Scenario& scenario, const SceneDesc& scene);
 
   // The tool as it was in that tick, the device's arms where the handle held them, the markers as the task
   // stands. The ghost, if the scene has one, is put
@@ -30,7 +31,13 @@ public:
                            const scenario::TaskState& task, const render::Camera& camera, double time);
 
 private:
+  glm::mat4 pose_of(std::size_t body, const TickRecord& record, const Afterglow& afterglow, double time);
+
   std::size_t markers_;
+  std::optional<scenario::GuideDesc> guide_;
+  Pose X_TH_;
+  std::size_t left_ = 0, right_ = 0;            // channels
+  double strongest_ = 0;                        // m/s^2, of their levels; 0: they are not drawn
   std::optional<Quat> ghost_q_HT_;              // where there is a ghost
   std::optional<scenario::DeviceLinks> links_;  // where something follows them
   std::vector<std::size_t> follows_;            // of each movable instance

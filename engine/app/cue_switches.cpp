@@ -40,10 +40,8 @@ std::optional<Command> CueSwitches::toggle(Command::Kind kind, const ui::Overlay
 
 std::optional<Command> CueSwitches::press(const ui::OverlayState& shown, render::Extent size, double x,
                                           double y) {
-  const float unit = ui::overlay_scale(size.height), height = static_cast<float>(size.height);
-  const auto press =
-      ui::pressed_cue(shown, switched_on_, static_cast<float>(size.width) / unit,
-                      static_cast<float>(x) * height / unit, static_cast<float>(y) * height / unit);
+  const ui::PanelPoint at = ui::panel_point(size, x, y);
+  const auto press = ui::pressed_cue(shown, switched_on_, at.width, at.x, at.y);
   if (!press) return std::nullopt;
   return set(press->cue, press->gain);
 }

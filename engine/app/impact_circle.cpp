@@ -80,7 +80,7 @@ void add_impact_circle(render::VisualDesc& desc) {
     instance.movable = true;
     instance.casts_shadow = false;
     instance.layers = kEveryLayer;
-    instance.follows = kFirstPiece + piece;
+    instance.follows = scenario::kFollowsImpactCircle + piece;
     desc.instances.push_back(std::move(instance));
   }
   desc.meshes.push_back(std::move(tube));
@@ -92,7 +92,7 @@ glm::mat4 impact_circle_pose(std::size_t body, const std::optional<StruckPlace>&
   const double left = struck ? struck->time + kSeen + kFade - time : 0;
   if (!(left > 0) || time < struck->time) return nowhere(X_WT);
   const double thickness = std::min(1.0, left / kFade);
-  const std::size_t piece = body - kFirstPiece;
+  const std::size_t piece = body - scenario::kFollowsImpactCircle;
   if (piece < kPieces) {
     const bool circle = !struck->axis_T.isZero() && struck->radius > 0;
     return circle ? piece_pose(piece, *struck, X_WT, thickness) : nowhere(X_WT);

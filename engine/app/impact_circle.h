@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/render/visual_desc.h"
+#include "engine/scenario/followed.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::app {
@@ -23,10 +24,9 @@ struct StruckPlace {
 // p_TH: (3) m, the manipulation point, where the tool has it. Nothing where no vibration began in that tick.
 std::optional<StruckPlace> struck_place(const TickRecord& record, const Vec3& p_TH, double time);
 
-// Appends the circle's pieces and the dot where the impact fell. They follow kFirstPiece and those after it.
+// Appends the circle's pieces and the dot where the impact fell. They follow kFollowsImpactCircle and those
+// after it.
 void add_impact_circle(render::VisualDesc& desc);
-
-inline constexpr std::size_t kFirstPiece = 1000;  // beyond the links of any device
 
 // Of the piece that follows `body`. Thinner and thinner from kSeen on, and then nowhere.
 glm::mat4 impact_circle_pose(std::size_t body, const std::optional<StruckPlace>& struck, const Pose& X_WT,

@@ -157,6 +157,15 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
     result.built.push_back({"circle of confusion", "picture", 0, 0, "about the tool, after an impact"});
   else
     result.left_out.push_back({"circle of confusion", "picture", 0, 0, "only `run --circle` asks for it"});
+  const auto drawn = [&result](bool built, const char* name, const char* what, const char* why) {
+    (built ? result.built : result.left_out).push_back({name, "picture", 0, 0, built ? what : why});
+  };
+  drawn(world.desc().holding_point.has_value(), "axes at the holding point", "red, green and blue arrows",
+        "the scenario names no holding_point");
+  drawn(scenario::draws_levels(world.desc()), "levels beside the finger", "a bar to either side",
+        "no finger sweeps on a device that vibrates");
+  drawn(prepared.scenario.guide.has_value(), "guide", "a ball that goes to and fro",
+        "the scenario does not name it");
   for (const render::BuildItem& item : plan->built)
     result.built.push_back({item.name, item.kind, item.bytes, 0, item.note});
   for (const render::BuildItem& item : plan->left_out)

@@ -30,7 +30,7 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   const ui::OverlayState shown = overlay_state(prepared, scene, moment.record, moment.afterglow, moment.task);
   if (const auto laid_out = overlay.value()->prepare(shown, options.size); !laid_out)
     return Error{laid_out.error()};
-  FrameBridge bridge(visual.desc, scene);
+  FrameBridge bridge(visual.desc, prepared.scenario, scene);
   render::FrameState frame =
       bridge.frame(moment.record, moment.afterglow, moment.task, moment.camera, shown.time_s);
   frame.overlay = overlay.value().get();

@@ -6,9 +6,12 @@
 #include <cstdio>
 #include <utility>
 
+#include "engine/app/holding_controls.h"
 #include "engine/app/interrupt.h"
 #include "engine/app/terminal.h"
 #include "engine/record/percentiles.h"
+#include "engine/ui/cue_panel.h"
+#include "engine/ui/holding_panel.h"
 
 namespace fulcrum::app {
 namespace {
@@ -20,13 +23,37 @@ std::string lower(std::string name) {
   return name;
 }
 
-std::vector<ui::KeyLine> key_lines(const std::vector<ui::CueLine>& cues, bool circle) {
+// What a key asks of the panel of the holding point.
+std::optional<HoldingKey> holding_key(int key) {
+  switch (key) {
+    case GLFW_KEY_LEFT_BRACKET:
+      return HoldingKey::nearer;
+    case GLFW_KEY_RIGHT_BRACKET:
+      return HoldingKey::farther;
+    case GLFW_KEY_MINUS:
+      return HoldingKey::softer;
+    case GLFW_KEY_EQUAL:
+      return HoldingKey::stiffer;
+    case GLFW_KEY_N:
+      return HoldingKey::method;
+    case GLFW_KEY_H:
+      return HoldingKey::measured;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::vector<ui::KeyLine> key_lines(const ui::OverlayState& state, bool circle) {
   std::vector<ui::KeyLine> lines = {
       {"Esc", "stop the force"},  {"Enter", "let the force return"},     {"R", "start again"},
       {"1 to 9", "go to a view"}, {"Home", "back to this view's start"}, {"F1", "show or hide this list"},
   };
-  for (const ui::CueLine& cue : cues)
+  for (const ui::CueLine& cue : state.cues)
     lines.insert(lines.end() - 1, {cue.key, "switch the " + lower(cue.name)});
+  if (state.holding) {
+    const std::vector<ui::KeyLine> keys = holding_keys();
+    lines.insert(lines.end() - 1, keys.begin(), keys.end());
+  }
   if (circle) lines.insert(lines.end() - 1, {"C", "show or hide the circle of confusion"});
   return lines;
 }
@@ -37,7 +64,7 @@ TrainingWindow::TrainingWindow(const Prepared& prepared, const scenario::VisualA
     : prepared_(prepared),
       visual_(visual),
       camera_(visual.desc.camera),
-      bridge_(visual.desc, prepared.haptic.scene) {}
+      bridge_(visual.desc, prepared.scenario, prepared.haptic.scene) {}
 
 Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(const Prepared& prepared,
                                                                const scenario::VisualAssembly& visual,
@@ -96,10 +123,8 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   events.button = [this](int button, int action, int modifiers) {
     shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
     button_ = action == GLFW_PRESS ? button : -1;
-    if (button_ != GLFW_MOUSE_BUTTON_LEFT) return;
-    const std::optional<Command> pressed = cues_.press(shown_, window_->pixels(), cursor_x_, cursor_y_);
-    if (pressed) button_ = -1;  // a press on the panel drags nothing
-    send(pressed);
+    slides_ = false;
+    if (button_ == GLFW_MOUSE_BUTTON_LEFT) on_press();
   };
   events.cursor = [this](double x, double y) { on_cursor(x, y); };
   events.scroll = [this](double, double steps) { on_scroll(steps); };
@@ -122,6 +147,16 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   if (!loop.grant().scheduling.empty()) complain(loop.grant().scheduling);
   if (!loop.grant().memory.empty()) complain(loop.grant().memory);
   return restart_ ? Leave::restart : Leave::closed;
+}
+
+void TrainingWindow::on_press() {
+  const std::optional<Command> pressed = cues_.press(shown_, window_->pixels(), cursor_x_, cursor_y_);
+  send(pressed);
+  const ui::PanelPoint at = ui::panel_point(window_->pixels(), cursor_x_, cursor_y_);
+  const auto held = ui::pressed_holding(shown_, at.width, at.x, at.y);
+  if (held) send(holding_commands(*shown_.holding, *held));
+  slides_ = held && held->part == ui::HoldingPress::Part::place;
+  if (pressed || held) button_ = -1;  // a press on a panel drags nothing in the scene
 }
 
 void TrainingWindow::on_key(int key, int action) {
@@ -168,6 +203,8 @@ void TrainingWindow::on_key(int key, int action) {
       camera_.reset();
       break;
     default:
+      if (const auto holding = holding_key(key); holding && shown_.holding)
+        send(holding_commands(*shown_.holding, *holding));
       if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
         const auto view = static_cast<std::size_t>(key - GLFW_KEY_1);
         if (view < visual_.views.size()) camera_ = render::OrbitCamera(visual_.views[view].camera);
@@ -179,8 +216,17 @@ void TrainingWindow::send(const std::optional<Command>& command) {
   if (command) loop_->send(*command);
 }
 
+void TrainingWindow::send(const std::vector<Command>& commands) {
+  for (const Command& command : commands) loop_->send(command);
+}
+
 void TrainingWindow::on_cursor(double x, double y) {
   const double dx = x - std::exchange(cursor_x_, x), dy = y - std::exchange(cursor_y_, y);
+  if (slides_ && shown_.holding) {
+    const ui::PanelPoint at = ui::panel_point(window_->pixels(), cursor_x_, cursor_y_);
+    send(holding_commands(*shown_.holding,
+                          {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at.width, at.x)}));
+  }
   if (button_ < 0) return;
   const bool moves_tool = mouse_ != nullptr && button_ != GLFW_MOUSE_BUTTON_MIDDLE;
   if (moves_tool) {
@@ -249,7 +295,7 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   }
   state.message = message(sink);
   state.keys_visible = keys_visible_;
-  state.keys = key_lines(state.cues, circle_);
+  state.keys = key_lines(state, circle_);
   if (mouse_ != nullptr) {
     for (const char* line : input::mouse_help()) state.mapping.emplace_back(line);
   } else {

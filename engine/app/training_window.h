@@ -40,9 +40,11 @@ private:
   TrainingWindow(const Prepared& prepared, const scenario::VisualAssembly& visual);
 
   void on_key(int key, int action);
+  void on_press();
   void on_cursor(double x, double y);
   void on_scroll(double steps);
   void send(const std::optional<Command>& command);
+  void send(const std::vector<Command>& commands);
   void note_cost(const TickEvent& event);
   ui::OverlayState overlay_of(const TickRecord& record, const RunSink& sink, const LiveLoop& loop) const;
   std::string message(const RunSink& sink) const;
@@ -71,7 +73,8 @@ private:
   std::vector<std::int64_t> cpu_ns_;  // of the newest ticks, a ring
   std::size_t cpu_at_ = 0;
 
-  int button_ = -1;  // that is down, or -1
+  int button_ = -1;      // that is down, or -1
+  bool slides_ = false;  // it holds the slider of the holding point
   bool shift_ = false, control_ = false;
   double cursor_x_ = 0, cursor_y_ = 0;
   bool keys_visible_ = false;

@@ -40,7 +40,7 @@ struct Instance {
   bool casts_shadow =
       true;  // false for a floor or wall: the shadow map then covers only what throws a shadow, sharper
   std::uint32_t layers = 1;  // bits; a camera sees it that has one of them
-  std::size_t follows = 0;   // of a movable one: 0 the tool, which a ghost copies; n the device's link n
+  std::size_t follows = 0;   // of a movable one: 0 the tool, which a ghost copies; else what poses it knows
 };
 
 /// The one light that throws shadows.

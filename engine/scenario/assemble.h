@@ -64,6 +64,9 @@ struct VisualAssembly {
 // The scenario asks for the device's arms to be drawn, and the device that ticks has such.
 bool draws_arms(const Scenario& scenario, const SceneDesc& scene);
 
+// A finger sweeps in the scene, and its device vibrates beside it: the levels are drawn.
+bool draws_levels(const SceneDesc& scene);
+
 // scene: what ticks; cues that it does not show are not drawn.
 Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,
                                        const SceneDesc& scene);

@@ -4,6 +4,8 @@
 
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/device_shapes.h"
+#include "engine/scenario/holding_axes.h"
+#include "engine/scenario/level_bars.h"
 #include "engine/scenario/to_glm.h"
 #include "engine/scenario/words.h"
 #include "haptics/actuation/mechanism.h"
@@ -80,6 +82,11 @@ bool draws_arms(const Scenario& scenario, const SceneDesc& scene) {
   return scenario.device.drawn && scene.device.kinematics == Kinematics::arms;
 }
 
+bool draws_levels(const SceneDesc& scene) {
+  return scene.vibrotactile_motion && scene.vibrotactile_motion->use == VibrotactileUse::sweep &&
+         scene.device.vibrotactile;
+}
+
 Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,
                                        const SceneDesc& scene) {
   VisualAssembly result;
@@ -96,6 +103,9 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
     if (const auto refused = Mechanism::refuse(scene.device.mechanism)) return *refused;
     add_device_arms(desc, scene.device.mechanism, scene.mapping, scenario.device.floor, kWhole | kCut);
   }
+  if (scenario.guide) add_guide(desc, *scenario.guide, kWhole | kCut);
+  if (scene.holding_point) add_holding_axes(desc, kWhole | kCut);
+  if (draws_levels(scene)) add_level_bars(desc, kWhole | kCut);
   for (const Checkpoint& checkpoint : scenario.checkpoints) {
     desc.markers.push_back(
         {checkpoint.name, narrowed(checkpoint.position), static_cast<float>(checkpoint.radius)});

@@ -66,9 +66,20 @@ void describe_light(KeyVisitor& visitor, std::optional<render::KeyLight>& light)
   light = kind == kNone ? std::optional<render::KeyLight>() : beam;
 }
 
+void describe_guide(KeyVisitor& visitor, GuideDesc& guide) {
+  visitor.vector({"from", "m", "where it sets out, in the world", true}, guide.from_W, kPosition);
+  visitor.vector({"to", "m", "where it turns back", true}, guide.to_W, kPosition);
+  visitor.rule("to", guide.from_W != guide.to_W, "is where 'from' is; there is no way to go");
+  visitor.number({"speed", "m/s", "on its way"}, guide.speed, above_to(0, 100));
+  visitor.number({"rest", "s", "at either end, and before it sets out"}, guide.rest, from_to(0, 600));
+  visitor.number({"radius", "m", "of the ball"}, guide.radius, above_to(0, 10));
+}
+
 }  // namespace
 
 void describe_look(KeyVisitor& visitor, Scenario& scenario) {
+  visitor.mapping({"guide", "", "a ball that is seen going to and fro, for the hand to go with"},
+                  [&](KeyVisitor& inner) { describe_guide(inner, scenario.guide.emplace()); });
   describe_views(visitor, scenario.views);
   describe_light(visitor, scenario.light);
   visitor.mapping({"ambient", "", "light from everywhere else"}, [&](KeyVisitor& inner) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/render/visual_desc.h"
+#include "engine/scenario/guide.h"
 #include "engine/scenario/task.h"
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/pointshell_bake.h"
@@ -120,6 +121,7 @@ struct Scenario {
   double dwell = TaskDesc{}.dwell;   // s
   std::optional<double> hard_touch;  // N
   std::vector<HandEntry> hands;
+  std::optional<GuideDesc> guide;
   std::vector<View> views;  // the first is where a window starts
   std::optional<render::KeyLight> light = render::KeyLight{};
   render::Ambient ambient;

@@ -6,6 +6,7 @@
 
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
+#include "engine/ui/widgets.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -17,17 +18,9 @@ constexpr float kGap = 10.0F;     // to the panel above
 constexpr float kBarTop = 24.0F;  // in a row
 constexpr float kBarHeight = 6.0F;
 constexpr float kBarReach = 5.0F;  // a press this near counts as on the bar
-const ImVec2 kSwitch{30.0F, 16.0F};
 
 ImVec2 panel_at(const OverlayState& state, float width) {
   return {width - theme::kMargin - kWidth, theme::kMargin + health_height(state) + kGap};
-}
-
-void draw_switch(const Canvas& canvas, ImVec2 at, bool on) {
-  const float radius = kSwitch.y / 2.0F;
-  canvas.box(at, kSwitch, on ? theme::kAccent : theme::kTrack, radius);
-  canvas.disc({on ? at.x + kSwitch.x - radius : at.x + radius, at.y + radius}, radius - 3.0F,
-              on ? IM_COL32_WHITE : theme::kSecondary);
 }
 
 void draw_row(const Canvas& canvas, ImVec2 at, const CueLine& cue) {
@@ -36,9 +29,7 @@ void draw_row(const Canvas& canvas, ImVec2 at, const CueLine& cue) {
   canvas.text(canvas.fonts().body, {at.x + kSwitch.x + 10.0F, at.y - 1.0F}, on ? theme::kText : theme::kFaint,
               cue.name);
   const float right = at.x + kWidth - 2.0F * theme::kPadding;
-  const ImVec2 key = canvas.measure(canvas.fonts().strong, cue.key);
-  canvas.box({right - key.x - 12.0F, at.y - 2.0F}, {key.x + 12.0F, 20.0F}, theme::kTrack, 4.0F);
-  canvas.text(canvas.fonts().strong, {right - key.x - 6.0F, at.y - 1.0F}, theme::kSecondary, cue.key);
+  draw_key(canvas, {right, at.y - 2.0F}, cue.key);
   const ImVec2 bar{at.x, at.y + kBarTop};
   const float length = right - at.x;
   canvas.box(bar, {length, kBarHeight}, theme::kTrack, 3.0F);
@@ -56,16 +47,26 @@ float overlay_scale(std::uint32_t height) {
   return std::clamp(steps / 8.0F, 0.75F, 4.0F);
 }
 
+float cues_height(const OverlayState& state) {
+  return state.cues.empty() ? 0.0F : kHead + static_cast<float>(state.cues.size()) * kRow + 2.0F;
+}
+
+PanelPoint panel_point(render::Extent picture, double x, double y) {
+  const float unit = overlay_scale(picture.height), height = static_cast<float>(picture.height);
+  return {static_cast<float>(picture.width) / unit, static_cast<float>(x) * height / unit,
+          static_cast<float>(y) * height / unit};
+}
+
 void draw_cues(const Canvas& canvas, const OverlayState& state) {
   if (state.cues.empty()) return;
   const ImVec2 at = panel_at(state, canvas.width());
-  canvas.card(at, {kWidth, kHead + static_cast<float>(state.cues.size()) * kRow + 2.0F});
+  canvas.card(at, {kWidth, cues_height(state)});
   canvas.disc({at.x + theme::kPadding + 4.0F, at.y + 18.0F}, 4.0F,
               state.torque_bad ? theme::kWarn : theme::kFaint);
   canvas.text(canvas.fonts().strong, {at.x + theme::kPadding + 16.0F, at.y + 9.0F}, theme::kText,
-              !state.tells_torque ? "Impacts"
-              : state.torque_bad  ? "Bad torque"
-                                  : "Torque");
+              !state.tells_torque ? state.cue_title
+              : state.torque_bad  ? std::string("Bad torque")
+                                  : std::string("Torque"));
   canvas.text(canvas.fonts().body, {at.x + kWidth - theme::kPadding, at.y + 9.0F}, theme::kSecondary,
               state.variant, Align::right);
   float y = at.y + kHead;

@@ -7,12 +7,21 @@
 #include <optional>
 #include <vector>
 
+#include "engine/render/plan.h"
 #include "engine/ui/overlay_state.h"
 
 namespace fulcrum::ui {
 
 /// Theme units from the top left of a picture, of the given height in pixels.
 float overlay_scale(std::uint32_t height);
+
+struct PanelPoint {
+  float width = 0.0F;        // theme units, of the picture
+  float x = 0.0F, y = 0.0F;  // likewise, from its top left
+};
+
+/// (x, y) in fractions of the picture's height, from its top left.
+PanelPoint panel_point(render::Extent picture, double x, double y);
 
 struct CuePress {
   std::size_t cue = 0;  // index into OverlayState::cues

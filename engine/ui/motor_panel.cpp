@@ -41,6 +41,7 @@ void draw_motors(const Canvas& canvas, const OverlayState& state) {
   if (state.motors.empty()) return;
   const ImVec2 size{kPanelWidth, kHead + static_cast<float>(state.motors.size()) * kRow + 6.0F};
   const ImVec2 at{canvas.width() - theme::kMargin - size.x, canvas.height() - theme::kMargin - size.y};
+  if (at.y < holding_bottom(state)) return;
   canvas.card(at, size);
   canvas.text(canvas.fonts().strong, {at.x + theme::kPadding, at.y + 9.0F}, theme::kText, "Motors");
   ImVec2 middle{at.x + size.x - theme::kPadding - kHalf, at.y + kHead + kRow / 2.0F};

@@ -130,6 +130,7 @@ private:
     draw_checkpoints(canvas, state);
     draw_health(canvas, state);
     draw_cues(canvas, state);
+    draw_holding(canvas, state);
     draw_motors(canvas, state);
     draw_message(canvas, state);
     draw_keys(canvas, state);

@@ -51,6 +51,21 @@ struct MotorBar {
   double high = 0.0;
 };
 
+/// Where the hand holds a stick, and what follows from it.
+struct HoldingPanel {
+  double place = 0.0;            // m along the stick, what is used
+  double low = 0.0, high = 0.0;  // m, its ends
+  bool measured = false;         // the strip under the hand is listened to
+  std::string sensed;            // what it says, in words
+  bool sensed_well = true;
+  double stiffness = 0.0;              // N/m, of what is touched
+  std::vector<double> levels;          // (n) N/m, ascending, that it may have; none: it stays
+  double limit = 0.0;                  // N/m, that the device's structure renders there; 0: not known now
+  std::vector<std::string> methods{};  // that make up for the device's inertia; none: nothing does
+  std::size_t method = 0;              // index of the one in use
+  bool faded = false;                  // it would add energy
+};
+
 enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength
 
 struct OverlayState {
@@ -64,6 +79,8 @@ struct OverlayState {
   std::string variant;                       // of the study that the switches amount to; read with the cues
   bool torque_bad = false;                   // no force tells of it; likewise
   bool tells_torque = true;                  // some of the cues do
+  std::string cue_title = "Impacts";         // of the cues, where none does
+  std::optional<HoldingPanel> holding;       // none: no panel
   std::vector<MotorBar> motors;              // empty: no panel
   TickHealth ticks;
   Force force = Force::on;

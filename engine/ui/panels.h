@@ -17,14 +17,19 @@ ImU32 load_colour(float fraction);
 
 /// Theme units, of the panel at the top right.
 float health_height(const OverlayState& state);
+/// Likewise, of the panel below it; 0: there is none.
+float cues_height(const OverlayState& state);
+/// Theme units from the top of the picture to the lower edge of the panel below that; 0: there is none.
+float holding_bottom(const OverlayState& state);
 
 void draw_dials(const Canvas& canvas, const OverlayState& state, const Peaks& peaks);  // bottom left
 void draw_checkpoints(const Canvas& canvas, const OverlayState& state);                // top left
 void draw_health(const Canvas& canvas, const OverlayState& state);                     // top right
 void draw_cues(const Canvas& canvas, const OverlayState& state);                       // below it
-void draw_motors(const Canvas& canvas, const OverlayState& state);                     // bottom right
-void draw_message(const Canvas& canvas, const OverlayState& state);                    // bottom middle
-void draw_keys(const Canvas& canvas, const OverlayState& state);                       // middle, when visible
-void draw_banner(const Canvas& canvas, const OverlayState& state);  // across, when force is off
+void draw_holding(const Canvas& canvas, const OverlayState& state);                    // below that
+void draw_motors(const Canvas& canvas, const OverlayState& state);   // bottom right, where there is room
+void draw_message(const Canvas& canvas, const OverlayState& state);  // bottom middle
+void draw_keys(const Canvas& canvas, const OverlayState& state);     // middle, when visible
+void draw_banner(const Canvas& canvas, const OverlayState& state);   // across, when force is off
 
 }  // namespace fulcrum::ui

@@ -20,5 +20,5 @@ for file in "$FULCRUM_CONTENT"/scenarios/*/scenario.yaml; do
     runs=$((runs + 1))
   done
 done
-[ "$runs" -ge 11 ] || { echo "FAILED: only $runs runs"; exit 1; }
+[ "$runs" -ge 15 ] || { echo "FAILED: only $runs runs"; exit 1; }
 echo "all good"

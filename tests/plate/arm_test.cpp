@@ -33,7 +33,7 @@ TEST(Arm, IsClearOfPlatesStandAndTable) {
   ASSERT_TRUE(plate);
   const auto visual = scenario::assemble_visual(plate->scenario, plate->models, plate->haptic.scene);
   ASSERT_TRUE(visual) << visual.error().sentence;
-  app::FrameBridge bridge(visual->desc, plate->haptic.scene);
+  app::FrameBridge bridge(visual->desc, plate->scenario, plate->haptic.scene);
   const HandPath path(plate->haptic.hands.front().waypoints);
   ASSERT_EQ(plate->haptic.hands.front().name, "expert");
   const DistanceField& field = *plate->haptic.scene.scene_field;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/ui/cue_panel.h"
+#include "engine/ui/holding_panel.h"
 #include "engine/ui/peak_hold.h"
 #include "image_compare.h"
 #include "test_scene.h"
@@ -110,6 +111,73 @@ TEST_F(OverlayTest, APressMeansWhatIsDrawnThere) {
   }
   EXPECT_GT(blue, 20U);
   EXPECT_EQ(off, blue);
+}
+
+HoldingPanel holding() {
+  HoldingPanel panel;
+  panel.place = 0.1;
+  panel.low = 0.03;
+  panel.high = 0.17;
+  panel.measured = true;
+  panel.sensed = "the strip feels it at 100 mm";
+  panel.stiffness = 300;
+  panel.levels = {100, 200, 300, 400, 500, 600};
+  panel.methods = {"none", "arm", "acceleration"};
+  return panel;
+}
+
+// Over the panel: what a press there means is what is drawn there.
+TEST_F(OverlayTest, TheSliderIsTakenWhereItIsDrawn) {
+  OverlayState state = full_state();
+  state.holding = holding();
+  state.holding->measured = false;  // else its switch is blue too
+  state.holding->methods.clear();
+  state.holding->stiffness = 0;
+  const render::Picture picture = draw(state);
+  const float unit = overlay_scale(picture.height);
+  const float width = static_cast<float>(picture.width) / unit,
+              height = static_cast<float>(picture.height) / unit;
+  std::size_t blue = 0, on_slider = 0;
+  for (float y = 0; y < height; y += 1.0F) {
+    for (float x = 0.75F * width; x < width; x += 1.0F) {
+      const glm::vec3 colour =
+          test::mean(picture, x / width, y / height, (x + 1.0F) / width, (y + 1.0F) / height);
+      if (!(colour.b > 200.0F && colour.r < 120.0F)) continue;
+      ++blue;
+      const std::optional<HoldingPress> press = pressed_holding(state, width, x, y);
+      on_slider += press && press->part == HoldingPress::Part::place && std::abs(press->value - 0.1) < 0.008;
+    }
+  }
+  EXPECT_GT(blue, 40U);
+  EXPECT_EQ(on_slider, blue);
+}
+
+TEST_F(OverlayTest, AStiffnessNearTheLeversLimitIsWarnedOf) {
+  const auto drawn = [&](double limit) {
+    OverlayState state = full_state();
+    state.holding = holding();
+    state.holding->limit = limit;
+    const render::Picture picture = draw(state);
+    const float unit = overlay_scale(picture.height);
+    const float width = static_cast<float>(picture.width) / unit;
+    // Of the scale, a little left of its filled part's end: found by what presses there mean.
+    for (float y = 0; y < 400.0F; y += 1.0F) {
+      for (float x = 0.7F * width; x < width; x += 1.0F) {
+        const auto press = pressed_holding(state, width, x, y);
+        if (!press || press->part != HoldingPress::Part::stiffness || press->value != 300.0) continue;
+        const float height = static_cast<float>(picture.height) / unit;
+        return test::mean(picture, (x - 4.0F) / width, (y + 9.0F) / height, (x - 1.0F) / width,
+                          (y + 11.0F) / height);
+      }
+    }
+    ADD_FAILURE() << "no press sets the stiffness";
+    return glm::vec3(0.0F);
+  };
+  const glm::vec3 calm = drawn(1000), warned = drawn(360), beyond = drawn(250);
+  EXPECT_GT(calm.b, calm.r + 40.0F);
+  EXPECT_GT(warned.r, warned.b + 60.0F);
+  EXPECT_GT(warned.g, beyond.g + 20.0F);
+  EXPECT_GT(beyond.r, beyond.g + 60.0F);
 }
 
 TEST(CuePanel, SwitchesOnAtTheGainOfBeforeAndTheBarSetsIt) {

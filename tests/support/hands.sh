@@ -12,7 +12,9 @@ figure() { # FILE KEY: a number of a summary
   sed -nE "s/.*\"$2\": ([0-9.e-]+).*/\1/p" "$1"
 }
 
-# SCENARIO HAND CODE FORCE_N: it ends with the code, goes nowhere deeper than 0.1 mm, and is pushed by no more than that.
+deepest=1e-4 # m, that a tool may go into the scene
+
+# SCENARIO HAND CODE FORCE_N: it ends with the code, goes nowhere deeper than $deepest, and is pushed by no more than that.
 run_hand() {
   local code=0 depth force
   "$FULCRUM" run "$1" --headless --hand "$2" --size 64x36 --out "$box/$2" >"$box/log" 2>&1 || code=$?
@@ -20,7 +22,7 @@ run_hand() {
   depth=$(figure "$box/$2/summary.json" max_penetration_m)
   force=$(figure "$box/$2/summary.json" peak_force_N)
   echo "$2: $depth m deep, at most $force N"
-  awk -v d="$depth" -v f="$force" -v most="$4" 'BEGIN { exit !(d != "" && d <= 1e-4 && f > 0 && f <= most) }' ||
+  awk -v d="$depth" -v f="$force" -v most="$4" -v deepest="$deepest" 'BEGIN { exit !(d != "" && d <= deepest && f > 0 && f <= most) }' ||
     fail "$2 goes too deep or pushes too hard"
 }
 

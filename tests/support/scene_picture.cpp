@@ -32,6 +32,21 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
     record.pulse.emplace().gain = 1;
     record.pulse->moment = true;
   }
+  if (scene.holding_point) {
+    HoldingCues& holding = record.holding.emplace();
+    holding.place = HandPath(expert->waypoints).grip(time).hold;
+    holding.p_HG = holding.place * scene.holding_point->axis_H;
+    holding.state = HoldingState::measured;
+    holding.limit = 400;
+    record.contact_stiffness = scene.contact.stiffness;
+  }
+  if (compensates_inertia(scene)) record.inertia.emplace().method = InertiaMethod::acceleration;
+  if (moves_vibration(scene)) {
+    VibrotactileCues& touch = record.vibrotactile.emplace();
+    touch.gain = 1;
+    touch.command.level = {0.4 * scene.vibrotactile_motion->strength,
+                           0.9 * scene.vibrotactile_motion->strength};
+  }
   for (std::size_t motor = 0; motor < kMaxMotors; ++motor)
     record.actuator_load[motor] = 0.25 * static_cast<double>(motor) - 0.5;
   return moment;

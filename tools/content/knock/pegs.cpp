@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "tools/content/knock/wood.h"
 #include "tools/content/mesh/loft.h"
+#include "tools/content/mesh/wood.h"
 
 namespace fulcrum::content {
 namespace {

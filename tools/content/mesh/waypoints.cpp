@@ -34,6 +34,8 @@ std::string route_yaml(const std::string& how, const std::string& program,
     text += "    orientation: " + list({q.w(), q.x(), q.y(), q.z()}) + "\n";
     if (pose.travel > 0.0) text += "    travel: " + number("%.2f", pose.travel) + "\n";
     if (pose.dwell > 0.0) text += "    dwell: " + number("%.1f", pose.dwell) + "\n";
+    if (pose.hold) text += "    hold: " + number("%.3f", *pose.hold) + "\n";
+    if (pose.press) text += "    press: " + number("%.1f", *pose.press) + "\n";
   }
   return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The way of an expert hand, and how scenarios write it.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,13 @@
 namespace fulcrum::content {
 
 struct RoutePose {
-  std::string note;        // empty: as before
-  Eigen::Isometry3d X_WT;  // of the tool's model, m
-  double travel = 0.0;     // s, from the pose before
-  double dwell = 0.0;      // s
-  bool presses = false;    // it aims a little into what it touches
+  std::string note;               // empty: as before
+  Eigen::Isometry3d X_WT;         // of the tool's model, m
+  double travel = 0.0;            // s, from the pose before
+  double dwell = 0.0;             // s
+  bool presses = false;           // it aims a little into what it touches
+  std::optional<double> hold{};   // m, where along the tool the hand holds it; none: as before
+  std::optional<double> press{};  // N, how firmly; likewise
 };
 
 // The hand's file as YAML. `how`: what someone who knows how does; `program` is named as its author.

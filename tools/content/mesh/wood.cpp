@@ -1,4 +1,4 @@
-#include "tools/content/knock/wood.h"
+#include "tools/content/mesh/wood.h"
 
 #include <algorithm>
 #include <cmath>

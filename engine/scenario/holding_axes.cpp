@@ -1,0 +1,47 @@
+#include "engine/scenario/holding_axes.h"
+
+#include <string>
+#include <utility>
+
+#include "engine/render/turned.h"
+#include "engine/scenario/followed.h"
+
+namespace fulcrum::scenario {
+
+namespace {
+
+constexpr float kLength = 0.036F, kShaft = 0.72F;          // m; the head's part is the rest
+constexpr float kSleeve = 0.0047F, kSleeveHead = 0.0075F;  // m, radii of the arrow about the stick
+constexpr float kThin = 0.0014F, kThinHead = 0.0036F;      // m, of the others
+
+render::Mesh arrow(const glm::vec3& axis, float radius, float head) {
+  const render::Turned profile[] = {
+      {0.0F, 0.0F}, {radius, 0.0F}, {radius, kShaft * kLength}, {head, kShaft * kLength}, {0.0F, kLength}};
+  render::Mesh mesh;
+  render::add_turned(mesh, {}, axis, profile);
+  return mesh;
+}
+
+}  // namespace
+
+void add_holding_axes(render::VisualDesc& desc, std::uint32_t layers) {
+  const glm::vec3 colours[] = {{0.80F, 0.02F, 0.02F}, {0.03F, 0.48F, 0.05F}, {0.02F, 0.10F, 0.85F}};
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 along(0.0F);
+    along[axis] = 1.0F;
+    render::Mesh mesh = arrow(along, axis == 0 ? kSleeve : kThin, axis == 0 ? kSleeveHead : kThinHead);
+    mesh.name = std::string("holding point/") + "xyz"[axis];
+    render::Instance instance;
+    instance.mesh = desc.meshes.size();
+    instance.material = desc.materials.size();
+    instance.name = mesh.name;
+    instance.movable = true;
+    instance.layers = layers;
+    instance.follows = kFollowsHoldingPoint;
+    desc.materials.push_back({mesh.name, colours[axis], 0.0F, 0.4F});
+    desc.meshes.push_back(std::move(mesh));
+    desc.instances.push_back(std::move(instance));
+  }
+}
+
+}  // namespace fulcrum::scenario

@@ -1,0 +1,192 @@
+#include "engine/ui/holding_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "engine/ui/panels.h"
+#include "engine/ui/theme.h"
+#include "engine/ui/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+using Part = HoldingPress::Part;
+
+constexpr float kWidth = 214.0F;  // as of the panels above
+constexpr float kLength = kWidth - 2.0F * theme::kPadding;
+constexpr float kGap = 10.0F;  // to the panel above
+constexpr float kHeight = 226.0F;
+// From the panel's top.
+constexpr float kSlider = 46.0F, kSensor = 64.0F, kWall = 109.0F, kScale = 134.0F, kInertia = 171.0F,
+                kMethods = 194.0F;
+constexpr float kReach = 11.0F;  // a press this near to the slider counts as on it
+constexpr float kScaleHeight = 12.0F, kMethodHeight = 21.0F;
+constexpr double kWarnFrom = 0.8;  // of the limit
+
+ImVec2 panel_at(const OverlayState& state, float width) {
+  const float cues = cues_height(state);
+  return {width - theme::kMargin - kWidth,
+          theme::kMargin + health_height(state) + kGap + (cues > 0.0F ? cues + kGap : 0.0F)};
+}
+
+std::string words(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+ImU32 thin(ImU32 colour, ImU32 alpha) {
+  return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
+}
+
+void draw_slider(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
+  canvas.box({at.x, at.y - 3.0F}, {kLength, 6.0F}, theme::kTrack, 3.0F);
+  const double range = panel.high - panel.low;
+  if (!(range > 0.0)) return;
+  for (double mm = std::ceil(1e3 * panel.low / 10.0) * 10.0; mm <= 1e3 * panel.high + 1e-6; mm += 10.0) {
+    const float x = kLength * static_cast<float>((1e-3 * mm - panel.low) / range);
+    const bool longer = std::fmod(mm + 1e-6, 50.0) < 1e-3;
+    canvas.line({at.x + x, at.y + 5.0F}, {at.x + x, at.y + (longer ? 10.0F : 7.5F)}, theme::kFaint, 1.0F);
+  }
+  const float x = kLength * static_cast<float>(std::clamp((panel.place - panel.low) / range, 0.0, 1.0));
+  canvas.disc({at.x + x, at.y}, 7.5F, panel.sensed_well ? theme::kAccent : theme::kWarn);
+  canvas.disc({at.x + x, at.y}, 3.0F, IM_COL32_WHITE);
+}
+
+// N/m, at the right end of the scale: a step beyond the stiffest level.
+double scale_end(const HoldingPanel& panel) {
+  const std::size_t n = panel.levels.size();
+  if (n < 2) return 2.0 * std::max(panel.stiffness, 1.0);
+  return 2.0 * panel.levels[n - 1] - panel.levels[n - 2];
+}
+
+ImU32 wall_colour(const HoldingPanel& panel) {
+  if (!(panel.limit > 0.0) || panel.stiffness < kWarnFrom * panel.limit) return theme::kAccent;
+  return panel.stiffness < panel.limit ? theme::kWarn : theme::kBad;
+}
+
+std::string wall_words(const HoldingPanel& panel) {
+  if (!(panel.limit > 0.0)) return "nothing is touched";
+  if (panel.stiffness >= panel.limit) return words("beyond the lever's %.0f N/m: it buzzes", panel.limit);
+  if (panel.stiffness >= kWarnFrom * panel.limit) return words("close to the lever's %.0f N/m", panel.limit);
+  return words("the lever bears %.0f N/m here", panel.limit);
+}
+
+void draw_scale(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
+  const double end = scale_end(panel);
+  const auto x_of = [&](double stiffness) {
+    return at.x + kLength * static_cast<float>(std::clamp(stiffness / end, 0.0, 1.0));
+  };
+  canvas.box(at, {kLength, kScaleHeight}, theme::kTrack, 3.0F);
+  const ImU32 colour = wall_colour(panel);
+  canvas.box(at, {x_of(panel.stiffness) - at.x, kScaleHeight}, thin(colour, 150), 3.0F);
+  for (const double level : panel.levels)
+    canvas.line({x_of(level), at.y + 3.0F}, {x_of(level), at.y + kScaleHeight - 3.0F},
+                level <= panel.stiffness ? theme::kText : theme::kFaint, 1.4F);
+  if (!(panel.limit > 0.0) || panel.limit > end) return;
+  const float x = x_of(panel.limit);
+  canvas.box({x, at.y}, {at.x + kLength - x, kScaleHeight}, thin(theme::kBad, 60), 0.0F);
+  canvas.line({x, at.y - 4.0F}, {x, at.y + kScaleHeight + 4.0F}, theme::kBad, 2.0F);
+}
+
+// Where a method's field ends, from the left: each is as wide as its word asks for.
+float method_end(const HoldingPanel& panel, std::size_t method) {
+  float all = 0.0F, up_to = 0.0F;
+  for (std::size_t i = 0; i < panel.methods.size(); ++i) {
+    all += static_cast<float>(panel.methods[i].size() + 3);
+    if (i == method) up_to = all;
+  }
+  return kLength * up_to / all;
+}
+
+void draw_methods(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
+  canvas.box(at, {kLength, kMethodHeight}, theme::kTrack, 4.0F);
+  for (std::size_t i = 0; i < panel.methods.size(); ++i) {
+    const float x = at.x + (i > 0 ? method_end(panel, i - 1) : 0.0F);
+    const float each = at.x + method_end(panel, i) - x;
+    const bool chosen = i == panel.method;
+    if (chosen)
+      canvas.box({x, at.y}, {each, kMethodHeight}, thin(panel.faded ? theme::kWarn : theme::kAccent, 160),
+                 4.0F);
+    canvas.text(canvas.fonts().small, {x + each / 2.0F, at.y + 4.0F},
+                chosen ? theme::kText : theme::kSecondary, panel.methods[i], Align::centre);
+  }
+}
+
+}  // namespace
+
+float holding_bottom(const OverlayState& state) {
+  return state.holding ? panel_at(state, 0.0F).y + kHeight + kGap : 0.0F;
+}
+
+void draw_holding(const Canvas& canvas, const OverlayState& state) {
+  if (!state.holding) return;
+  const HoldingPanel& panel = *state.holding;
+  const Fonts& fonts = canvas.fonts();
+  const ImVec2 at = panel_at(state, canvas.width());
+  const float left = at.x + theme::kPadding, right = left + kLength;
+  canvas.card(at, {kWidth, kHeight});
+  // A heading, its value, and the keys that change it.
+  const auto head = [&](float y, const char* title, const std::string& value, ImU32 colour, const char* key) {
+    const float width = draw_key(canvas, {right, at.y + y - 2.0F}, key);
+    canvas.text(fonts.strong, {left, at.y + y - 1.0F}, theme::kText, title);
+    canvas.text(fonts.body, {right - width - 8.0F, at.y + y - 1.0F}, colour, value, Align::right);
+  };
+  head(11.0F, "Held at", words("%.0f mm", 1e3 * panel.place), theme::kText, "[ ]");
+  draw_slider(canvas, {left, at.y + kSlider}, panel);
+
+  draw_switch(canvas, {left, at.y + kSensor}, panel.measured);
+  canvas.text(fonts.body, {left + kSwitch.x + 10.0F, at.y + kSensor - 1.0F},
+              panel.measured ? theme::kText : theme::kFaint, "Measured");
+  draw_key(canvas, {right, at.y + kSensor - 2.0F}, "H");
+  canvas.text(fonts.small, {left, at.y + kSensor + 21.0F},
+              panel.sensed_well ? theme::kSecondary : theme::kWarn,
+              canvas.fitted(fonts.small, panel.sensed, kLength));
+
+  head(kWall, "Stiffness", words("%.0f N/m", panel.stiffness), theme::kText, "- =");
+  draw_scale(canvas, {left, at.y + kScale}, panel);
+  const ImU32 colour = wall_colour(panel);
+  canvas.text(fonts.small, {left, at.y + kScale + kScaleHeight + 4.0F},
+              colour == theme::kAccent ? theme::kSecondary : colour,
+              canvas.fitted(fonts.small, wall_words(panel), kLength));
+
+  if (panel.methods.empty()) {
+    canvas.text(fonts.body, {left, at.y + kInertia + 8.0F}, theme::kFaint, "Inertia is not made up for");
+    return;
+  }
+  head(kInertia, "Inertia", panel.faded ? "faded" : "", theme::kWarn, "N");
+  draw_methods(canvas, {left, at.y + kMethods}, panel);
+}
+
+std::optional<HoldingPress> pressed_holding(const OverlayState& state, float width, float x, float y) {
+  if (!state.holding) return std::nullopt;
+  const HoldingPanel& panel = *state.holding;
+  const ImVec2 at = panel_at(state, width);
+  const float along = (x - at.x - theme::kPadding) / kLength, down = y - at.y;
+  if (along < -0.04F || along > 1.04F) return std::nullopt;
+  if (std::abs(down - kSlider) <= kReach) return HoldingPress{Part::place, dragged_place(state, width, x)};
+  if (down >= kSensor - 4.0F && down <= kSensor + 20.0F)
+    return HoldingPress{Part::measured, panel.measured ? 0.0 : 1.0};
+  if (down >= kScale - 5.0F && down <= kScale + kScaleHeight + 5.0F && !panel.levels.empty()) {
+    const double wanted = static_cast<double>(along) * scale_end(panel);
+    return HoldingPress{Part::stiffness, *std::ranges::min_element(panel.levels, {}, [&](double level) {
+                          return std::abs(level - wanted);
+                        })};
+  }
+  if (down >= kMethods - 2.0F && down <= kMethods + kMethodHeight + 2.0F && !panel.methods.empty()) {
+    std::size_t method = 0;
+    while (method + 1 < panel.methods.size() && along * kLength > method_end(panel, method)) ++method;
+    return HoldingPress{Part::method, static_cast<double>(method)};
+  }
+  return std::nullopt;
+}
+
+double dragged_place(const OverlayState& state, float width, float x) {
+  const HoldingPanel& panel = *state.holding;
+  const float along = (x - panel_at(state, width).x - theme::kPadding) / kLength;
+  return panel.low + std::clamp(static_cast<double>(along), 0.0, 1.0) * (panel.high - panel.low);
+}
+
+}  // namespace fulcrum::ui

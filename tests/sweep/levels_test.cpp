@@ -1,0 +1,74 @@
+// The target's way, and the bars beside the finger.
+
+#include <gtest/gtest.h>
+
+#include "engine/app/bridge.h"
+#include "engine/app/prepare.h"
+#include "engine/scenario/followed.h"
+
+namespace fulcrum::test {
+namespace {
+
+TEST(Guide, RestsAndGoesAtItsSpeed) {
+  const scenario::GuideDesc guide{.from_W = {-0.1, 0, 0.2}, .to_W = {0.1, 0, 0.2}, .speed = 0.2, .rest = 0.5};
+  const auto x = [&](double time) { return scenario::guide_place(guide, time).x(); };
+  EXPECT_EQ(x(0), -0.1);
+  EXPECT_EQ(x(0.5), -0.1);
+  EXPECT_NEAR(x(1.0), 0, 1e-12);
+  EXPECT_NEAR((x(1.101) - x(1.1)) / 1e-3, 0.2, 1e-9);
+  EXPECT_NEAR(x(1.5), 0.1, 1e-12);
+  EXPECT_NEAR(x(2.0), 0.1, 1e-12);
+  EXPECT_NEAR(x(2.25), 0.05, 1e-12);
+  EXPECT_NEAR(x(3.0), -0.1, 1e-12);
+  EXPECT_NEAR(x(301.0), 0, 1e-9);  // a hundred rounds later
+  EXPECT_NEAR(scenario::guide_place(guide, 2.25).z(), 0.2, 1e-12);
+}
+
+// Of each bar as it is posed: its foot, and how high it is.
+struct Bar {
+  glm::vec3 foot;
+  float height = 0;
+};
+
+Bar bar_of(const app::Prepared& sweep, const TickRecord& record, std::size_t follows) {
+  const auto visual = scenario::assemble_visual(sweep.scenario, sweep.models, sweep.haptic.scene);
+  app::FrameBridge bridge(visual->desc, sweep.scenario, sweep.haptic.scene);
+  const render::FrameState frame = bridge.frame(record, {}, {}, {}, 0);
+  std::size_t movable = 0;
+  for (const render::Instance& instance : visual->desc.instances) {
+    if (!instance.movable) continue;
+    const glm::mat4& X = frame.X_WM[movable++];
+    if (instance.follows == follows) return {glm::vec3(X[3]), X[1].y};
+  }
+  ADD_FAILURE() << "there is no bar that follows " << follows;
+  return {};
+}
+
+TEST(Levels, AreTheHeightsOfTheBarsAtTheirSides) {
+  const std::optional<app::Prepared> sweep = app::prepare("sweep", std::vector<std::string>());
+  ASSERT_TRUE(sweep);
+  const SceneDesc& scene = sweep->haptic.scene;
+  TickRecord record;
+  record.X_WH = {Quat::Identity(), Vec3(0.02, 0, 0)};
+  record.X_WT = record.X_WH * scene.tool.X_HT;
+  const auto heights = [&](double left, double right) {
+    VibrotactileCues& cues = record.vibrotactile.emplace();
+    cues.command.level[*scene.device.vibrotactile->find("left")] = left * scene.vibrotactile_motion->strength;
+    cues.command.level[*scene.device.vibrotactile->find("right")] =
+        right * scene.vibrotactile_motion->strength;
+    return std::pair(bar_of(*sweep, record, scenario::kFollowsLeftLevel),
+                     bar_of(*sweep, record, scenario::kFollowsRightLevel));
+  };
+  const auto [whole, none] = heights(1, 0);
+  EXPECT_GT(whole.height, 0.02F);
+  EXPECT_LT(none.height, 1e-4F);
+  EXPECT_GT(none.height, 0.0F);
+  EXPECT_LT(whole.foot.x, 0.02F);
+  EXPECT_GT(none.foot.x, 0.02F);
+  const auto [quarter, half] = heights(0.25, 0.5);
+  EXPECT_NEAR(quarter.height, 0.25F * whole.height, 1e-6F);
+  EXPECT_NEAR(half.height, 0.5F * whole.height, 1e-6F);
+}
+
+}  // namespace
+}  // namespace fulcrum::test
