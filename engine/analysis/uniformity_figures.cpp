@@ -124,7 +124,7 @@ report::Panels torque_panels(const UniformityStudy& study) {
 Plot lag_plot(const UniformityStudy& study) {
   Plot plot;
   plot.title = "Acceleration from position: lag against noise";
-  plot.x = {"lag", "ms", Scale::logarithmic, {}, {}};
+  plot.x = {"lag", "ms", Scale::logarithmic, 0.1, 50.0};
   plot.y = {"noise", "m/s² rms", Scale::logarithmic, {}, {}};
   for (const auto kind : {AccelerationEstimatorKind::kalman, AccelerationEstimatorKind::adaptive}) {
     const int hue = kind == AccelerationEstimatorKind::kalman ? 0 : 1;
