@@ -89,6 +89,8 @@ inline const char* name_of(ContactResponse response) {
       return "quasi_static";
     case ContactResponse::constraint:
       return "constraint";
+    case ContactResponse::direct:
+      return "direct";
   }
   return "";
 }
