@@ -16,7 +16,7 @@ namespace {
 
 // Ticks at rest, by which force, and after it compensation, have come in.
 constexpr int kForceIn = 510, kCompensationIn = 1020;
-constexpr int kPlaces = 21;                       // along the stick
+constexpr int kPlaces = 11;                       // along the stick
 constexpr std::array kLateJerks{30.0, 5.0, 0.2};  // m/s^3 per root Hz: in time, near the limit, late
 constexpr double kDifference = 1e-4;              // s, of tremor's acceleration
 

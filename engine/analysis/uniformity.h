@@ -31,11 +31,11 @@ inline constexpr std::array kMethods{InertiaMethod::none, InertiaMethod::arm, In
 
 struct StrikePath {
   double depth = 3e-3;      // m, at which is measured
-  double beyond = 2e-3;     // m, how much deeper the hand would come to rest
+  double beyond = 0.8e-3;   // m, how much deeper the hand would come to rest
   double acceleration = 1;  // m/s^2, up, against the motion
   double travel = 0.03;     // m, from rest to rest: half of it speeding up
   double tremor = 50e-6;    // m rms, each axis
-  double held = 0.1;        // m along the stick, where the hand holds
+  double held = 0.105;      // m along the stick, where the hand holds: between two places that are touched
 };
 
 struct UniformityRow {

@@ -86,7 +86,14 @@ Plot torque_plot(const UniformityStudy& study, double stiffness) {
     plot.series.push_back(series);
   }
   plot.series.insert(plot.series.end(), {wanted, low, high});
-  plot.labels.push_back({{1e3 * study.path.held, 0}, "the hand", report::Side::below});
+  const double hand = 1e3 * study.path.held;
+  plot.series.push_back({"the hand",
+                         {{hand, wanted.points.front().y}, {hand, wanted.points.back().y}},
+                         Line::dashed,
+                         Marker::none,
+                         report::kInk,
+                         false,
+                         true});
   return plot;
 }
 
@@ -117,7 +124,7 @@ report::Panels torque_panels(const UniformityStudy& study) {
 Plot lag_plot(const UniformityStudy& study) {
   Plot plot;
   plot.title = "Acceleration from position: lag against noise";
-  plot.x = {"lag", "ms", Scale::logarithmic, {}, {}};
+  plot.x = {"lag", "ms", Scale::logarithmic, 0.1, 50.0};
   plot.y = {"noise", "m/s² rms", Scale::logarithmic, {}, {}};
   for (const auto kind : {AccelerationEstimatorKind::kalman, AccelerationEstimatorKind::adaptive}) {
     const int hue = kind == AccelerationEstimatorKind::kalman ? 0 : 1;

@@ -88,7 +88,9 @@ void say_limits(report::Page& page, const UniformityStudy& study) {
       "states make a linear loop that is solved exactly. To first order it is stable for lags below "
       "(M + (1 - g) m) b / (g m (k + K)). Crosses: the true acceleration, whole ticks late.");
   page.plot(limit_plot(study), "Above its line the hand shakes.");
-  page.plot(mass_plot(study), "A light hand bears less. Lines that leave the plot: no lag is too long.");
+  page.plot(
+      mass_plot(study),
+      "A light hand bears less. Where a line ends, no lag is too long any more, or none is short enough.");
   report::Table table;
   table.head = {"lag, ms",   "growth, 1/s",          "it fades at, s",
                 "swing, mm", "swing, not faded, mm", "closed-loop port, J"};

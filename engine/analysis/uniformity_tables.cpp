@@ -48,7 +48,7 @@ StickSummary summary_of(const UniformityStudy& study, InertiaMethod method, doub
     summary.torque_error = std::max(summary.torque_error, std::abs(row.torque_error));
     summary.torque_over =
         std::max(summary.torque_over, std::abs(row.torque_error) / told_torque(row.wanted_torque));
-    if (before && std::abs(before->place - study.path.held) < 1e-6)
+    if (before && before->place < study.path.held && row.place > study.path.held)
       summary.jump = std::abs(row.torque_error - before->torque_error);
     summary.limited += row.limited;
     before = &row;

@@ -19,7 +19,7 @@ struct StickSummary {
   double scatter = 0;       // N/m, from strike to strike, mean
   double torque_error = 0;  // N m, largest of the means along the stick
   double torque_over = 0;   // the same over what is told apart there, see told_torque()
-  double jump = 0;          // N m, of the torque error from the place at the hand to the next one
+  double jump = 0;          // N m, of the torque error from one side of the hand to the other
   int limited = 0;          // strikes
 };
 StickSummary summary_of(const UniformityStudy& study, InertiaMethod method, double stiffness);

@@ -12,15 +12,16 @@
 namespace fulcrum::analysis {
 namespace {
 
-// 1/s, from the largest swing of the first and of the second half of a run.
+// 1/s, from the swing's turning points after the first third of a run.
 template <class Estimate>
 double simulated_growth(const InertiaLoop& loop, double seconds, Estimate&& estimate) {
   const double mass = loop.device_mass + loop.hand_mass;
   double x = 1e-3, v = 0, held = 0;
-  double largest[2] = {};
+  double first = 0, last = 0, first_time = 0, last_time = 0;  // m, s
   const int ticks = static_cast<int>(seconds / loop.tick_s);
   for (int i = 0; i < ticks; ++i) {
     const double a = (held - loop.damping * v - loop.hand_stiffness * x) / mass;
+    const double v_before = v;
     held = -loop.wall_stiffness * x + loop.gain * loop.device_mass * estimate(x, a);
     constexpr int kSteps = 200;
     const double h = loop.tick_s / kSteps;
@@ -32,10 +33,16 @@ double simulated_growth(const InertiaLoop& loop, double seconds, Estimate&& esti
       x += h * v_half;
       v += h * accelerate(x_half, v_half);
     }
-    double& most = largest[2 * i / ticks];
-    if (i % (ticks / 2) > ticks / 4) most = std::max(most, std::abs(x));
+    if (v * v_before < 0 && 3 * i > ticks) {
+      last = std::abs(x);
+      last_time = i * loop.tick_s;
+      if (first == 0) {
+        first = last;
+        first_time = last_time;
+      }
+    }
   }
-  return std::log(largest[1] / largest[0]) / (0.5 * seconds);
+  return std::log(last / first) / (last_time - first_time);
 }
 
 TEST(InertiaLimit, WithoutCompensationItIsAMassOnASpring) {

@@ -46,10 +46,12 @@ TEST(Uniformity, UncompensatedIsAsTheFormulasSay) {
     EXPECT_LT(row.formula_error, 0.01) << name_of(row.method) << ' ' << row.place << ' ' << row.stiffness;
     EXPECT_EQ(row.limited, 0);
     // Without tremor f_h / x is K - m a / x.
-    const double depth = StrikePath{}.depth;
-    EXPECT_NEAR(row.felt_stiffness, row.stiffness - mean_inertia() / depth, 0.06 * 0.25 / depth * 3);
+    const double depth = StrikePath{}.depth + 0.04e-3;  // of a tick and a half of the motion
+    // The rest is the tremor's acceleration, 0.15 m/s^2 rms, in the mean of eight strikes.
+    EXPECT_NEAR(row.felt_stiffness, row.stiffness - mean_inertia() / depth,
+                4 * 0.25 * 0.15 / depth / std::sqrt(8.0));
   }
-  EXPECT_EQ(rows, 2 * 6 * 21);
+  EXPECT_EQ(rows, 2 * 6 * 11);
 }
 
 TEST(Uniformity, WithAccelerationTheBallIsAlikeAlongTheStick) {
@@ -67,7 +69,7 @@ TEST(Uniformity, TheArmJumpsByWhatItTakesOff) {
   for (const double stiffness : kStiffnesses) {
     const StickSummary s = summary_of(study(), InertiaMethod::arm, stiffness);
     // |g| f, f = K x.
-    EXPECT_NEAR(s.jump, 0.1 * stiffness * 3.03e-3, 0.03 * s.jump) << stiffness;
+    EXPECT_NEAR(s.jump, 0.105 * stiffness * 3.04e-3, 0.03 * s.jump) << stiffness;
   }
 }
 
@@ -75,7 +77,7 @@ TEST(Uniformity, TheTableHasAllRowsAndColumns) {
   const std::string text = uniformity_csv(study()).text();
   EXPECT_TRUE(text.starts_with(
       "method,place_m,assigned_stiffness_N_per_m,felt_stiffness_N_per_m,felt_torque_error_Nm,"));
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 3 * 6 * 21);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 3 * 6 * 11);
 }
 
 TEST(Uniformity, TheSameStudyIsTheSameToTheBit) {

@@ -12,13 +12,13 @@ case $(head -1 D/uniformity.csv) in
   *) fail "uniformity.csv has other columns: $(head -1 D/uniformity.csv)" ;;
 esac
 for method in none arm acceleration; do
-  [ "$(grep -c "^$method," D/uniformity.csv)" = 126 ] || fail "$method has not 21 places on 6 balls"
+  [ "$(grep -c "^$method," D/uniformity.csv)" = 66 ] || fail "$method has not 11 places on 6 balls"
 done
 # Mean |f_h - f| at most 8 % of f along the whole stick; torque within 12.7 % or 8 mN m.
 awk -F, '$1 == "acceleration" { d = $4 / $3 - 1; t = .127 * ($8 < 0 ? -$8 : $8); if (t < .008) t = .008
   if (d > .08 || d < -.08 || $5 > t || $5 < -t) { print; bad = 1 } } END { exit bad }' D/uniformity.csv || fail "method 2 is off"
 # Uncompensated: K - m a / x, the tremor's mean apart.
-awk -F, '$1 == "none" { d = $3 - $4 - .25 / .00303; if (d > 12 || d < -12) { print; bad = 1 } } END { exit bad }' D/uniformity.csv ||
+awk -F, '$1 == "none" { d = $3 - $4 - .25 / .00304; if (d > 12 || d < -12) { print; bad = 1 } } END { exit bad }' D/uniformity.csv ||
   fail "uncompensated is not what the formula says"
 [ "$(head -1 D/filter.csv | cut -d, -f1-3)" = filter,jerk_m_per_s3_per_rtHz,lag_s ] || fail "filter.csv has other columns"
 grep -q '</html>' D/uniformity.html || fail "no uniformity.html"

@@ -117,8 +117,8 @@ TEST(DeviceFiles, TheFingertipsVibratorsDoWhatThePaperAsksFor) {
   const DeviceDesc fingertip = shipped("fingertip");
   for (int axis = 0; axis < 3; ++axis)
     EXPECT_GE(largest(fingertip, {Vec3::Unit(axis), Vec3::Zero()}), fingertip.max_force) << axis;
-  for (const ChannelDesc& channel : shipped("rumble_pad").vibrotactile->channels)
-    EXPECT_EQ(channel.kind, ChannelKind::rumble);
+  const DeviceDesc pad = shipped("rumble_pad");
+  for (const ChannelDesc& channel : pad.vibrotactile->channels) EXPECT_EQ(channel.kind, ChannelKind::rumble);
 }
 
 }  // namespace

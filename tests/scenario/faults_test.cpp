@@ -31,8 +31,8 @@ const Case kCases[] = {
     {"unknown_key_at_top", "time_limit: 10", "time_limit: 10\nseeed: 4",
      "5:1: unknown key 'seeed'; did you mean 'seed'?"},
     {"unknown_key_far_from_any", "  stiffness: 5000", "  colour: red",
-     "11:3: unknown key 'contact.colour'; the keys here are response, stiffness, dissipation, friction, "
-     "region_radius, edges"},
+     "11:3: unknown key 'contact.colour'; the keys here are response, stiffness, levels, dissipation, "
+     "friction, region_radius, edges"},
     {"missing_key", "title: Peg\n", "", "1:1: key 'title' is missing: as lists and windows show it"},
     {"missing_key_inside", "{file: block.glb, role: scene}", "{file: block.glb}",
      "6:10: key 'models.block.role' is missing: scene: touched; tool: held in the hand; decor: seen only"},
@@ -67,9 +67,14 @@ const Case kCases[] = {
     {"unknown_choice", "role: scene", "role: scen",
      "6:34: 'models.block.role' must be one of scene, tool, decor; found 'scen'; did you mean 'scene'?"},
     {"unknown_response", "  stiffness: 5000", "  response: constrain",
-     "11:13: 'contact.response' must be one of penalty, voxel, static, constraint; found 'constrain'; did "
-     "you mean "
-     "'constraint'?"},
+     "11:13: 'contact.response' must be one of penalty, voxel, static, constraint, direct; found "
+     "'constrain'; did you mean 'constraint'?"},
+    {"no_levels", "  stiffness: 5000", "  levels: []",
+     "11:11: 'contact.levels' must be a list of 1 to 12 numbers in N/m; found 0 values"},
+    {"level_below_zero", "  stiffness: 5000", "  levels: [100, -5]",
+     "11:17: 'contact.levels' has a component that must be above 0 and at most 1e+07 N/m; found '-5'"},
+    {"level_alone", "  stiffness: 5000", "  levels: 100",
+     "11:11: 'contact.levels' must be a list of 1 to 12 numbers in N/m; found '100'"},
     {"short_vector", "position: [0, 0.1, 0]", "position: [0, 0.1]",
      "9:21: 'tool.start.position' must be three numbers [x, y, z] in m; found 2 values"},
     {"word_in_a_vector", "position: [0, 0.1, 0]", "position: [0, up, 0]",

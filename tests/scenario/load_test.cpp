@@ -233,14 +233,16 @@ TEST(Devices, SayWhatIsWrong) {
 
 TEST(Devices, SayWhatTheirVibratorsLack) {
   const Folder folder;
-  folder.write("devices/test_arm.yaml",
-               "fulcrum: 1\nname: Arm\nchannels:\n  left: {kind: pcm, largest: 10, resonance_Hz: 233}\n");
-  const auto device = load_device(folder.root() / "devices" / "test_arm.yaml");
-  ASSERT_FALSE(device);
-  const std::string text = to_text(device.faults());
-  EXPECT_NE(text.find("test_arm.yaml:4:"), std::string::npos) << text;
-  EXPECT_NE(text.find("must be above 0.5 for the kind pcm"), std::string::npos) << text;
-  EXPECT_NE(text.find("must have 'left' and 'right', and two more at most"), std::string::npos) << text;
+  const auto said = [&](const std::string& left) {
+    folder.write("devices/test_arm.yaml", "fulcrum: 1\nname: Arm\nchannels:\n  left: {" + left + "}\n");
+    const auto device = load_device(folder.root() / "devices" / "test_arm.yaml");
+    return device ? "nothing" : to_text(device.faults());
+  };
+  const std::string coil = said("kind: pcm, largest: 10, resonance_Hz: 233");
+  EXPECT_NE(coil.find("test_arm.yaml:4:"), std::string::npos) << coil;
+  EXPECT_NE(coil.find("must be above 0.5 for the kind pcm"), std::string::npos) << coil;
+  const std::string alone = said("kind: rumble, largest: 10");
+  EXPECT_NE(alone.find("must have 'left' and 'right', and two more at most"), std::string::npos) << alone;
 }
 
 }  // namespace
