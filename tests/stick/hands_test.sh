@@ -17,6 +17,7 @@ watch() {
       if (NR > 2 && sqrt(step_f) > most_f) most_f = sqrt(step_f)
       if (NR > 2 && sqrt(step_m) > most_m) most_m = sqrt(step_m)
       step_f = step_m = 0
+      if (hand == "expert" && int($at["fault"] / 2 ^ 27) % 2) wrong = "the compensation faded"
       if ($at["energy/port"] < -1e-4) wrong = "the port gives out energy"
       if (NR > 2 && (place - before) ^ 2 > 0.000201 ^ 2) wrong = "the holding point steps"
       before = place
@@ -29,6 +30,7 @@ watch() {
     END {
       printf "%s: steps of %.4f N and %.5f N m at most; held from %.0f to %.0f mm while it touched\n", hand, most_f, most_m, low * 1e3, high * 1e3
       if (most_f > 0.501 || most_m > 0.0901) wrong = "the wrench steps"
+      if (hand == "expert" && most_f > 0.2) wrong = "the force is not smooth"
       if (hand == "expert" && (low > 0.065 || high < 0.135)) wrong = "the hand did not move along the stick"
       if (hand == "expert" && (states[2] || states[3] || states[4])) wrong = "the strip lost the hand"
       if (hand == "clumsy" && !(states[1] && states[2] && states[3] && states[4])) wrong = "the strip did not lose the hand, or nothing faded"
