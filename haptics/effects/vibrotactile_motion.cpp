@@ -70,10 +70,12 @@ Vec3 VibrotactileMotion::process(const Tick& tick) noexcept {
   cues_.direction = place.direction;
 
   const int inside = place.share > 0 ? place.direction : 0;
-  const bool at_once = place.begins || inside != inside_ || changed_;
-  inside_ = inside;
-  changed_ = false;
   if (place.begins) onset_ = trailing_onset(desc_.law, place.speed);
+  const bool second = inside != 0 && onset_ > 0 && place.x > onset_;
+  const bool at_once = place.begins || inside != inside_ || second != second_ || changed_;
+  inside_ = inside;
+  second_ = second;
+  changed_ = false;
   const bool fast = std::abs(place.speed) > kFast;
   phase_ += tick_s_ * desc_.update_Hz;
   constexpr double rounding = 1e-9;

@@ -13,8 +13,9 @@
 // follow one another along the way.
 //
 // Levels are updated at update_Hz from where the finger enters, every tick above kFast, and at once where it
-// enters, leaves, turns round, rests or lifts off. Each update says in which time the envelope is to get
-// there: until the next one. So edges are ramps of one update, and levels come as much late.
+// enters, leaves, turns round, rests or lifts off, and where a second onset comes later. Each update says in
+// which time the envelope is to get there: until the next one. So edges are ramps of one update, and levels
+// come as much late.
 
 #include <optional>
 
@@ -98,6 +99,7 @@ private:
 
   int inside_ = 0;                                       // direction of the pass; 0: none
   double onset_ = 0;                                     // m, of the trailing vibrator in this pass
+  bool second_ = false;                                  // it has begun after the other one
   double phase_ = 0;                                     // of the time between two updates
   bool changed_ = false;                                 // the gain was
   double left_share_ = 0, right_share_ = 0, glide_ = 0;  // of the strength; s, as of the last update

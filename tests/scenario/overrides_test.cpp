@@ -81,8 +81,8 @@ const Case kCases[] = {
     {"ambiguous", "stiffness=3",
      "key 'stiffness' could be any of contact.stiffness, coupling.stiffness, hands.N.stiffness; write it "
      "out"},
-    {"in_a_list", "radius=3",
-     "key 'radius' is in a list or under a name; write it out as checkpoints.N.radius, with the number, from "
+    {"in_a_list", "fov_deg=30",
+     "key 'fov_deg' is in a list or under a name; write it out as views.N.fov_deg, with the number, from "
      "0, or the "
      "name for N"},
     {"no_such_element", "checkpoints.1.radius=3",
