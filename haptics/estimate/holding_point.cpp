@@ -25,7 +25,7 @@ void HoldingPoint::update(double strip_ohm) noexcept {
   // No resistance is a short circuit, not a place.
   const double to = wanted(strip_ && strip_ohm > 0 ? place_of(*strip_, strip_ohm) : kNoStrip);
   const double most = desc_.speed * tick_s_;
-  place_ += std::clamp(to - place_, -most, most);
+  place_ += std::clamp(std::clamp(to, desc_.low, desc_.high) - place_, -most, most);
 }
 
 bool HoldingPoint::trusted(double reading) noexcept {
@@ -66,10 +66,10 @@ double HoldingPoint::wanted(double reading) noexcept {
   const double gone = (lost_for_ - desc_.keep) / desc_.fade;
   if (gone < 1) {
     state_ = HoldingState::fading;
-    return last_trusted_ + gone * (told_ - last_trusted_);
+    return last_trusted_ + gone * (desc_.place - last_trusted_);
   }
   state_ = HoldingState::lost;
-  return told_;
+  return desc_.place;
 }
 
 }  // namespace fulcrum

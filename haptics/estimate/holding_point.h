@@ -1,8 +1,8 @@
 #pragma once
 // Where along the stick the hand holds it: told, or measured by a strip. A place that is measured is trusted
 // once the reading is on the strip and has kept still; a reading that is lost leaves the last trusted place
-// for a while, and then the place fades to the one that was told. It never moves faster than `speed`,
-// whatever moves it: the wrench that is rendered about it cannot step.
+// for a while, and then the place fades to the default. It stays from `low` to `high` and never moves faster
+// than `speed`, whatever moves it: the wrench that is rendered about it cannot step.
 
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace fulcrum {
 
 struct HoldingPointDesc {
   Vec3 axis_H = Vec3::UnitX();  // (3) unit, along the stick from C, the handle's origin
-  double place = 0;             // m along it: where the hand is taken to hold until more is known
+  double place = 0;             // m along it, the default: where the hand holds as long as no more is known
   double low = 0, high = 0.2;   // m along it: the ends of where it can be held
   bool measured = true;         // at the start; the device's strip says where
   double speed = 0.2;           // m/s, fastest that the place moves
@@ -22,14 +22,14 @@ struct HoldingPointDesc {
   double margin = 0.003;        // m, beyond the strip's ends, that a reading may be off
   double smoothing = 0.01;      // s, of what is read
   double keep = 0.5;            // s, for which the last trusted place is kept once the reading is lost
-  double fade = 1;              // s, in which it then goes to the place that was told
+  double fade = 1;              // s, in which it then goes to the default
 };
 
 enum class HoldingState {
   set,       // told, not measured
   measured,  // read from the strip
   kept,      // lost: the last trusted place
-  fading,    // lost: on the way to the place that was told
+  fading,    // lost: on the way to the default
   lost       // there, though it is to be measured
 };
 

@@ -8,6 +8,7 @@ namespace fulcrum {
 
 DirectMotion::DirectMotion(const SceneDesc& desc)
     : stiffness_(desc.contact.stiffness),
+      scale_(desc.mapping.position_scale * desc.mapping.force_scale),
       weight_(tool_weight(desc.tool)),
       query_(desc.tool_shell, desc.scene_field),
       regions_(desc.contact.region_radius) {
@@ -64,7 +65,8 @@ std::vector<BuiltPart> DirectMotion::parts() const {
       {"response",
        "direct: the tool is where the hand wants it, " + number_text(stiffness_) +
            " N/m from the deepest point of each region to the surface, at most " +
-           std::to_string(kMaxRegions) + " regions",
+           std::to_string(kMaxRegions) + " regions; the device renders " + number_text(scale_ * stiffness_) +
+           " N/m",
        sizeof(DirectMotion)},
   };
 }

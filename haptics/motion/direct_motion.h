@@ -31,6 +31,7 @@ private:
   Wrench contact_wrench() noexcept;
 
   double stiffness_;  // N/m, of each region
+  double scale_;      // of that, what the device renders of 1
   double weight_;     // N
   ContactQuery query_;
   RegionTracker regions_;

@@ -37,8 +37,8 @@ public:
   // 2 pi.
   Wrench pull(const Pose& X_WG, const Twist& V_WG, const BodyState& tool) noexcept;
 
-  // From the next pull on: the torque is no larger than this, N m; infinity for no limit. The spring's energy
-  // is then that of a spring of constant torque beyond it.
+  // From the next pull on: the torque about where the tool is held is no larger than this, N m; infinity for
+  // no limit. The spring's energy is then that of a spring of constant torque beyond it.
   void limit_torque(double limit) noexcept { torque_limit_ = limit; }
   double torque_limit() const { return torque_limit_; }
 

@@ -91,6 +91,22 @@ std::string sentence(const char* key, double given, const char* unit, double lim
          "velocity_estimator that is less late.";
 }
 
+// A wall that is felt without a coupling.
+std::optional<std::string> wall_beyond_limit(const SceneDesc& desc) {
+  if (!desc.device.renders_force) return std::nullopt;
+  double stiffest = desc.contact.stiffness;
+  for (const double level : desc.contact.levels) stiffest = std::max(stiffest, level);
+  SceneDesc undamped = desc;
+  undamped.coupling.damping_ratio = 0;
+  const double limit = limit_of(along(undamped), undamped);
+  if (stiffest <= limit) return std::nullopt;
+  return "contact.stiffness is " + number_text(stiffest) +
+         " N/m, which the hand feels at once under the response direct, and the device, let go, holds at "
+         "most " +
+         number_text(limit) +
+         " N/m: it may buzz in a light hand. Lower it, its levels or the device's scales.";
+}
+
 }  // namespace
 
 StiffnessLimits coupling_limits(const SceneDesc& desc) {
@@ -121,7 +137,7 @@ CouplingDesc suit_coupling(const CouplingGains& given, const SceneDesc& desc) {
 }
 
 std::optional<std::string> beyond_limits(const SceneDesc& desc) {
-  if (!coupled(desc.contact.response)) return std::nullopt;
+  if (!coupled(desc.contact.response)) return wall_beyond_limit(desc);
   const StiffnessLimits limits = coupling_limits(desc);
   if (desc.coupling.stiffness > limits.stiffness)
     return sentence("coupling.stiffness", desc.coupling.stiffness, "N/m", limits.stiffness);

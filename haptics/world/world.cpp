@@ -103,7 +103,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
 
   const World::Touched touched = w.touched(answer.X_WT);
   if (w.holding_point_ && touched.any && desc.device.structure)
-    w.stiffness_limit_ = stiffness_at(*desc.device.structure, touched.p_HC, touched.nhat_H);
+    w.stiffness_limit_ = stiffness_at(*desc.device.structure, touched.p_HC, touched.nhat_H) /
+                         (desc.mapping.position_scale * desc.mapping.force_scale);
 
   // Guard and allocate. The device's own weight is held up here, so that the hand feels the tool's alone.
   const Wrench wanted_F_H_W = w.clutched_ ? Wrench{} : F_H_W;

@@ -150,6 +150,12 @@ std::optional<Error> refuse_holding_point(const SceneDesc& desc) {
     return Error{"holding_point.place is " + number_text(holding.place) +
                  " m and must lie on the stick, from 'low' to 'high'."};
   if (!positive(holding.speed)) return Error{"holding_point.speed must be positive."};
+  if (moves_grip(desc.contact.response) && substitutes_torque(desc) &&
+      desc.torque_substitution->limit_stiffness)
+    return Error{
+        "torque_substitution softens a coupling about the tool's centre of mass, and under this response a "
+        "holding_point takes its spring to where the hand holds: set torque_substitution.limit_stiffness to "
+        "false, leave one of the two out, or name another response."};
   return std::nullopt;
 }
 

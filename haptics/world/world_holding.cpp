@@ -83,14 +83,12 @@ Wrench World::make_up_for_inertia(const Touched& touched, const Vec3& rendered_D
                                  .p_HG_D = p_HG_D(),
                                  .between = false,
                                  .open = guard_.gain() >= 1 && !guard_.stopped() && !clutched_};
-  if (touched.any) {
+  if (touched.any && desc_.device.renders_torque) {
     const double place = holding_point_->place();
     const double along = touched.p_HC.dot(desc_.holding_point->axis_H);
     tick.between = along >= std::min(0.0, place) && along <= std::max(0.0, place);
   }
-  Wrench F_H_D = inertia_compensation_->process(tick);
-  if (!desc_.device.renders_torque) F_H_D.torque.setZero();
-  return F_H_D;
+  return inertia_compensation_->process(tick);
 }
 
 }  // namespace fulcrum

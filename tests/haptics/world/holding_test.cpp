@@ -106,6 +106,36 @@ TEST(Holding, AtRestTheHandFeelsTheContactAtItsOwnPlace) {
   }
 }
 
+// Where the hand holds is in the command under a coupling, whose spring is there, and by arm, whose torque is
+// about it. Under direct rendering the motors do the same wherever that is: what the hand feels follows from
+// where it holds. Nothing steps, and it is not safety's slew limit that keeps it from doing so.
+TEST(Holding, TheCommandFollowsThePointWithoutAStep) {
+  enum class Case { direct, arm, coupled };
+  for (const Case c : {Case::direct, Case::arm, Case::coupled}) {
+    SceneDesc desc = stick_scene(0.05, 0.1);
+    if (c == Case::arm) desc.inertia_compensation = InertiaCompensationDesc{.method = InertiaMethod::arm};
+    if (c == Case::coupled) desc.contact.response = ContactResponse::penalty;
+    const auto to = [&desc](double place) {
+      return run(desc, pressing(desc, 0.1), 0.1, kPressed, [place](int tick) -> std::vector<Command> {
+        if (tick == 1900) return {{Command::Kind::hold_at, place}};
+        return {};
+      });
+    };
+    const Session kept = to(0.1), moved = to(0.07);
+    EXPECT_NEAR(moved.last().holding->place, 0.07, 1e-9);
+    const Wrench &before = kept.last().device_F_H_D, &after = moved.last().device_F_H_D;
+    const double change = (after.torque - before.torque).norm();
+    if (c == Case::direct) {
+      EXPECT_EQ(change, 0);
+      EXPECT_EQ(after.force, before.force);
+    } else {
+      EXPECT_GT(change, 1e-3);  // N m, of some 50; a hand that gives way evens part of it out
+    }
+    for (std::size_t i = 1900; i < moved.records.size(); ++i)
+      ASSERT_EQ(moved.records[i].faults & kSlewLimited, 0u) << static_cast<int>(c) << " " << i;
+  }
+}
+
 // While the handle moves the hand feels m a less; compensation by acceleration gives most of it back.
 TEST(Holding, CompensationGivesTheHandWhatTheDeviceTakes) {
   double missing[2] = {};
@@ -163,6 +193,25 @@ SceneDesc with_strip(double place) {
   desc.holding_point->keep = 0.1;
   desc.holding_point->fade = 0.2;
   return desc;
+}
+
+// Not to what was told before it was to be measured.
+TEST(Holding, ALostSensorForgetsWhatWasTold) {
+  const SceneDesc desc = with_strip(0.12);
+  const Session lost = run(
+      desc, pressing(desc, 0.12), 0.12, kPressed,
+      [](int tick) -> std::vector<Command> {
+        if (tick == 100) return {{Command::Kind::hold_measured, 0}, {Command::Kind::hold_at, 0.02}};
+        if (tick == 900) return {{Command::Kind::hold_measured, 1}};
+        return {};
+      },
+      [](DeviceSample& sample, int tick) {
+        if (tick >= 1900) sample.strip_ohm = kStripOpen;
+      });
+  EXPECT_NEAR(lost.records[890].holding->place, 0.02, 1e-9);
+  EXPECT_NEAR(lost.records[1899].holding->place, 0.12, 1e-3);
+  EXPECT_EQ(lost.last().holding->state, HoldingState::lost);
+  EXPECT_NEAR(lost.last().holding->place, desc.holding_point->place, 1e-9);
 }
 
 // The last trusted place, then on to the scene's own, evenly; said while it lasts.
