@@ -8,17 +8,18 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kFades = 0.5;        // of the budget: the rest is for what fading takes
-constexpr double kReturns = 0.25;     // likewise
-constexpr double kFall = 20e-3;       // s, from the whole gain to none
-constexpr double kRise = 0.5;         // s, back
-constexpr double kSwitch = 20e-3;     // s, of the arm's torque, in and out
-constexpr double kOldest = 25e-3;     // s, of a sample: an older one stops the force
-constexpr double kArmBudget = 20e-3;  // J, as much as a transient may give in a tenth of the time
-constexpr double kArmForgets = 1;     // s
-constexpr double kWay = 2e-3;         // m, over which an excess is taken back
-constexpr double kBrake = 0.05;       // of what would stop the handle within a tick, at most
-constexpr double kWindow = 10e-3;     // s, of damping: no stretch of it can have taken less than this says
+constexpr double kFades = 0.5;         // of the budget: the rest is for what fading takes
+constexpr double kReturns = 0.25;      // likewise
+constexpr double kFall = 20e-3;        // s, from the whole gain to none
+constexpr double kRise = 0.5;          // s, back
+constexpr double kSwitch = 20e-3;      // s, of the arm's torque, in and out
+constexpr double kOldest = 25e-3;      // s, of a sample: an older one stops the force
+constexpr double kArmBudget = 20e-3;   // J, as much as a transient may give in a tenth of the time
+constexpr double kArmForgets = 1;      // s
+constexpr double kMostCaughtUp = 100;  // ticks at once
+constexpr double kWay = 2e-3;          // m, over which an excess is taken back
+constexpr double kBrake = 0.05;        // of what would stop the handle within a tick, at most
+constexpr double kWindow = 10e-3;      // s, of damping: no stretch of it can have taken less than this says
 
 bool needs_filter(const InertiaCompensationDesc& desc) {
   return desc.switchable || desc.method == InertiaMethod::acceleration;
@@ -34,6 +35,8 @@ InertiaCompensation::InertiaCompensation(const InertiaCompensationDesc& desc, co
 }
 
 void InertiaCompensation::obey(const Command& command) noexcept {
+  if (command.kind == Command::Kind::caught_up && command.value > 0)
+    catching_up_ = static_cast<int>(std::min(command.value, kMostCaughtUp));
   if (command.kind != Command::Kind::compensation || !desc_.switchable) return;
   const double method = std::round(command.value);
   if (method >= 0 && method <= 2) cues_.method = static_cast<InertiaMethod>(static_cast<int>(method));
@@ -79,7 +82,8 @@ Wrench InertiaCompensation::process(const Tick& tick) noexcept {
   Wrench F_H_D;
   fade(tick.open);
   if (filter_) {
-    cues_.acceleration_D = filter_->update(tick.p_DH);
+    cues_.acceleration_D = catching_up_ > 0 ? filter_->catch_up(tick.p_DH) : filter_->update(tick.p_DH);
+    catching_up_ = std::max(0, catching_up_ - 1);
     F_H_D.force = force();
   }
   const bool arm = tick.open && tick.between && cues_.method == InertiaMethod::arm && !arm_faded_;

@@ -93,6 +93,7 @@ private:
 
   std::vector<Wrench> commanded_D_;  // (n) a ring over what a sample may be late
   std::size_t newest_ = 0;
+  int catching_up_ = 0;  // ticks, that are still to come at once
   bool faded_ = false, arm_faded_ = false;
   double given_ = 0;           // J, G less the damping's part
   Vec3 way_D_ = Vec3::Zero();  // (3) m, in the window of damping that is open

@@ -45,6 +45,12 @@ Vec3 AccelerationEstimator::update(const Vec3& p) noexcept {
   return acceleration();
 }
 
+Vec3 AccelerationEstimator::catch_up(const Vec3& p) noexcept {
+  if (!started_ || !p.allFinite()) return update(p);
+  state_.row(0) = (p - origin_).transpose() / desc_.noise;
+  return acceleration();
+}
+
 Vec4 AccelerationEstimator::adapted_gain(Adaptation& axis, double predicted, double seen) const noexcept {
   const Mat4 P = model_.F * axis.P * model_.F.transpose() + axis.more * model_.Q;
   const double S = P(0, 0) + 1;

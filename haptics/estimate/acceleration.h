@@ -37,6 +37,10 @@ public:
   // finite, starts from rest. Answers the acceleration, (3) m/s^2.
   Vec3 update(const Vec3& p) noexcept;
 
+  // Instead of update(), in a tick that comes late, with others, at one position of the handle: the filter
+  // takes the place and keeps its velocity and acceleration. A way of many ticks in one would be a blow.
+  Vec3 catch_up(const Vec3& p) noexcept;
+
   Vec3 velocity() const;      // (3) m/s
   Vec3 acceleration() const;  // (3) m/s^2
 

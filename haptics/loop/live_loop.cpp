@@ -94,6 +94,8 @@ void LiveLoop::run() {
       std::size_t count = 0;
       if (n == lost && static_cast<double>(late_ns) * 1e-9 >= kLongStall)
         commands[count++] = {Command::Kind::watchdog};
+      if (n == lost && due > 1)
+        commands[count++] = {Command::Kind::caught_up, static_cast<double>(due - lost)};
       while (count < commands.size() && commands_.pop(commands[count])) ++count;
       TickEvent event;
       run_tick(world_, device_, {commands.data(), count}, event);

@@ -57,6 +57,7 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
       case Command::Kind::hold_measured:
       case Command::Kind::contact_stiffness:
       case Command::Kind::compensation:
+      case Command::Kind::caught_up:
         break;
     }
   }

@@ -21,7 +21,8 @@ struct Command {
     hold_measured = 11,      // whether that is measured: 0 or 1
     contact_stiffness = 12,  // N/m, of each region: the level that is nearest
     compensation = 13,       // of the device's inertia: 0 none, 1 arm, 2 acceleration
-    last = compensation
+    caught_up = 14,          // the live loop: this tick and the value - 1 after it come at once, late
+    last = caught_up
   };
   Kind kind = Kind::stop;
   double value = 0;  // what it is set to; 0 where there is nothing to set

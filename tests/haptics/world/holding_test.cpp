@@ -309,6 +309,32 @@ TEST(Holding, LateCompensationFadesBeforeItGivesMoreThanItsBudget) {
 }
 
 // A sample that is 8 ms old: its age says which force it tells of.
+// A live loop that was held up runs what is due at once, all with the pose that the handle has by then.
+TEST(Holding, TicksThatAreCaughtUpAreNoBlow) {
+  constexpr int stalled = 1000, ticks = 5;
+  const auto largest_force = [](bool told) {
+    SceneDesc desc = stick_scene(0.1, 0.1, 0.05);
+    desc.inertia_compensation = InertiaCompensationDesc{};
+    World world = expect(World::build(desc));
+    const Pose start = handle_over(desc, 0.05);
+    double largest = 0;
+    for (int i = 0; i < 1100; ++i) {
+      const int seen = i < stalled ? i : std::max(i, stalled + ticks - 1);  // 0.3 m/s in the end, evenly
+      const double t = desc.tick_s * seen;
+      DeviceSample sample;
+      sample.X_DH = start;
+      sample.X_DH.p.x() += t < 0.6 ? 0.25 * t * t : 0.09 + 0.3 * (t - 0.6);
+      std::vector<Command> commands;
+      if (told && i == stalled) commands.push_back({Command::Kind::caught_up, ticks});
+      const StepResult result = step(world, sample, commands);
+      if (i >= stalled) largest = std::max(largest, result.record.inertia->force_D.norm());
+    }
+    return largest;
+  };
+  EXPECT_GT(largest_force(false), 0.3);
+  EXPECT_LT(largest_force(true), 0.01);
+}
+
 TEST(Holding, CompensationByLateSamplesFadesToo) {
   for (const double mass : {0.05, 0.2}) {
     SceneDesc desc = stick_scene(0.1, 0.1);
