@@ -99,6 +99,7 @@ FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenari
     left_ = scene.device.vibrotactile->find("left").value_or(0);
     right_ = scene.device.vibrotactile->find("right").value_or(0);
     strongest_ = scene.vibrotactile_motion->strength;
+    q_WF_ = scenario::level_turn(scene.vibrotactile_motion->axis_W);
   }
   for (const render::Instance& instance : desc.instances) {
     if (!instance.movable) continue;
@@ -116,9 +117,10 @@ glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const
   if (body >= scenario::kFollowsImpactCircle)
     return impact_circle_pose(body, afterglow.struck(), record.X_WT, time);
   const Pose X_WH = record.X_WT * X_TH_;  // where the tool is seen to be held
+  const Pose X_WF{q_WF_, X_WH.p};         // of the level bars
   const auto level_at = [&](int side, std::size_t channel) {
     const double level = record.vibrotactile.value_or(VibrotactileCues()).command.level[channel] / strongest_;
-    return scenario::level_pose(X_WH.p, side, level);
+    return scenario::level_pose(X_WF, side, level);
   };
   switch (body) {
     case scenario::kFollowsGuide:
@@ -126,7 +128,7 @@ glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const
     case scenario::kFollowsHoldingPoint:
       return scenario::to_glm({X_WH.q, X_WH * record.holding.value_or(HoldingCues()).p_HG});
     case scenario::kFollowsLevelFrame:
-      return scenario::to_glm({Quat::Identity(), X_WH.p});
+      return scenario::to_glm(X_WF);
     case scenario::kFollowsLeftLevel:
       return level_at(-1, left_);
     case scenario::kFollowsRightLevel:

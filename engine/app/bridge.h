@@ -38,6 +38,7 @@ private:
   Pose X_TH_;
   std::size_t left_ = 0, right_ = 0;            // channels
   double strongest_ = 0;                        // m/s^2, of their levels; 0: they are not drawn
+  Quat q_WF_ = Quat::Identity();                // of the level bars
   std::optional<Quat> ghost_q_HT_;              // where there is a ghost
   std::optional<scenario::DeviceLinks> links_;  // where something follows them
   std::vector<std::size_t> follows_;            // of each movable instance

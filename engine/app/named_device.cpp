@@ -31,7 +31,7 @@ std::optional<DeviceDesc> device_named(const std::string& name) {
     return std::nullopt;
   }
   if (Actuators::count(*device) == 0) {
-    complain("the device '" + name + "' has no motors: nothing can be felt on it.");
+    complain("the device '" + name + "' has no motors: this command needs one that pushes.");
     return std::nullopt;
   }
   return *device;

@@ -72,7 +72,11 @@ std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scen
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) {
   SceneDesc scene = prepared.haptic.scene;
   if (device == "mouse") {
+    std::optional<VibrotactileDesc> shown;  // the levels of a sweep are seen and written all the same
+    if (scene.vibrotactile_motion && scene.vibrotactile_motion->use == VibrotactileUse::sweep)
+      shown = std::move(scene.device.vibrotactile);
     scene.device = MouseDevice::mouse_desc();
+    scene.device.vibrotactile = std::move(shown);
     scene.mapping = MappingDesc{};
   }
   return scene;
@@ -104,7 +108,6 @@ Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepar
   SimulatedDeviceDesc desc;
   desc.device = scene.device;
   desc.tick_s = scene.tick_s;
-  if (vibrates_channels(scene)) desc.signal = vibrotactile_signal(*scene.vibrotactile_motion);
   return std::make_unique<SimulatedDevice>(desc, std::move(task));
 }
 

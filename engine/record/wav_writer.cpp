@@ -67,7 +67,9 @@ std::optional<Error> WavWriter::flush() {
     return error;
   }
   samples_ += static_cast<std::uint32_t>(block.size() / kSampleBytes);
-  return file_.overwrite_head(header(rate_Hz_, samples_));
+  std::optional<Error> error = file_.overwrite_head(header(rate_Hz_, samples_));
+  if (error) take_back();
+  return error;
 }
 
 void WavWriter::take_back() {

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "engine/scenario/describe.h"
+#include "engine/scenario/words.h"
 
 namespace fulcrum::scenario {
 
@@ -7,6 +10,10 @@ namespace {
 constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "arms"};
 
 constexpr std::array<std::string_view, 2> kChannelKinds{"rumble", "pcm"};
+
+// Columns of the trace beside those of the channels: touch/NAME.
+constexpr std::array<std::string_view, 6> kTouchColumns{"gain", "missing",   "glide",
+                                                        "x",    "direction", "force"};
 
 constexpr Range kAngle = from_to(-6.2831853, 6.2831853);
 constexpr Range kResistance = from_to(0, 1e7);
@@ -148,6 +155,13 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
         "channels",
         vibrators.find("left") && vibrators.find("right") && vibrators.channels.size() <= kMaxChannels,
         "must have 'left' and 'right', and two more at most");
+    visitor.rule("channels", std::ranges::all_of(vibrators.channels, is_word, &ChannelDesc::name),
+                 "must have names of letters, digits, '_' and '-': each becomes the file touch-NAME.wav");
+    visitor.rule("channels",
+                 std::ranges::find_first_of(vibrators.channels, kTouchColumns, {}, &ChannelDesc::name) ==
+                     vibrators.channels.end(),
+                 "must not be called " + joined(kTouchColumns) +
+                     ": the trace has columns of these names beside the channels'; choose others");
   }
   visitor.mapping(
       {"strip", "", "along the handle, that knows where the hand holds: a membrane potentiometer"},

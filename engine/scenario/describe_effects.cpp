@@ -123,7 +123,8 @@ void describe_vibrotactile_motion(KeyVisitor& visitor, VibrotactileMotionDesc& e
   visitor.number({"update_Hz", "", "of the levels; above 0.2 m/s they are updated every tick"},
                  effect.update_Hz, from_to(1, 10000));
   visitor.number({"carrier_Hz", "", "of the vibration"}, effect.carrier_Hz, from_to(20, 1000));
-  visitor.number({"gain", "", "of the vibration; 0: off at the start"}, effect.gain, kFraction);
+  visitor.number({"gain", "", "of the vibration; 0: off at the start, and lateral_force with it"},
+                 effect.gain, kFraction);
   visitor.vector({"centre", "m", "sweep: where the window begins, in the scene"}, effect.centre_W, kPosition);
   visitor.vector({"axis", "", "sweep: to the right of the finger, in the scene"}, effect.axis_W,
                  from_to(-1, 1));

@@ -1,6 +1,8 @@
 #include "engine/scenario/level_bars.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -58,9 +60,15 @@ void add_level_bars(render::VisualDesc& desc, std::uint32_t layers) {
   }
 }
 
-glm::mat4 level_pose(const Vec3& p_W, int side, double level) {
-  glm::mat4 X(1.0F);
-  X[3] = glm::vec4(narrowed(p_W) + glm::vec3(static_cast<float>(side) * kAside, kFoot, 0.0F), 1.0F);
+Quat level_turn(const Vec3& axis_W) {
+  const double along = std::hypot(axis_W.x(), axis_W.z());
+  if (along < 1e-3 * axis_W.norm()) return Quat::Identity();  // it goes up or down: no side is the right one
+  return Quat(Eigen::AngleAxisd(std::atan2(-axis_W.z(), axis_W.x()), Vec3::UnitY()));
+}
+
+glm::mat4 level_pose(const Pose& X_WF, int side, double level) {
+  glm::mat4 X = to_glm(X_WF);
+  X[3] = X * glm::vec4(static_cast<float>(side) * kAside, kFoot, 0.0F, 1.0F);
   X[1] *= std::max(kLeast, kHeight * static_cast<float>(std::clamp(level, 0.0, 1.0)));
   return X;
 }

@@ -134,11 +134,7 @@ Parsed<std::string> parse_line(const Node& node) {
 }
 
 Parsed<std::string> parse_word(const Node& node) {
-  const bool is_word = is_scalar(node) && !node.text.empty() && std::ranges::all_of(node.text, [](char c) {
-                         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                                c == '_' || c == '-';
-                       });
-  if (!is_word) {
+  if (!is_scalar(node) || !is_word(node.text)) {
     return ValueFault{node.mark, "must be a name of letters, digits, '_' and '-'; found " + found(node)};
   }
   return node.text;

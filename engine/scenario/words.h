@@ -12,6 +12,9 @@ namespace fulcrum::scenario {
 // 'text' for a sentence: one line, no control characters, shortened if it is long.
 std::string in_quotes(std::string_view text);
 
+// Letters, digits, '_' and '-': what can be part of a file's name and of a column's.
+bool is_word(std::string_view text);
+
 // A number as it would be written in a file: the shortest text that reads back as the same number.
 std::string number_text(double value);
 

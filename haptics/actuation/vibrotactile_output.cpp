@@ -16,6 +16,7 @@ ChannelOutput::ChannelOutput(const ChannelDesc& channel, const VibrotactileSigna
 }
 
 std::span<const double> ChannelOutput::process(double level, const VibrotactileCommand& command) noexcept {
+  if (command.stopping) level = std::min(level, envelope_);  // it may still be on its way up
   if (kind_ == ChannelKind::rumble) {
     envelope_ = level;
     drives_[0] = std::min(1.0, level * drive_per_level_);
@@ -41,22 +42,6 @@ double ChannelOutput::next() noexcept {
     return 0;
   }
   return std::clamp(envelope_ * drive_per_level_ * carrier_->next(), -1.0, 1.0);
-}
-
-VibrotactileOutput::VibrotactileOutput(const VibrotactileDesc& desc, const VibrotactileSignal& signal,
-                                       double tick_s)
-    : accelerations_(desc.channels.size()) {
-  for (const ChannelDesc& channel : desc.channels) {
-    outputs_.emplace_back(channel, signal, tick_s);
-    actuators_.emplace_back(channel, 1 / outputs_.back().rate_Hz());
-  }
-}
-
-void VibrotactileOutput::process(const VibrotactileCommand& command) noexcept {
-  for (std::size_t i = 0; i < outputs_.size(); ++i) {
-    for (const double drive : outputs_[i].process(command.level[i], command))
-      accelerations_[i] = actuators_[i].advance(drive);
-  }
 }
 
 }  // namespace fulcrum

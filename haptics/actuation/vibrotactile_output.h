@@ -1,10 +1,11 @@
 #pragma once
-// From levels to what each channel gets, once a tick, by one interface for both kinds.
+// From levels to what a channel gets, once a tick, by one interface for both kinds.
 //
 // pcm: samples at the channel's own rate, carrier x envelope, as drive from -1 to 1. The envelope goes to
 // each new level in a straight line, in the time that the command gives it, and never by more than kStep of
-// I_max from one sample to the next; only where all force is being stopped does it take the time alone. From
-// nothing to the whole that is 100 samples: 2.1 ms at 48 kHz, and 100 ms at 1 kHz. A burst begins at phase 0.
+// I_max from one sample to the next; only where all force is being stopped does it take the time alone, and
+// never rises. From nothing to the
+// whole that is 100 samples: 2.1 ms at 48 kHz, and 100 ms at 1 kHz. A burst begins at phase 0.
 //
 // rumble: one sample a tick, the amplitude as drive from 0 to 1.
 
@@ -43,22 +44,6 @@ private:
   double level_ = 0, envelope_ = 0, step_ = 0;  // m/s^2; a sample
   std::int64_t ticks_ = 0, samples_ = 0;
   std::vector<double> drives_;
-};
-
-// All channels of a device, with a vibrator at the end of each.
-class VibrotactileOutput {
-public:
-  VibrotactileOutput(const VibrotactileDesc& desc, const VibrotactileSignal& signal, double tick_s);
-
-  void process(const VibrotactileCommand& command) noexcept;
-
-  // m/s^2, of each channel: how the vibrator shakes now; of rumble its amplitude.
-  double acceleration(std::size_t channel) const { return accelerations_[channel]; }
-
-private:
-  std::vector<ChannelOutput> outputs_;
-  std::vector<VibrotactileActuator> actuators_;
-  std::vector<double> accelerations_;
 };
 
 }  // namespace fulcrum

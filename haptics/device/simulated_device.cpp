@@ -35,7 +35,6 @@ SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, const Pose& X_
   }
   measured_ = {X_DH_.q, stepped(X_DH_.p, d.encoder_step)};
   seen_.fill(measured_);
-  if (desc_.signal && d.vibrotactile) vibration_.emplace(*d.vibrotactile, *desc_.signal, desc_.tick_s);
 }
 
 SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, HandTask task)
@@ -90,7 +89,6 @@ void SimulatedDevice::write(const DeviceCommand& command) noexcept {
   const Wrench& F = due.F_H_D;
   advance({shortened(F.force, desc_.device.max_force), shortened(F.torque, desc_.device.max_torque)},
           due.cues);
-  if (vibration_) vibration_->process(due.vibrotactile);
   at_ = (at_ + 1) % kDelay;
   measure();
 }

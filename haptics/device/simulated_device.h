@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 
-#include "haptics/actuation/vibrotactile_output.h"
 #include "haptics/device/device.h"
 #include "haptics/device/friction_axis.h"
 #include "haptics/device/hand.h"
@@ -18,9 +17,8 @@ namespace fulcrum {
 struct SimulatedDeviceDesc {
   DeviceDesc device;
   double tick_s = 1e-3;
-  int sample_age_ticks = 0;                    // 0 to 8: how old a pose is when it is read
-  int bus_delay_ticks = 0;                     // 0 to 2: how late a command reaches the motors
-  std::optional<VibrotactileSignal> signal{};  // what the scene has its channels vibrate with, if it does
+  int sample_age_ticks = 0;  // 0 to 8: how old a pose is when it is read
+  int bus_delay_ticks = 0;   // 0 to 2: how late a command reaches the motors
 };
 
 // What the hand does: where it wants the tool, and how the tool lies in it.
@@ -53,7 +51,6 @@ public:
   }
   // Of a hand whose path says where it holds the stick; null for others.
   const HeldHandle* held() const { return held_ ? &*held_ : nullptr; }
-  const VibrotactileOutput* vibration() const { return vibration_ ? &*vibration_ : nullptr; }
   void push(const Vec3& v_D) noexcept;  // sets the handle's velocity, m/s
 
 private:
@@ -73,7 +70,6 @@ private:
   std::optional<HandTask> task_;
   std::optional<Tremor> tremor_;
   std::optional<Yielding> yielding_;
-  std::optional<VibrotactileOutput> vibration_;
   double time_ = 0;
   std::optional<SimulatedStrip> strip_;
   double strip_ohm_ = kNoStrip;

@@ -9,18 +9,20 @@
 namespace fulcrum {
 namespace {
 
-// m back, that are a turn: where a window is short, a tenth of it.
-double least_turn(double window) {
-  return std::min(SweepDirection::kLeast, 0.1 * window);
+// m of the line along which the window lies, back, that are a turn: a way of the hand, and where the window
+// is short, a tenth of it.
+double least_turn(const VibrotactileMotionDesc& desc, double position_scale) {
+  const double scale = desc.use == VibrotactileUse::sweep ? position_scale : 1.0;
+  return std::min(SweepDirection::kLeast * scale, 0.1 * desc.law.window);
 }
 
 }  // namespace
 
 VibrotactileMotion::VibrotactileMotion(const VibrotactileMotionDesc& desc, const VibrotactileDesc* channels,
-                                       double tick_s)
+                                       double position_scale, double tick_s)
     : desc_(desc),
       tick_s_(tick_s),
-      way_direction_(least_turn(desc.law.window), tick_s),
+      way_direction_(least_turn(desc, position_scale), tick_s),
       force_(1 / desc.update_Hz, tick_s) {
   desc_.axis_W.normalize();
   cues_.gain = desc_.gain;
@@ -86,7 +88,7 @@ Vec3 VibrotactileMotion::process(const Tick& tick) noexcept {
   }
 
   if (desc_.lateral_force == 0) return Vec3::Zero();
-  const double force = desc_.lateral_force * force_.towards(inside != 0 ? 1.0 : 0.0);
+  const double force = desc_.lateral_force * force_.towards(inside != 0 && cues_.gain > 0 ? 1.0 : 0.0);
   cues_.force = -std::clamp(place.speed / desc_.full_speed, -1.0, 1.0) * force;
   return cues_.force * desc_.axis_W;
 }

@@ -6,7 +6,8 @@
 // `sweep`: along an axis of the scene, within `window` past a centre in the direction of the sweep, while the
 // finger touches. Where the device pushes, a force may go with it,
 //     F_lat = -sat(v / v_0) F_mag     along the axis, on the handle
-// (Eq. 2 has no sign, and a bare sgn(v) would chatter.) It is a continuous force like any other.
+// (Eq. 2 has no sign, and a bare sgn(v) would chatter.) It is a continuous force like any other, and goes
+// with the vibration where that is switched off.
 //
 // `fallback`: for a device that cannot push. Along D's x, the line of its channels, while the handle goes
 // against the force that it should feel: amplitude by that force, sat(|F| / full_force), and windows that
@@ -37,7 +38,7 @@ struct VibrotactileMotionDesc {
   double strength = 1.31 * 9.8;  // m/s^2, I_max
   double update_Hz = 100;
   double carrier_Hz = 233;
-  double gain = 1;               // of the levels; 0: named but off
+  double gain = 1;               // of the levels; 0: named but off, the force too
   Vec3 centre_W = Vec3::Zero();  // (3) m, sweep
   Vec3 axis_W = Vec3::UnitX();   // (3), sweep: to the right of the finger; need not be unit
   double lateral_force = 0;      // N at the handle, sweep: F_mag
@@ -53,8 +54,9 @@ class VibrotactileMotion {
 public:
   static constexpr double kFast = 0.2;  // m/s, above which levels are updated every tick
 
-  // channels: of the device; none: the force alone.
-  VibrotactileMotion(const VibrotactileMotionDesc& desc, const VibrotactileDesc* channels, double tick_s);
+  // channels: of the device; none: the force alone. position_scale: m of the scene for one of the handle.
+  VibrotactileMotion(const VibrotactileMotionDesc& desc, const VibrotactileDesc* channels,
+                     double position_scale, double tick_s);
 
   struct Tick {
     Vec3 p_WH, v_WH;   // (3) m; m/s, of the handle, which the finger is in

@@ -47,7 +47,8 @@ std::optional<BrakingPulse> build_braking_pulse(const SceneDesc& desc) {
 std::optional<VibrotactileMotion> build_vibrotactile_motion(const SceneDesc& desc) {
   if (!moves_vibration(desc)) return std::nullopt;
   const auto& channels = desc.device.vibrotactile;
-  return VibrotactileMotion(*desc.vibrotactile_motion, channels ? &*channels : nullptr, desc.tick_s);
+  return VibrotactileMotion(*desc.vibrotactile_motion, channels ? &*channels : nullptr,
+                            desc.mapping.position_scale, desc.tick_s);
 }
 
 std::optional<HoldingPoint> build_holding_point(const SceneDesc& desc) {

@@ -49,8 +49,12 @@ double keep_of(const SceneDesc& desc) {
   return late / (1 + late);
 }
 
+WallLoop loop_of(const Way& way, const SceneDesc& desc) {
+  return {.axis = way.axis, .tick_s = desc.tick_s, .keep = keep_of(desc)};
+}
+
 double limit_of(const Way& way, const SceneDesc& desc) {
-  const WallLoop loop{.axis = way.axis, .tick_s = desc.tick_s, .keep = keep_of(desc)};
+  const WallLoop loop = loop_of(way, desc);
   const auto holds = [&](double k) {
     const double B = 2 * desc.coupling.damping_ratio * std::sqrt(k * way.inertia);
     return k < kStiffest && exact_growth(loop, {way.stiffness * k, way.stiffness * B}) < 0;
@@ -145,6 +149,25 @@ std::optional<std::string> beyond_limits(const SceneDesc& desc) {
     return sentence("coupling.angular_stiffness", desc.coupling.angular_stiffness, "N m/rad",
                     limits.angular_stiffness);
   return std::nullopt;
+}
+
+// The force is in N at the handle, the speed the scene's.
+double lateral_damping_limit(const SceneDesc& desc) {
+  if (!desc.device.renders_force) return kInfinity;
+  return exact_damping_limit(loop_of(along(desc), desc)) / desc.mapping.position_scale;
+}
+
+std::optional<std::string> lateral_beyond_limit(const SceneDesc& desc) {
+  if (!desc.vibrotactile_motion || desc.vibrotactile_motion->use != VibrotactileUse::sweep)
+    return std::nullopt;
+  const double damping = desc.vibrotactile_motion->lateral_force / desc.vibrotactile_motion->full_speed;
+  const double limit = damping > 0 ? lateral_damping_limit(desc) : kInfinity;
+  if (damping <= limit) return std::nullopt;
+  return "vibrotactile_motion.lateral_force / full_speed is " + number_text(damping) +
+         " N s/m, and the device, let go, holds at most " + number_text(limit) +
+         " N s/m: it may buzz in a light hand. Lower the one or raise the other, raise tick_rate_Hz, or name "
+         "a "
+         "velocity_estimator that is less late.";
 }
 
 }  // namespace fulcrum

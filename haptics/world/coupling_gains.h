@@ -38,4 +38,11 @@ CouplingDesc suit_coupling(const CouplingGains& given, const SceneDesc& desc);
 // A sentence if a stiffness is beyond its limit.
 std::optional<std::string> beyond_limits(const SceneDesc& desc);
 
+// The lateral force of a sweep is a damper of lateral_force / full_speed, without a spring: N s/m in the
+// scene, up to which the same loop is stable; infinite where the device does not push.
+double lateral_damping_limit(const SceneDesc& desc);
+
+// A sentence if it is beyond that.
+std::optional<std::string> lateral_beyond_limit(const SceneDesc& desc);
+
 }  // namespace fulcrum

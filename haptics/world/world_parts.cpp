@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "haptics/actuation/vibrotactile_actuator.h"
+#include "haptics/actuation/vibrotactile_output.h"
 #include "haptics/math/number_text.h"
 #include "haptics/world/coupling_gains.h"
 #include "haptics/world/world.h"
@@ -109,9 +109,16 @@ BuiltPart motion_part(const VibrotactileMotionDesc& desc, const DeviceDesc& devi
     what += "; " + number_text(desc.strength) + " m/s^2 at " + number_text(desc.carrier_Hz) + " Hz on";
     for (const ChannelDesc& channel : device.vibrotactile->channels) {
       what += (&channel == device.vibrotactile->channels.data() ? " " : ", ") + channel.name;
-      what += channel.kind == ChannelKind::rumble ? " (rumble: an amplitude alone, "
-                                                  : " (" + number_text(channel.rate_Hz * 1e-3) + " kHz, ";
-      what += "up to " + number_text(actuator_reach(channel, desc.carrier_Hz)) + " m/s^2)";
+      const bool rumble = channel.kind == ChannelKind::rumble;
+      what +=
+          rumble ? " (rumble: an amplitude alone, " : " (" + number_text(channel.rate_Hz * 1e-3) + " kHz, ";
+      what += "up to " + number_text(actuator_reach(channel, desc.carrier_Hz)) + " m/s^2";
+      const double rise = 1 / (ChannelOutput::kStep * channel.rate_Hz);  // s, of pcm
+      if (rumble)
+        what += ", " + number_text(channel.lag * 1e3) + " ms behind";
+      else if (rise > 1 / desc.update_Hz)
+        what += " after " + number_text(rise * 1e3) + " ms, longer than an update";
+      what += ")";
     }
   }
   if (desc.use == VibrotactileUse::fallback)

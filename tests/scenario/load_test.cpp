@@ -245,5 +245,25 @@ TEST(Devices, SayWhatTheirVibratorsLack) {
   EXPECT_NE(alone.find("must have 'left' and 'right', and two more at most"), std::string::npos) << alone;
 }
 
+// They become columns and files.
+TEST(Devices, SayWhichNamesVibratorsCannotHave) {
+  const Folder folder;
+  const auto said = [&](const std::string& name) {
+    const std::string motor = ": {kind: rumble, largest: 10}\n";
+    folder.write("devices/test_arm.yaml", "fulcrum: 1\nname: Arm\nchannels:\n  left" + motor + "  right" +
+                                              motor + "  " + name + motor);
+    const auto device = load_device(folder.root() / "devices" / "test_arm.yaml");
+    return device ? "nothing" : to_text(device.faults());
+  };
+  EXPECT_EQ(said("thumb_2"), "nothing");
+  for (const char* name : {"'../thumb'", "'a,b'", "'a b'", "''"})
+    EXPECT_NE(said(name).find("letters, digits, '_' and '-'"), std::string::npos) << name << said(name);
+  for (const char* name : {"gain", "missing", "glide", "x", "direction", "force"}) {
+    const std::string sentence = said(name);
+    EXPECT_NE(sentence.find("test_arm.yaml:4:"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("must not be called gain, missing"), std::string::npos) << sentence;
+  }
+}
+
 }  // namespace
 }  // namespace fulcrum::scenario::test

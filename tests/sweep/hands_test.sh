@@ -38,5 +38,24 @@ run_hand sweep expert 0 3
 levels expert 6
 run_hand sweep clumsy 3 8
 levels clumsy 8
-ls "$box"/expert/*.wav >/dev/null 2>&1 || fail "there is no WAV of the channels"
+
+# What the right channel is given of the six passes is six bursts, whose envelope, rising and falling by 1 % of its strength
+# a sample at most, has no jump: of a tone s whose envelope bends by b, s[n+1] - 2 cos(w) s[n] + s[n-1] is b at most where s
+# is largest, and little more than nothing where it does not bend.
+bursts() {
+  od -An -v -t d2 -w2 -j44 "$1" | awk '
+    BEGIN { strength = 32767 * 12.838 / 12.84; twice = 2 * cos(2 * 3.14159265358979 * 233 / 48000) }
+    { bend = $1 - twice * last + before; before = last; last = $1; if (bend < 0) bend = -bend; if (bend > most) most = bend }
+    $1 > loudest { loudest = $1 }
+    $1 == 0 { ++still; next }
+    { if (!count || still > 240) ++count; still = 0 }
+    END {
+      print count " bursts, the loudest of " loudest / strength " of the strength, bends of " most / strength
+      if (count != 6) wrong = "there are not six bursts"
+      if (loudest < 0.9 * strength || loudest > 1.001 * strength) wrong = "they are not as loud as they should be"
+      if (most > 0.012 * strength + 3) wrong = "the envelope jumps"
+      if (wrong) { print "FAILED: " wrong; exit 1 }
+    }'
+}
+bursts "$box/expert/touch-right.wav"
 echo "all good"

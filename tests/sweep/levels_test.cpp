@@ -70,5 +70,39 @@ TEST(Levels, AreTheHeightsOfTheBarsAtTheirSides) {
   EXPECT_NEAR(half.height, 0.5F * whole.height, 1e-6F);
 }
 
+// Left is left of the finger as it sweeps, whichever way that is.
+TEST(Levels, StandAsTheAxisOfTheSweepDoes) {
+  const std::vector<std::pair<const char*, glm::vec3>> axes{
+      {"[-1, 0, 0]", {-1, 0, 0}}, {"[0, 0, -1]", {0, 0, -1}}, {"[0.3, 0.9, 0]", {1, 0, 0}}};
+  for (const auto& [axis, right] : axes) {
+    const std::optional<app::Prepared> sweep =
+        app::prepare("sweep", {std::string("vibrotactile_motion.axis=") + axis});
+    ASSERT_TRUE(sweep);
+    TickRecord record;
+    record.vibrotactile.emplace();
+    record.X_WH = {Quat::Identity(), Vec3(0.02, 0, 0.01)};
+    record.X_WT = record.X_WH * sweep->haptic.scene.tool.X_HT;
+    const glm::vec3 across = bar_of(*sweep, record, scenario::kFollowsRightLevel).foot -
+                             bar_of(*sweep, record, scenario::kFollowsLeftLevel).foot;
+    EXPECT_NEAR(glm::length(across - 0.048F * right), 0, 1e-6F) << axis;
+  }
+}
+
+// A mouse has no vibrators: the levels of a sweep are drawn and written all the same, those of a fallback
+// not.
+TEST(Levels, AreThereWithTheMouseWhereAFingerSweeps) {
+  const std::optional<app::Prepared> sweep = app::prepare("sweep", std::vector<std::string>());
+  ASSERT_TRUE(sweep);
+  const SceneDesc scene = app::scene_for_device(*sweep, "mouse");
+  EXPECT_TRUE(scenario::draws_levels(scene));
+  EXPECT_TRUE(vibrates_channels(scene));
+  EXPECT_FALSE(scene.device.renders_force);
+  const std::optional<app::Prepared> fallback =
+      app::prepare("sweep", {"vibrotactile_motion.as=fallback", "device.model=two_channel"});
+  ASSERT_TRUE(fallback);
+  EXPECT_TRUE(vibrates_channels(fallback->haptic.scene));
+  EXPECT_FALSE(vibrates_channels(app::scene_for_device(*fallback, "mouse")));
+}
+
 }  // namespace
 }  // namespace fulcrum::test

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/haptics/actuation/simulated_vibrator.h"
+
 namespace fulcrum::test {
 namespace {
 
@@ -36,7 +38,7 @@ std::vector<double> played(const ChannelDesc& channel, double tick_s, double dur
   return drives;
 }
 
-TEST(VibrotactileActuator, AnswersAToneAsItsTransferFunctionSays) {
+TEST(VibrotactileVibrator, AnswersAToneAsItsTransferFunctionSays) {
   for (const double quality : {0.6, 3.0, 15.0}) {
     for (const double f : {60.0, 180.0, 233.0, 300.0, 700.0}) {
       const ChannelDesc channel = coil(48000, quality);
@@ -44,7 +46,7 @@ TEST(VibrotactileActuator, AnswersAToneAsItsTransferFunctionSays) {
       const double w0 = 2 * std::numbers::pi * 233;
       const double H = std::abs(s * s / (s * s + w0 / quality * s + w0 * w0)) / quality;
       EXPECT_NEAR(actuator_response(channel, f), H, 1e-12) << f;
-      VibrotactileActuator actuator(channel, 1 / 48000.0);
+      SimulatedVibrator actuator(channel, 1 / 48000.0);
       double most = 0;
       for (int n = 0; n < 48000; ++n) {
         const double a = actuator.advance(0.5 * std::sin(2 * std::numbers::pi * f * n / 48000));
@@ -56,10 +58,10 @@ TEST(VibrotactileActuator, AnswersAToneAsItsTransferFunctionSays) {
 }
 
 // Switched on, it rings and dies away as a damped oscillator does.
-TEST(VibrotactileActuator, RingsAsADampedOscillator) {
+TEST(VibrotactileVibrator, RingsAsADampedOscillator) {
   const double T = 1 / 48000.0, w0 = 2 * std::numbers::pi * 233, d = w0 / (2 * 3.0);
   const double w_d = std::sqrt(w0 * w0 - d * d);
-  VibrotactileActuator actuator(coil(), T);
+  SimulatedVibrator actuator(coil(), T);
   for (int n = 0; n < 2000; ++n) {
     const double t = n * T;
     const auto v = [&](double at) { return std::exp(-d * at) * std::sin(w_d * at) / w_d; };  // of a unit step
@@ -68,9 +70,9 @@ TEST(VibrotactileActuator, RingsAsADampedOscillator) {
   }
 }
 
-TEST(VibrotactileActuator, RumbleFollowsWithItsLag) {
+TEST(VibrotactileVibrator, RumbleFollowsWithItsLag) {
   for (const double tick_s : {1e-2, 1e-3, 1e-4}) {
-    VibrotactileActuator actuator(rumble(), tick_s);
+    SimulatedVibrator actuator(rumble(), tick_s);
     double t = 0;
     for (int n = 1; n * tick_s < 0.2; ++n) {
       t = n * tick_s;
@@ -88,13 +90,14 @@ TEST(VibrotactileOutput, TheFingerGetsTheLevelThatWasAskedFor) {
     ChannelDesc channel = coil();
     channel.resonance_Hz = resonance_Hz;
     const double level = 0.9 * actuator_reach(channel, 233);
-    VibrotactileDesc desc{{channel, channel}};
-    VibrotactileOutput output(desc, kSignal, 1e-4);
+    ChannelOutput output(channel, kSignal, 1e-4);
+    SimulatedVibrator vibrator(channel, 1 / channel.rate_Hz);
     double most = 0;
     for (int n = 0; n < 10000; ++n) {
-      output.process({.level = {level, 0, 0, 0}, .glide = 0.01});
-      if (n > 5000) most = std::max(most, std::abs(output.acceleration(0)));
-      EXPECT_EQ(output.acceleration(1), 0);
+      for (const double drive : output.process(level, {.glide = 0.01})) {
+        const double a = vibrator.advance(drive);
+        if (n > 5000) most = std::max(most, std::abs(a));
+      }
     }
     EXPECT_NEAR(most, level, 0.02 * level) << resonance_Hz;
   }
@@ -151,6 +154,28 @@ TEST(VibrotactileOutput, AStopSilencesWithinTwoMilliseconds) {
         EXPECT_NEAR(output.envelope(), level, 1e-9);
       }
       for (const double drive : output.process(0, {.glide = tick_s, .stopping = true})) EXPECT_EQ(drive, 0);
+    }
+  }
+}
+
+// However soon after its onset the stop comes: the level that it falls from is not yet heard, and never will
+// be.
+TEST(VibrotactileOutput, AStopOnTheWayUpOnlyFalls) {
+  for (const double tick_s : {1e-3, 5e-5}) {
+    for (const double after_s : {1e-3, 5e-3}) {
+      ChannelOutput output(coil(), kSignal, tick_s);
+      for (int n = 0; n * tick_s < after_s - 1e-9; ++n) output.process(9, {.glide = 0.01});
+      double before = output.envelope();
+      EXPECT_NEAR(before, 9 * after_s / 0.01, 0.05 * 9) << tick_s;
+      const double loudest = before / 10 * HeldSine(233, 1 / 48000.0).largest();
+      const int ticks = static_cast<int>(std::lround(2e-3 / tick_s));
+      for (int n = 1; n <= ticks; ++n) {
+        const auto drives = output.process(9.0 * (ticks - n) / ticks, {.glide = tick_s, .stopping = true});
+        EXPECT_LE(output.envelope(), before) << tick_s << ' ' << n;
+        before = output.envelope();
+        for (const double drive : drives) EXPECT_LE(std::abs(drive), loudest + 1e-12) << tick_s << ' ' << n;
+      }
+      EXPECT_EQ(output.envelope(), 0) << tick_s;
     }
   }
 }

@@ -139,5 +139,40 @@ TEST(CouplingGains, BeyondTheLimitASentenceSaysSo) {
   EXPECT_NE(sentence->find("holds at most"), std::string::npos) << *sentence;
 }
 
+// By differences, of a handle without damping: the swing z^2 - (1 - b/2) z + b/2 with b = B T / m is stable
+// up to b = 2.
+TEST(LateralLimits, OfAFreeMassIsTwiceItsMassATick) {
+  for (const double tick_s : {1e-2, 1e-3}) {
+    for (const double scale : {1.0, 2.5}) {
+      SceneDesc scene = hanging_scene();
+      scene.tick_s = tick_s;
+      scene.velocity.kind = VelocityEstimatorKind::difference;
+      scene.device.damping = 0;
+      scene.mapping.position_scale = scale;
+      const double limit = 2 * scene.device.handle_mass / tick_s / scale;
+      EXPECT_NEAR(lateral_damping_limit(scene), limit, 1e-3 * limit) << tick_s;
+      VibrotactileMotionDesc& motion = scene.vibrotactile_motion.emplace();
+      for (const double part : {0.0, 0.99, 1.01}) {
+        motion.lateral_force = part * limit * motion.full_speed;
+        EXPECT_EQ(lateral_beyond_limit(scene).has_value(), part > 1) << tick_s << ' ' << part;
+      }
+    }
+  }
+}
+
+// 2 N in full from 0.1 m/s: a device of 72 g holds it at 1 kHz, and not at 100 Hz.
+TEST(LateralLimits, ASentenceSaysWhereTheTickIsTooSlow) {
+  SceneDesc scene = hanging_scene();
+  scene.velocity.kind = VelocityEstimatorKind::difference;
+  scene.vibrotactile_motion.emplace().lateral_force = 2;
+  EXPECT_FALSE(lateral_beyond_limit(scene));
+  scene.tick_s = 1e-2;
+  const auto sentence = lateral_beyond_limit(scene);
+  ASSERT_TRUE(sentence);
+  EXPECT_NE(sentence->find("full_speed is 20 N s/m"), std::string::npos) << *sentence;
+  scene.device.renders_force = false;
+  EXPECT_FALSE(lateral_beyond_limit(scene));
+}
+
 }  // namespace
 }  // namespace fulcrum::test

@@ -79,11 +79,13 @@ TEST(VibrotactileInAWorld, NothingWithoutTouch) {
   for (const TickRecord& record : swept(finger_scene(), 0.1, 1e-3)) EXPECT_EQ(told(record), 0) << record.tick;
 }
 
-// Off, or on without a force, it is as if it were not there: every number that both have, bit for bit.
+// Off, with a force or without, or on without one, it is as if it were not there: every number that both
+// have, bit for bit.
 TEST(VibrotactileInAWorld, OffIsAsIfItWereNotThere) {
   const SceneDesc on = finger_scene();
   SceneDesc off = on, none = on;
   off.vibrotactile_motion->gain = 0;
+  off.vibrotactile_motion->lateral_force = 2;
   none.vibrotactile_motion.reset();
   const auto with = swept(on), silent = swept(off), without = swept(none);
   double most = 0;
@@ -138,6 +140,20 @@ TEST(VibrotactileInAWorld, SwitchedByItsCommand) {
   for (int i = 840; i < 870; ++i) EXPECT_EQ(told(records[static_cast<std::size_t>(i)]), 0);
   EXPECT_EQ(records[885].vibrotactile->gain, 0.5);
   EXPECT_NEAR(told(records[870]), 0.5 * told(swept(finger_scene())[870]), 0.05);
+}
+
+// Switched off in the window the force goes with it, in one update; switched on again it comes back.
+TEST(VibrotactileInAWorld, TheLateralForceIsSwitchedWithIt) {
+  SceneDesc desc = finger_scene();
+  desc.vibrotactile_motion->lateral_force = 2;
+  const auto records =
+      swept(desc, 0.1, -0.2e-3,
+            {{840, {Command::Kind::vibrotactile_gain, 0}}, {870, {Command::Kind::vibrotactile_gain, 1}}});
+  const auto force = [&](std::size_t i) { return records[i].vibrotactile->force; };
+  EXPECT_NEAR(force(839), -2, 1e-9);
+  for (std::size_t i = 840; i < 885; ++i) EXPECT_LE(std::abs(force(i) - force(i - 1)), 0.2 + 1e-9) << i;
+  for (std::size_t i = 851; i < 870; ++i) EXPECT_EQ(force(i), 0) << i;
+  EXPECT_NEAR(force(885), -2, 1e-9);
 }
 
 // On a device that pushes: 2 N against the sweep, without a step beyond the slew limit, and it takes energy.
