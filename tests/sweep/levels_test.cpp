@@ -76,7 +76,7 @@ TEST(Levels, StandAsTheAxisOfTheSweepDoes) {
       {"[-1, 0, 0]", {-1, 0, 0}}, {"[0, 0, -1]", {0, 0, -1}}, {"[0.3, 0.9, 0]", {1, 0, 0}}};
   for (const auto& [axis, right] : axes) {
     const std::optional<app::Prepared> sweep =
-        app::prepare("sweep", {std::string("vibrotactile_motion.axis=") + axis});
+        app::prepare("sweep", std::vector{std::string("vibrotactile_motion.axis=") + axis});
     ASSERT_TRUE(sweep);
     TickRecord record;
     record.vibrotactile.emplace();
@@ -97,8 +97,8 @@ TEST(Levels, AreThereWithTheMouseWhereAFingerSweeps) {
   EXPECT_TRUE(scenario::draws_levels(scene));
   EXPECT_TRUE(vibrates_channels(scene));
   EXPECT_FALSE(scene.device.renders_force);
-  const std::optional<app::Prepared> fallback =
-      app::prepare("sweep", {"vibrotactile_motion.as=fallback", "device.model=two_channel"});
+  const std::optional<app::Prepared> fallback = app::prepare(
+      "sweep", std::vector<std::string>{"vibrotactile_motion.as=fallback", "device.model=two_channel"});
   ASSERT_TRUE(fallback);
   EXPECT_TRUE(vibrates_channels(fallback->haptic.scene));
   EXPECT_FALSE(vibrates_channels(app::scene_for_device(*fallback, "mouse")));
