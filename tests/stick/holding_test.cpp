@@ -16,6 +16,7 @@ SceneDesc stick_scene() {
   SceneDesc scene;
   scene.contact.levels = {100, 200, 300};
   scene.contact.stiffness = 200;
+  scene.contact.response = ContactResponse::direct;
   scene.device.strip.emplace();
   scene.device.structure.emplace();
   scene.device.renders_torque = true;
