@@ -6,99 +6,18 @@
 #include <optional>
 
 #include "haptics/bake/parallel.h"
-#include "haptics/device/hand.h"
-#include "haptics/math/split_mix.h"
-#include "haptics/safety/faults.h"
 #include "haptics/world/world.h"
 
 namespace fulcrum::analysis {
 namespace {
 
-// Ticks at rest, by which force, and after it compensation, have come in.
-constexpr int kForceIn = 510, kCompensationIn = 1020;
-constexpr int kPlaces = 11;                       // along the stick
+constexpr int kPlaces = 11;  // along the stick
+// So long that what the filter saw of its beginning has faded beyond rounding.
+constexpr StrikePath kEvenStrike{.acceleration = 0.5, .travel = 0.18, .tremor = 0};
 constexpr std::array kLateJerks{30.0, 5.0, 0.2};  // m/s^3 per root Hz: in time, near the limit, late
-constexpr double kDifference = 1e-4;              // s, of tremor's acceleration
 
-// Where the handle is, from where the stick just touches, and how it accelerates.
-class HandleWay {
-public:
-  HandleWay(const StrikePath& path, double rest, std::uint64_t seed)
-      : path_(path), rest_(rest), tremor_(shaking(path, seed)) {}
-
-  Vec3 p(double t) const {
-    const double half = std::sqrt(path_.travel / path_.acceleration), a = path_.acceleration;
-    const double top = path_.travel - path_.depth - path_.beyond, s = std::max(0.0, t - rest_);
-    const double y =
-        s < half ? top - 0.5 * a * s * s : top - path_.travel + 0.5 * a * std::pow(2 * half - s, 2);
-    return Vec3(0, y, 0) + shake(t);
-  }
-  // While it slows down.
-  Vec3 a(double t) const {
-    const Vec3 second = shake(t + kDifference) - 2 * shake(t) + shake(t - kDifference);
-    return Vec3(0, path_.acceleration, 0) + second / (kDifference * kDifference);
-  }
-
-private:
-  static HandDesc shaking(const StrikePath& path, std::uint64_t seed) {
-    HandDesc hand;
-    hand.tremor = path.tremor;
-    hand.seed = seed;
-    return hand;
-  }
-  Vec3 shake(double t) const { return tremor_.at(t).head<3>(); }
-
-  StrikePath path_;
-  double rest_;
-  Tremor tremor_;
-};
-
-struct Felt {
-  double depth = 0, force = 0, torque = 0;  // m; N, up; N m, about z at G
-  double formula_error = 0;
-  bool limited = false;
-};
-
-// By the formulas, at G: what the method is to make of a contact force f at `l` from C.
-Wrench by_formula(InertiaMethod method, const StickTouch& touch, const Vec3& f, const Vec3& inertia) {
-  const Vec3 l(touch.place, -kStickRadius, 0), g(touch.held, 0, 0), h = l - g;
-  Wrench felt{f - inertia, h.cross(f) + g.cross(inertia)};
-  const bool between = touch.place <= touch.held;
-  if (method == InertiaMethod::arm && between) felt.torque -= g.cross(f);
-  return method == InertiaMethod::acceleration ? Wrench{f, h.cross(f)} : felt;
-}
-
-Felt strike(World world, const StickTouch& touch, const StrikePath& path, InertiaMethod method,
-            std::uint64_t seed) {
-  const SceneDesc& scene = world.desc();
-  const double T = scene.tick_s, step_m = scene.device.encoder_step;
-  const int rest = method == InertiaMethod::acceleration ? kCompensationIn : kForceIn;
-  const HandleWay way(path, rest * T, seed);
-  SplitMix random(seed);
-  const double phase = random.uniform();  // of the encoders' counts
-  for (std::int64_t k = 0;; ++k) {
-    const double t = static_cast<double>(k) * T;
-    const Vec3 p = way.p(t);
-    DeviceSample sample;
-    sample.X_DH.p = step_m > 0 ? Vec3(((p / step_m).array() + phase).round() - phase) * step_m : p;
-    const StepResult result = step(world, sample, {});
-    if (k < rest || -p.y() < path.depth) continue;
-    Wrench F_H_D = result.command.F_H_D;
-    F_H_D.force.y() -= scene.device.handle_weight;
-    // It is held until the next tick: what it is to be is that of half way.
-    const double depth = -way.p(t + 0.5 * T).y();
-    const Vec3 inertia = scene.device.handle_mass * way.a(t + 0.5 * T), g(touch.held, 0, 0);
-    const Vec3 f_h = F_H_D.force - inertia, tau_h = F_H_D.torque - g.cross(f_h);
-    const Vec3 f(0, touch.stiffness * depth, 0);
-    const Wrench formula = by_formula(method, touch, f, inertia);
-    const double force_off = std::abs(f_h.y() - formula.force.y()) / f.y();
-    const double torque_off = std::abs(tau_h.z() - formula.torque.z()) / (f.y() * kStickLength);
-    return {.depth = depth,
-            .force = f_h.y(),
-            .torque = tau_h.z(),
-            .formula_error = std::max(force_off, torque_off),
-            .limited = (result.record.faults & (kForceClamped | kMotorClamped)) != 0};
-  }
+double place_of(int i) {  // m
+  return i * kStickLength / (kPlaces - 1);
 }
 
 struct Moments {
@@ -133,7 +52,9 @@ void strike_often(UniformityRow& row, const StickBodies& bodies, const DeviceDes
     stiffnesses.push_back(felt.force / felt.depth);
     torques.push_back(felt.torque - wanted);
     row.wanted_torque += wanted / strikes;
-    row.formula_error = std::max(row.formula_error, felt.formula_error);
+    row.formula_error = std::max({row.formula_error, felt.force_off, felt.torque_off});
+    row.depth_error = std::max(row.depth_error, felt.depth_error);
+    row.resistance = std::max(row.resistance, std::abs(felt.resistance));
     row.limited += felt.limited ? 1 : 0;
   }
   const Moments k = moments_of(stiffnesses), torque = moments_of(torques);
@@ -141,6 +62,24 @@ void strike_often(UniformityRow& row, const StickBodies& bodies, const DeviceDes
   row.stiffness_scatter = k.deviation;
   row.torque_error = torque.mean;
   row.torque_scatter = torque.deviation;
+}
+
+// The largest error of method 2 where its filter sees the acceleration exactly: it is even, and the encoder
+// has no steps.
+double with_true_acceleration(const StickBodies& bodies, DeviceDesc device, double held) {
+  device.encoder_step = 0;
+  InertiaCompensationDesc by = compensation_by(InertiaMethod::acceleration);
+  by.encoder_noise = by.filter.noise;
+  double worst = 0;
+  for (const double stiffness : kStiffnesses) {
+    for (int i = 0; i < kPlaces; ++i) {
+      const StickTouch touch{place_of(i), held, stiffness};
+      const Felt felt = strike(std::move(*World::build(stick_scene(bodies, device, touch, by))), touch,
+                               kEvenStrike, by.method, 1);
+      worst = std::max({worst, felt.force_off, felt.torque_off});
+    }
+  }
+  return worst;
 }
 
 }  // namespace
@@ -169,12 +108,12 @@ UniformityStudy study_uniformity(const DeviceDesc& device, const StrikePath& pat
   study.filters = study_filters(device.encoder_step, study.hand.tick_s);
   study.checks = check_inertia(device);
   const StickBodies bodies = stick_bodies();
+  study.true_acceleration = with_true_acceleration(bodies, device, path.held);
   study.late = study_late_compensation(bodies, device, study.hand, {kLateJerks.begin(), kLateJerks.end()});
   for (const InertiaMethod method : kMethods) {
     for (const double stiffness : kStiffnesses) {
       for (int i = 0; i < kPlaces; ++i)
-        study.rows.push_back(
-            {.method = method, .place = i * kStickLength / (kPlaces - 1), .stiffness = stiffness});
+        study.rows.push_back({.method = method, .place = place_of(i), .stiffness = stiffness});
     }
   }
   for_each_piece(

@@ -18,25 +18,17 @@
 #include "engine/analysis/filter_study.h"
 #include "engine/analysis/inertia_checks.h"
 #include "engine/analysis/late_compensation.h"
+#include "engine/analysis/stick_strike.h"
 
 namespace fulcrum::analysis {
 
 // What people tell apart: of stiffness 8 to 22 %, of force 7 to 10 % (15 to 27 % below 0.5 N), of torque 12.7
 // %.
 inline constexpr double kStiffnessJnd = 0.08, kStiffnessJndHigh = 0.22;
-inline constexpr double kTorqueJnd = 0.127, kTorqueLeast = 8e-3;  // N m, what nobody feels
+inline constexpr double kTorqueJnd = 0.127;
 
 inline constexpr std::array kStiffnesses{100.0, 200.0, 300.0, 400.0, 500.0, 600.0};  // N/m
 inline constexpr std::array kMethods{InertiaMethod::none, InertiaMethod::arm, InertiaMethod::acceleration};
-
-struct StrikePath {
-  double depth = 3e-3;      // m, at which is measured
-  double beyond = 0.8e-3;   // m, how much deeper the hand would come to rest
-  double acceleration = 1;  // m/s^2, up, against the motion
-  double travel = 0.03;     // m, from rest to rest: half of it speeding up
-  double tremor = 50e-6;    // m rms, each axis
-  double held = 0.105;      // m along the stick, where the hand holds: between two places that are touched
-};
 
 struct UniformityRow {
   InertiaMethod method = InertiaMethod::none;
@@ -45,9 +37,12 @@ struct UniformityRow {
   double felt_stiffness = 0, stiffness_scatter = 0;  // N/m
   double torque_error = 0, torque_scatter = 0;       // N m, about the axis that stick and force span
   double wanted_torque = 0;                          // N m, h x f
-  // Of what is felt against the formulas, largest over the strikes: of force over f, of torque over f |l|.
+  // Of what is felt against the formulas, for the force that the contact gave, largest over the strikes: of
+  // the force over the predicted one, of the torque over the predicted one, or kTorqueLeast if that is more.
   double formula_error = 0;
-  int limited = 0;  // strikes in which the device could not give all
+  double depth_error = 0;  // m, of the depth that the contact found, likewise
+  double resistance = 0;   // N, of the passivity control, likewise
+  int limited = 0;         // strikes in which the device could not give all
 };
 
 struct UniformityStudy {
@@ -58,6 +53,7 @@ struct UniformityStudy {
   int strikes = 0;
   std::vector<UniformityRow> rows;  // by method, then stiffness, then place
   std::vector<FilterRow> filters;   // with the device's encoder
+  double true_acceleration = 0;     // formula_error of method 2, largest, where it knows the acceleration
   InertiaChecks checks;
   InertiaLoop hand;           // of the limits and of the runs
   std::vector<LateRun> late;  // of it on a ball

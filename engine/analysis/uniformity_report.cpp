@@ -18,9 +18,11 @@ std::string percent(double part, int digits = 2) {
   return short_number(100 * part, digits) + " %";
 }
 
+constexpr double kFormulasHold = 0.01;  // what they are to hold to
+
 // Over the stiffnesses.
 struct Worst {
-  double stiffness = 0, torque_over = 0, jump = 0, least_scatter = 1, scatter = 0;
+  double stiffness = 0, torque_over = 0, jump = 0;
   int limited = 0;
 };
 Worst worst_of(const UniformityStudy& study, InertiaMethod method) {
@@ -30,8 +32,6 @@ Worst worst_of(const UniformityStudy& study, InertiaMethod method) {
     worst.stiffness = std::max(worst.stiffness, s.worst);
     worst.torque_over = std::max(worst.torque_over, s.torque_over);
     worst.jump = std::max(worst.jump, s.jump);
-    worst.scatter = std::max(worst.scatter, s.scatter / stiffness);
-    worst.least_scatter = std::min(worst.least_scatter, s.scatter / stiffness);
     worst.limited += s.limited;
   }
   return worst;
@@ -98,20 +98,20 @@ void say_limits(report::Page& page, const UniformityStudy& study) {
     table.rows.push_back({number(1e3 * run.lag), number(run.growth),
                           run.faded_at < 0 ? "never" : number(run.faded_at), number(1e3 * run.swing),
                           number(1e3 * run.swing_unfaded), number(run.least_port)});
-  page.paragraph(
-      "The same hand presses on a ball of " + number(hand.wall_stiffness) +
-      " N/m, in the simulator's own tick. Compensation may give the hand one millijoule and fades beyond "
-      "it; beside it the same without that budget.");
+  page.paragraph("The same hand presses on a ball of " + number(hand.wall_stiffness) +
+                 " N/m, in the simulator's own tick. Compensation may give the hand " +
+                 number(1e3 * InertiaCompensationDesc{}.budget) +
+                 " mJ and fades beyond it; beside it the same without that budget.");
   page.plot(late_plot(study), "The latest of the table.");
   page.table(table);
 }
 
 void say_checks(report::Page& page, const UniformityStudy& study) {
   const InertiaChecks& c = study.checks;
-  page.heading("Algebra");
-  page.facts({{"method 2 with the true acceleration", "f and h × f to " + number(c.true_acceleration, 2) +
-                                                          " of them, over " + std::to_string(c.cases) +
-                                                          " random levers, forces and accelerations"},
+  page.heading("Formulas");
+  page.facts({{"method 2 with the true acceleration",
+               "f and h × f to " + number(study.true_acceleration, 2) +
+                   " of them: the same strikes, with an even acceleration and an encoder of no steps"},
               {"wrong control point",
                c.control_point > 0 ? "J_true⁻ᵀ J_usedᵀ F is the wrench moved from one to the other, to " +
                                          number(c.control_point, 2) + " of it"
@@ -137,9 +137,38 @@ void say_setting(report::Page& page, const UniformityStudy& study) {
                       " mm before it would rest; tremor " + number(1e6 * path.tremor) + " µm rms"},
        {"filter",
         number(1e3 * study.filter_lag) + " ms late, " + number(study.filter_noise) + " m/s² of noise"}});
+  double depth_error = 0, resistance = 0;
+  for (const UniformityRow& row : study.rows) {
+    depth_error = std::max(depth_error, row.depth_error);
+    resistance = std::max(resistance, row.resistance);
+  }
   page.paragraph(
       "The tick runs as in any scene, guard and motors included; the stick does not turn, so that I α "
-      "plays no part. A force is held for a tick: it is compared with what it is to be half way through.");
+      "plays no part. A force is held for a tick: it is compared with what it is to be half way through. "
+      "The formulas take the contact's force for the depth that it was found at, which by then is off by up "
+      "to " +
+      number(1e6 * depth_error, 2) +
+      " µm: half a tick of the way in, half a count of the encoder and the field's voxels. Passivity control "
+      "resists by up to " +
+      number(1e3 * resistance, 2) +
+      " mN, which they count to the device, at the stage. What is felt of stiffness holds both as errors.");
+}
+
+// Of what a person tells.
+std::string told_words(double stiffness_off) {
+  return (stiffness_off < kStiffnessJnd ? "not told: below the " : "told: not below the ") +
+         percent(kStiffnessJnd) + " that are just noticeable";
+}
+std::string jump_words(double jump) {
+  const std::string size = number(1e3 * jump) + " mN m";
+  return jump > kTorqueLeast ? "jumps by up to " + size + " as the contact passes the hand"
+                             : "does not jump at the hand: " + size + " at most, and " +
+                                   number(1e3 * kTorqueLeast) + " are not felt";
+}
+std::string scatter_words(const UniformityStudy& study, double stiffness) {
+  const double part = summary_of(study, InertiaMethod::acceleration, stiffness).scatter / stiffness;
+  return percent(part) + " on " + number(stiffness) + " N/m" +
+         (part < kStiffnessJnd ? " (not told)" : " (told from one strike to the next)");
 }
 
 }  // namespace
@@ -153,18 +182,18 @@ std::vector<std::string> uniformity_answer(const UniformityStudy& study) {
   }
   std::vector<std::string> answer{
       "Uncompensated, stiffness is off by up to " + percent(none.stiffness) + " and torque by up to " +
-          number(none.torque_over, 2) + " times what is told; the formulas say so to " + percent(formulas) +
-          " in every strike.",
-      "Method 1 (arm) leaves the force as it is, and its torque jumps by up to " + number(1e3 * arm.jump) +
-          " mN m as the contact passes the hand.",
-      "Method 2 (acceleration) feels the assigned stiffness to " + percent(acceleration.stiffness) +
-          " in the mean along the whole stick (just noticeable: 8 %), torque to " +
-          number(acceleration.torque_over, 2) +
-          " of what is told; no jump: " + number(1e3 * acceleration.jump, 2) + " mN m.",
-      "From strike to strike it scatters by " + percent(acceleration.least_scatter) +
-          " on the stiffest ball and " + percent(acceleration.scatter) + " on the softest: " +
-          (acceleration.scatter > kStiffnessJnd ? "soft balls are told from one strike to the next."
-                                                : "not told from one strike to the next.")};
+          number(none.torque_over, 2) + " times what is told; " +
+          (formulas <= kFormulasHold ? "as the formulas predict, to " : "the formulas miss it, by up to ") +
+          percent(formulas) + " in every strike.",
+      "Method 1 (arm): stiffness is off by up to " + percent(arm.stiffness) + ", and torque " +
+          jump_words(arm.jump) + ".",
+      "Method 2 (acceleration): stiffness is off by up to " + percent(acceleration.stiffness) +
+          " in the mean along the whole stick (" + told_words(acceleration.stiffness) +
+          "), torque by up to " + number(acceleration.torque_over, 2) + " times what is told, and " +
+          jump_words(acceleration.jump) + ". With the true acceleration it is exact to " +
+          number(study.true_acceleration, 2) + ".",
+      "From strike to strike it scatters by " + scatter_words(study, kStiffnesses.back()) +
+          ", the stiffest ball, and by " + scatter_words(study, kStiffnesses.front()) + ", the softest."};
   const int limited = none.limited + arm.limited + acceleration.limited;
   if (limited > 0)
     answer.push_back("In " + std::to_string(limited) +

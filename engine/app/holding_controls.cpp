@@ -1,9 +1,11 @@
 #include "engine/app/holding_controls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 namespace fulcrum::app {
 namespace {
@@ -34,10 +36,22 @@ std::string sensed_words(const SceneDesc& scene, const HoldingCues& cues) {
   return {};
 }
 
-// The level `by` steps from the one in force.
+// As commands number them.
+constexpr std::array<std::string_view, 3> kMethods{"none", "arm", "acceleration"};
+
+// Those that do something: arm needs a device that renders torque, acceleration a gain.
+std::vector<std::string> methods_of(const SceneDesc& scene) {
+  std::vector<std::string> methods{"none"};
+  if (scene.device.renders_torque) methods.emplace_back("arm");
+  if (scene.inertia_compensation->gain > 0) methods.emplace_back("acceleration");
+  return methods;
+}
+
+// The level `by` steps from the one that was asked for last.
 double level_beside(const ui::HoldingPanel& shown, int by) {
-  const auto nearest = std::ranges::min_element(
-      shown.levels, {}, [&](double level) { return std::abs(level - shown.stiffness); });
+  const double asked = shown.pending.value_or(shown.stiffness.value_or(0.0));
+  const auto nearest =
+      std::ranges::min_element(shown.levels, {}, [&](double level) { return std::abs(level - asked); });
   const auto last = static_cast<std::ptrdiff_t>(shown.levels.size()) - 1;
   return shown.levels[static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(nearest - shown.levels.begin() + by, 0, last))];
@@ -55,16 +69,24 @@ std::optional<ui::HoldingPanel> holding_panel(const SceneDesc& scene, const Tick
   panel.measured = cues.state != HoldingState::set;
   panel.sensed = sensed_words(scene, cues);
   panel.sensed_well = cues.state == HoldingState::set || cues.state == HoldingState::measured;
-  panel.stiffness = record.contact_stiffness.value_or(scene.contact.stiffness);
+  if (scene.contact.response != ContactResponse::constraint) {
+    panel.stiffness = record.contact_stiffness.value_or(scene.contact.stiffness);
+    if (record.contact_stiffness_wanted != record.contact_stiffness)
+      panel.pending = record.contact_stiffness_wanted;
+  }
   panel.levels = scene.contact.levels;
+  panel.structure_known = scene.device.structure.has_value();
   panel.limit = cues.limit;
   if (!record.inertia) return panel;
-  if (scene.inertia_compensation->switchable)
-    panel.methods = {"none", "arm", "acceleration"};
-  else
-    panel.methods = {"as the scene has it"};
-  panel.method =
-      scene.inertia_compensation->switchable ? static_cast<std::size_t>(record.inertia->method) : 0;
+  const std::vector<std::string> methods = methods_of(scene);
+  const auto used = std::ranges::find(methods, kMethods[static_cast<std::size_t>(record.inertia->method)]);
+  const std::size_t method = used == methods.end() ? 0 : static_cast<std::size_t>(used - methods.begin());
+  if (scene.inertia_compensation->switchable) {
+    panel.methods = methods;
+    panel.method = method;
+  } else {
+    panel.methods = {methods[method]};
+  }
   panel.faded = record.inertia->faded;
   return panel;
 }
@@ -81,7 +103,10 @@ std::vector<Command> holding_commands(const ui::HoldingPanel& shown, const ui::H
       return {{Kind::contact_stiffness, press.value}};
     case Part::method:
       if (shown.methods.size() < 2) return {};
-      return {{Kind::compensation, press.value}};
+      return {{Kind::compensation,
+               static_cast<double>(
+                   std::ranges::find(kMethods, shown.methods[static_cast<std::size_t>(press.value)]) -
+                   kMethods.begin())}};
   }
   return {};
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -18,13 +19,14 @@ namespace {
 
 constexpr double kGoodFit = 1e-3;  // m rms: a finger's own place is no more certain
 
-// "place,ohm"; nothing if it is not two finite numbers.
+// "place,ohm" or "place, ohm"; nothing if it is not two finite numbers.
 std::optional<StripPress> press_of(std::string_view line) {
   StripPress press;
   const char* const end = line.data() + line.size();
   const auto [comma, first] = std::from_chars(line.data(), end, press.place);
   if (first != std::errc() || comma == end || *comma != ',') return std::nullopt;
-  const auto [rest, second] = std::from_chars(comma + 1, end, press.ohm);
+  const char* const ohm = std::find_if(comma + 1, end, [](char c) { return c != ' '; });
+  const auto [rest, second] = std::from_chars(ohm, end, press.ohm);
   const bool whole = second == std::errc() && rest == end;
   return whole && std::isfinite(press.place) && std::isfinite(press.ohm) ? std::optional(press)
                                                                          : std::nullopt;
@@ -71,6 +73,11 @@ int strip_command(const std::string& device_name, const std::string& path) {
   if (!fit) {
     complain(path +
              ": no line goes through these presses. Press the strip in two places at least, near its ends.");
+    return kError;
+  }
+  if (const double least = std::min(fit->low_ohm, fit->high_ohm); least < 0) {
+    complain(path + ": by these presses the strip would have " + number_text(least, 6) +
+             " ohm at one end. Check what was noted, and press it nearer to that end.");
     return kError;
   }
   std::printf("low_ohm: %s\nhigh_ohm: %s\n", number_text(fit->low_ohm, 6).c_str(),

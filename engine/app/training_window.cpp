@@ -109,6 +109,8 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   scene_ = &world.desc();
   mouse_ = mouse;
   restart_ = false;
+  slides_ = false;
+  button_ = -1;  // a release while no window listened is not told
   shown_ = {};
   cues_ = CueSwitches(*scene_);
   cpu_ns_.clear();

@@ -52,7 +52,8 @@ std::uint64_t digest(const TickRecord& record) {
   // A field that is added to TickRecord does not compile here until it is added to this list.
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load, missing,
                energy_port, energy_unrendered, force_gain, faults, stopped, clutched, torque, impact,
-               impact_vibration, pulse, vibrotactile, holding, inertia, contact_stiffness] = record;
+               impact_vibration, pulse, vibrotactile, holding, inertia, contact_stiffness,
+               contact_stiffness_wanted] = record;
   Fnv fnv;
   fnv.add(tick);
   fnv.add(X_WH);
@@ -139,6 +140,7 @@ std::uint64_t digest(const TickRecord& record) {
     }
   }
   if (contact_stiffness) fnv.add(*contact_stiffness);
+  if (contact_stiffness_wanted) fnv.add(*contact_stiffness_wanted);
   return fnv.hash();
 }
 

@@ -158,7 +158,8 @@ void add_holding_point(Columns& c) {
       [](const TickRecord& record) { return record.holding->strip_ohm; });
   add(c,
       {"holding/limit", "N/m", "",
-       "The stiffest wall that the device's structure renders where the tool touches; 0: nothing touches."},
+       "The stiffest wall that the device's structure renders where the tool touches; 0: nothing "
+       "touches, or how stiff the device is, is not known."},
       [](const TickRecord& record) { return record.holding->limit; });
 }
 

@@ -165,7 +165,7 @@ void describe_inertia_compensation(KeyVisitor& visitor, InertiaCompensationDesc&
                      "acceleration on top"},
                     effect.method, kInertiaMethods);
   visitor.boolean({"switchable", "", "to the other methods while running"}, effect.switchable);
-  visitor.number({"gain", "", "of mass times acceleration; 0: off at the start"}, effect.gain, kFraction);
+  visitor.number({"gain", "", "of mass times acceleration; 0: off"}, effect.gain, kFraction);
   visitor.number({"budget", "J", "that it may give; beyond, it fades"}, effect.budget, above_to(0, 1));
   visitor.mapping({"filter", "", "acceleration from position, by a Kalman filter"}, [&](KeyVisitor& inner) {
     inner.choice_of({"kind", "", "kalman: three states; adaptive: four, expects as much jerk as it sees"},

@@ -17,13 +17,22 @@ using Part = HoldingPress::Part;
 constexpr float kWidth = 214.0F;  // as of the panels above
 constexpr float kLength = kWidth - 2.0F * theme::kPadding;
 constexpr float kGap = 10.0F;  // to the panel above
-constexpr float kHeight = 226.0F;
 // From the panel's top.
-constexpr float kSlider = 46.0F, kSensor = 64.0F, kWall = 109.0F, kScale = 134.0F, kInertia = 171.0F,
-                kMethods = 194.0F;
+constexpr float kSlider = 46.0F, kSensor = 64.0F, kWall = 109.0F, kScale = 134.0F;
 constexpr float kReach = 11.0F;  // a press this near to the slider counts as on it
 constexpr float kScaleHeight = 12.0F, kMethodHeight = 21.0F;
 constexpr double kWarnFrom = 0.8;  // of the limit
+
+// What comes below moves up where there is no stiffness to show.
+float inertia_at(const HoldingPanel& panel) {
+  return panel.stiffness ? 171.0F : kWall;
+}
+float methods_at(const HoldingPanel& panel) {
+  return inertia_at(panel) + 23.0F;
+}
+float height_of(const HoldingPanel& panel) {
+  return inertia_at(panel) + 55.0F;
+}
 
 ImVec2 panel_at(const OverlayState& state, float width) {
   const float cues = cues_height(state);
@@ -58,33 +67,40 @@ void draw_slider(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
 // N/m, at the right end of the scale: a step beyond the stiffest level.
 double scale_end(const HoldingPanel& panel) {
   const std::size_t n = panel.levels.size();
-  if (n < 2) return 2.0 * std::max(panel.stiffness, 1.0);
+  if (n < 2) return 2.0 * std::max(*panel.stiffness, 1.0);
   return 2.0 * panel.levels[n - 1] - panel.levels[n - 2];
 }
 
 ImU32 wall_colour(const HoldingPanel& panel) {
-  if (!(panel.limit > 0.0) || panel.stiffness < kWarnFrom * panel.limit) return theme::kAccent;
-  return panel.stiffness < panel.limit ? theme::kWarn : theme::kBad;
+  if (!(panel.limit > 0.0) || *panel.stiffness < kWarnFrom * panel.limit) return theme::kAccent;
+  return *panel.stiffness < panel.limit ? theme::kWarn : theme::kBad;
 }
 
 std::string wall_words(const HoldingPanel& panel) {
-  if (!(panel.limit > 0.0)) return "nothing is touched";
-  if (panel.stiffness >= panel.limit) return words("beyond the lever's %.0f N/m: it buzzes", panel.limit);
-  if (panel.stiffness >= kWarnFrom * panel.limit) return words("close to the lever's %.0f N/m", panel.limit);
+  const bool limited = panel.limit > 0.0;
+  if (limited && *panel.stiffness >= panel.limit)
+    return words("beyond the lever's %.0f N/m: it buzzes", panel.limit);
+  if (panel.pending) return words("%.0f N/m once it lets go", *panel.pending);
+  if (!panel.structure_known) return "how stiff the device is, is not known";
+  if (!limited) return "nothing is touched";
+  if (*panel.stiffness >= kWarnFrom * panel.limit) return words("close to the lever's %.0f N/m", panel.limit);
   return words("the lever bears %.0f N/m here", panel.limit);
 }
 
 void draw_scale(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
-  const double end = scale_end(panel);
-  const auto x_of = [&](double stiffness) {
-    return at.x + kLength * static_cast<float>(std::clamp(stiffness / end, 0.0, 1.0));
+  const double stiffness = *panel.stiffness, end = scale_end(panel);
+  const auto x_of = [&](double value) {
+    return at.x + kLength * static_cast<float>(std::clamp(value / end, 0.0, 1.0));
   };
   canvas.box(at, {kLength, kScaleHeight}, theme::kTrack, 3.0F);
   const ImU32 colour = wall_colour(panel);
-  canvas.box(at, {x_of(panel.stiffness) - at.x, kScaleHeight}, thin(colour, 150), 3.0F);
+  canvas.box(at, {x_of(stiffness) - at.x, kScaleHeight}, thin(colour, 150), 3.0F);
   for (const double level : panel.levels)
     canvas.line({x_of(level), at.y + 3.0F}, {x_of(level), at.y + kScaleHeight - 3.0F},
-                level <= panel.stiffness ? theme::kText : theme::kFaint, 1.4F);
+                level <= stiffness ? theme::kText : theme::kFaint, 1.4F);
+  if (panel.pending)
+    canvas.line({x_of(*panel.pending), at.y - 3.0F}, {x_of(*panel.pending), at.y + kScaleHeight + 3.0F},
+                theme::kText, 2.0F);
   if (!(panel.limit > 0.0) || panel.limit > end) return;
   const float x = x_of(panel.limit);
   canvas.box({x, at.y}, {at.x + kLength - x, kScaleHeight}, thin(theme::kBad, 60), 0.0F);
@@ -118,7 +134,7 @@ void draw_methods(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
 }  // namespace
 
 float holding_bottom(const OverlayState& state) {
-  return state.holding ? panel_at(state, 0.0F).y + kHeight + kGap : 0.0F;
+  return state.holding ? panel_at(state, 0.0F).y + height_of(*state.holding) + kGap : 0.0F;
 }
 
 void draw_holding(const Canvas& canvas, const OverlayState& state) {
@@ -127,7 +143,7 @@ void draw_holding(const Canvas& canvas, const OverlayState& state) {
   const Fonts& fonts = canvas.fonts();
   const ImVec2 at = panel_at(state, canvas.width());
   const float left = at.x + theme::kPadding, right = left + kLength;
-  canvas.card(at, {kWidth, kHeight});
+  canvas.card(at, {kWidth, height_of(panel)});
   // A heading, its value, and the keys that change it.
   const auto head = [&](float y, const char* title, const std::string& value, ImU32 colour, const char* key) {
     const float width = draw_key(canvas, {right, at.y + y - 2.0F}, key);
@@ -145,19 +161,22 @@ void draw_holding(const Canvas& canvas, const OverlayState& state) {
               panel.sensed_well ? theme::kSecondary : theme::kWarn,
               canvas.fitted(fonts.small, panel.sensed, kLength));
 
-  head(kWall, "Stiffness", words("%.0f N/m", panel.stiffness), theme::kText, "- =");
-  draw_scale(canvas, {left, at.y + kScale}, panel);
-  const ImU32 colour = wall_colour(panel);
-  canvas.text(fonts.small, {left, at.y + kScale + kScaleHeight + 4.0F},
-              colour == theme::kAccent ? theme::kSecondary : colour,
-              canvas.fitted(fonts.small, wall_words(panel), kLength));
+  if (panel.stiffness) {
+    head(kWall, "Stiffness", words("%.0f N/m", *panel.stiffness), theme::kText, "- =");
+    draw_scale(canvas, {left, at.y + kScale}, panel);
+    const ImU32 colour = wall_colour(panel);
+    canvas.text(fonts.small, {left, at.y + kScale + kScaleHeight + 4.0F},
+                colour == theme::kAccent ? theme::kSecondary : colour,
+                canvas.fitted(fonts.small, wall_words(panel), kLength));
+  }
 
   if (panel.methods.empty()) {
-    canvas.text(fonts.body, {left, at.y + kInertia + 8.0F}, theme::kFaint, "Inertia is not made up for");
+    canvas.text(fonts.body, {left, at.y + inertia_at(panel) + 8.0F}, theme::kFaint,
+                "Inertia is not made up for");
     return;
   }
-  head(kInertia, "Inertia", panel.faded ? "faded" : "", theme::kWarn, "N");
-  draw_methods(canvas, {left, at.y + kMethods}, panel);
+  head(inertia_at(panel), "Inertia", panel.faded ? "faded" : "", theme::kWarn, "N");
+  draw_methods(canvas, {left, at.y + methods_at(panel)}, panel);
 }
 
 std::optional<HoldingPress> pressed_holding(const OverlayState& state, float width, float x, float y) {
@@ -169,13 +188,15 @@ std::optional<HoldingPress> pressed_holding(const OverlayState& state, float wid
   if (std::abs(down - kSlider) <= kReach) return HoldingPress{Part::place, dragged_place(state, width, x)};
   if (down >= kSensor - 4.0F && down <= kSensor + 20.0F)
     return HoldingPress{Part::measured, panel.measured ? 0.0 : 1.0};
-  if (down >= kScale - 5.0F && down <= kScale + kScaleHeight + 5.0F && !panel.levels.empty()) {
+  if (panel.stiffness && !panel.levels.empty() && down >= kScale - 5.0F &&
+      down <= kScale + kScaleHeight + 5.0F) {
     const double wanted = static_cast<double>(along) * scale_end(panel);
     return HoldingPress{Part::stiffness, *std::ranges::min_element(panel.levels, {}, [&](double level) {
                           return std::abs(level - wanted);
                         })};
   }
-  if (down >= kMethods - 2.0F && down <= kMethods + kMethodHeight + 2.0F && !panel.methods.empty()) {
+  const float methods = methods_at(panel);
+  if (down >= methods - 2.0F && down <= methods + kMethodHeight + 2.0F && !panel.methods.empty()) {
     std::size_t method = 0;
     while (method + 1 < panel.methods.size() && along * kLength > method_end(panel, method)) ++method;
     return HoldingPress{Part::method, static_cast<double>(method)};

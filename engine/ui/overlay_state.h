@@ -58,12 +58,15 @@ struct HoldingPanel {
   bool measured = false;         // the strip under the hand is listened to
   std::string sensed;            // what it says, in words
   bool sensed_well = true;
-  double stiffness = 0.0;              // N/m, of what is touched
-  std::vector<double> levels;          // (n) N/m, ascending, that it may have; none: it stays
-  double limit = 0.0;                  // N/m, that the device's structure renders there; 0: not known now
-  std::vector<std::string> methods{};  // that make up for the device's inertia; none: nothing does
-  std::size_t method = 0;              // index of the one in use
-  bool faded = false;                  // it would add energy
+  std::optional<double> stiffness{};  // N/m, of what is touched; none: a constraint, which has none
+  std::optional<double> pending{};    // N/m, asked for: comes into force once nothing is touched
+  std::vector<double> levels;         // (n) N/m, ascending, that it may have; none: it stays
+  bool structure_known = false;       // how stiff the device itself is
+  double limit = 0.0;                 // N/m, that its structure renders there; 0: nothing is touched
+  std::vector<std::string>
+      methods{};           // against the device's inertia, that do something here; none: nothing does
+  std::size_t method = 0;  // index of the one in use
+  bool faded = false;      // it would add energy
 };
 
 enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength

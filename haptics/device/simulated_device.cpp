@@ -34,7 +34,7 @@ SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, const Pose& X_
     a.x = axis < 3 ? X_DH_.p[static_cast<Eigen::Index>(axis)] : 0.0;
   }
   measured_ = {X_DH_.q, stepped(X_DH_.p, d.encoder_step)};
-  seen_.fill(measured_);
+  seen_.fill({measured_});
 }
 
 SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, HandTask task)
@@ -47,7 +47,7 @@ SimulatedDevice::SimulatedDevice(const SimulatedDeviceDesc& desc, HandTask task)
     for (std::size_t axis = 0; axis < 3; ++axis) axes_[axis].mass += task_->hand.mass;
   if (desc_.device.strip) {
     strip_.emplace(*desc_.device.strip, desc_.tick_s, task_->hand.seed);
-    strip_ohm_ = kStripOpen;
+    seen_.fill({measured_, kStripOpen});
   }
   if (task_->hand.yields) yielding_.emplace(*task_->hand.yields, desc_.tick_s, task_->hand.seed);
 }
@@ -76,9 +76,10 @@ void SimulatedDevice::push(const Vec3& v_D) noexcept {
 DeviceSample SimulatedDevice::read() noexcept {
   const auto age = static_cast<std::size_t>(desc_.sample_age_ticks);
   DeviceSample sample;
-  sample.X_DH = seen_[(at_ + kDelay - age) % kDelay];
+  const Seen& seen = seen_[(at_ + kDelay - age) % kDelay];
+  sample.X_DH = seen.X_DH;
   sample.age = desc_.sample_age_ticks * desc_.tick_s;
-  sample.strip_ohm = strip_ohm_;
+  sample.strip_ohm = seen.strip_ohm;
   return sample;
 }
 
@@ -102,14 +103,14 @@ void SimulatedDevice::miss(int ticks) noexcept {
 void SimulatedDevice::measure() noexcept {
   if (strip_) {
     const Grip grip = task_->path.grip(time_);
-    strip_ohm_ = strip_->advance(grip.hold, grip.press);
+    seen_[at_].strip_ohm = strip_->advance(grip.hold, grip.press);
   }
   measured_.p = stepped(X_DH_.p, desc_.device.encoder_step);
-  seen_[at_] = measured_;
+  seen_[at_].X_DH = measured_;
   if (!desc_.device.senses_rotation) return;
   const Vec3 turned = rotation_vector(X_DH_.q * measured_.q.conjugate());
   measured_.q = (quaternion_exp(stepped(turned, desc_.device.encoder_step_rad)) * measured_.q).normalized();
-  seen_[at_] = measured_;
+  seen_[at_].X_DH = measured_;
 }
 
 SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time) const noexcept {

@@ -72,7 +72,6 @@ private:
   std::optional<Yielding> yielding_;
   double time_ = 0;
   std::optional<SimulatedStrip> strip_;
-  double strip_ohm_ = kNoStrip;
   Pose X_DH_;
   Pose measured_;
   // Translation in D; rotation about the axes of D, or of H where they differ, x from the pose at the tick's
@@ -81,7 +80,11 @@ private:
   std::optional<HeldHandle>
       held_;  // in place of the axes, where the hand holds the stick elsewhere than at H
   static constexpr std::size_t kDelay = 9;
-  std::array<Pose, kDelay> seen_{};
+  struct Seen {
+    Pose X_DH;
+    double strip_ohm = kNoStrip;
+  };
+  std::array<Seen, kDelay> seen_{};
   std::array<DeviceCommand, kDelay> sent_{};
   std::size_t at_ = 0;
 };

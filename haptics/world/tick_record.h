@@ -43,6 +43,8 @@ struct TickRecord {
   std::optional<HoldingCues> holding{};            // where the scene names a holding point
   std::optional<InertiaCues> inertia{};            // where it is built
   std::optional<double> contact_stiffness{};       // N/m, of a region, where the scene has levels of it
+  std::optional<double>
+      contact_stiffness_wanted{};  // N/m, likewise: asked for, in force once nothing touches
 };
 
 }  // namespace fulcrum

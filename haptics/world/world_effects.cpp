@@ -144,7 +144,10 @@ void World::record_effects(TickRecord& record) const noexcept {
                       stiffness_limit_};
   }
   if (inertia_compensation_) record.inertia = inertia_compensation_->cues();
-  if (!desc_.contact.levels.empty()) record.contact_stiffness = stiffness_;
+  if (!desc_.contact.levels.empty()) {
+    record.contact_stiffness = stiffness_;
+    record.contact_stiffness_wanted = stiffness_wanted_;
+  }
   record.missing_F_H_D = missing_;
   if (impact_vibration_) {
     record.impact_vibration = impact_vibration_->cues();

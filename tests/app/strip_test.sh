@@ -14,6 +14,12 @@ expect 0 '3 presses lie .*mm rms' "$FULCRUM" strip presses.csv
 printf '0.03,120\n0.1,6000\n0.17,9700\n' > bent.csv
 expect 0 'more than a finger errs' "$FULCRUM" strip bent.csv
 
+printf '0.03, 120\n0.1,  4910\n0.17, 9700\n' > spaced.csv
+expect 0 'low_ohm: 120' "$FULCRUM" strip spaced.csv
+printf '0.1,1000\n0.17,9700\n' > negative.csv
+expect 1 'negative.csv: by these presses the strip would have -[0-9.]+ ohm' "$FULCRUM" strip negative.csv
+[ -z "$("$FULCRUM" strip negative.csv 2>/dev/null)" ] || fail "a negative end is written for the device's file"
+
 printf '0.03,120\n0.05;1500\n' > bad.csv
 expect 1 'bad.csv, line 2: this is not a press' "$FULCRUM" strip bad.csv
 printf '0.03,120\n0.1,inf\n' > open.csv

@@ -121,6 +121,7 @@ HoldingPanel holding() {
   panel.measured = true;
   panel.sensed = "the strip feels it at 100 mm";
   panel.stiffness = 300;
+  panel.structure_known = true;
   panel.levels = {100, 200, 300, 400, 500, 600};
   panel.methods = {"none", "arm", "acceleration"};
   return panel;
@@ -132,7 +133,7 @@ TEST_F(OverlayTest, TheSliderIsTakenWhereItIsDrawn) {
   state.holding = holding();
   state.holding->measured = false;  // else its switch is blue too
   state.holding->methods.clear();
-  state.holding->stiffness = 0;
+  state.holding->stiffness.reset();
   const render::Picture picture = draw(state);
   const float unit = overlay_scale(picture.height);
   const float width = static_cast<float>(picture.width) / unit,
@@ -178,6 +179,32 @@ TEST_F(OverlayTest, AStiffnessNearTheLeversLimitIsWarnedOf) {
   EXPECT_GT(warned.r, warned.b + 60.0F);
   EXPECT_GT(warned.g, beyond.g + 20.0F);
   EXPECT_GT(beyond.r, beyond.g + 60.0F);
+}
+
+// Where nothing is drawn of a stiffness nothing sets one, and the methods are taken where they moved up to.
+TEST(HoldingPanel, WithoutAStiffnessTheMethodsMoveUp) {
+  OverlayState state;
+  state.holding = holding();
+  const auto methods_from = [&state] {
+    for (float y = 0; y < 500.0F; y += 1.0F) {
+      const auto press = pressed_holding(state, 1280.0F, 1155.0F, y);
+      if (press && press->part == HoldingPress::Part::method) return y;
+    }
+    return -1.0F;
+  };
+  const auto sets_stiffness = [&state] {
+    for (float y = 0; y < 500.0F; y += 1.0F) {
+      const auto press = pressed_holding(state, 1280.0F, 1155.0F, y);
+      if (press && press->part == HoldingPress::Part::stiffness) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(sets_stiffness());
+  const float with = methods_from();
+  state.holding->stiffness.reset();
+  EXPECT_FALSE(sets_stiffness());
+  EXPECT_GT(methods_from(), 0.0F);
+  EXPECT_LT(methods_from(), with - 50.0F);
 }
 
 TEST(CuePanel, SwitchesOnAtTheGainOfBeforeAndTheBarSetsIt) {

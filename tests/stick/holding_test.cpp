@@ -16,7 +16,10 @@ SceneDesc stick_scene() {
   SceneDesc scene;
   scene.contact.levels = {100, 200, 300};
   scene.contact.stiffness = 200;
+  scene.contact.response = ContactResponse::direct;
   scene.device.strip.emplace();
+  scene.device.structure.emplace();
+  scene.device.renders_torque = true;
   scene.holding_point = HoldingPointDesc{.place = 0.1, .low = 0.03, .high = 0.17};
   scene.inertia_compensation.emplace();
   return scene;
@@ -44,6 +47,7 @@ TEST(Holding, PanelShowsTheTickAndSaysWhatTheStripDoes) {
   const ui::HoldingPanel panel = shown(HoldingState::measured);
   EXPECT_EQ(panel.place, 0.084);
   EXPECT_EQ(panel.stiffness, 300);
+  EXPECT_TRUE(panel.structure_known);
   EXPECT_EQ(panel.limit, 316);
   EXPECT_EQ(panel.methods[panel.method], "arm");
   EXPECT_TRUE(panel.measured);
@@ -53,6 +57,54 @@ TEST(Holding, PanelShowsTheTickAndSaysWhatTheStripDoes) {
     EXPECT_FALSE(shown(lost).sensed_well);
     EXPECT_TRUE(shown(lost).sensed.starts_with("lost"));
   }
+}
+
+TEST(Holding, PanelOffersOnlyMethodsThatDoSomething) {
+  SceneDesc scene = stick_scene();
+  const TickRecord record = held(0.1, HoldingState::set);
+  const auto next = [&] {
+    return app::holding_commands(*app::holding_panel(scene, record), app::HoldingKey::method);
+  };
+  const std::vector<Command> to_none{{Kind::compensation, 0}}, to_acceleration{{Kind::compensation, 2}};
+  EXPECT_EQ(next(), to_acceleration);  // from arm
+  scene.device.renders_torque = false;
+  EXPECT_EQ(app::holding_panel(scene, record)->methods, (std::vector<std::string>{"none", "acceleration"}));
+  EXPECT_EQ(app::holding_panel(scene, record)->method, 0U);
+  EXPECT_EQ(next(), to_acceleration);
+  scene.device.renders_torque = true;
+  scene.inertia_compensation->gain = 0;
+  EXPECT_EQ(next(), to_none);
+  TickRecord off = record;
+  off.inertia->method = InertiaMethod::acceleration;
+  const ui::HoldingPanel panel = *app::holding_panel(scene, off);
+  EXPECT_EQ(panel.methods[panel.method], "none");
+  scene.inertia_compensation->switchable = false;
+  EXPECT_EQ(app::holding_panel(scene, off)->methods, (std::vector<std::string>{"none"}));
+}
+
+TEST(Holding, ALevelThatIsAskedForWhilePressingIsPendingAndAddsUp) {
+  const SceneDesc scene = stick_scene();
+  TickRecord record = held(0.1, HoldingState::set);
+  record.contact_stiffness = 100;
+  record.contact_stiffness_wanted = 100;
+  EXPECT_FALSE(app::holding_panel(scene, record)->pending);
+  for (const double wanted : {200.0, 300.0}) {
+    const std::vector<Command> step =
+        app::holding_commands(*app::holding_panel(scene, record), app::HoldingKey::stiffer);
+    EXPECT_EQ(step, (std::vector<Command>{{Kind::contact_stiffness, wanted}}));
+    record.contact_stiffness_wanted = wanted;
+    EXPECT_EQ(app::holding_panel(scene, record)->pending, wanted);
+    EXPECT_EQ(app::holding_panel(scene, record)->stiffness, 100);
+  }
+}
+
+TEST(Holding, PanelOfAConstraintHasNoStiffness) {
+  SceneDesc scene = stick_scene();
+  scene.contact.levels.clear();
+  scene.contact.response = ContactResponse::constraint;
+  TickRecord record = held(0.1, HoldingState::set);
+  record.contact_stiffness.reset();
+  EXPECT_FALSE(app::holding_panel(scene, record)->stiffness);
 }
 
 TEST(Holding, WhatAPersonSaysIsNotOverruledByTheStrip) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -95,6 +96,28 @@ TEST(SimulatedDevice, BusDelayAndSampleAgeAreTicks) {
   EXPECT_NEAR(device.velocity().x(), 0.72 / 0.072 * 1e-3, 1e-12);
   EXPECT_EQ(device.read().X_DH.p.x(), 0);  // a tick old
   EXPECT_EQ(device.read().age, 1e-3);
+}
+
+// What the strip says is as old as the pose.
+TEST(SimulatedDevice, TheStripIsAsOldAsThePose) {
+  SimulatedDeviceDesc desc;
+  desc.device.strip.emplace();
+  const HandTask task{.path = HandPath({{.X_WT = Pose{}, .travel = 0, .dwell = 0, .hold = 0.05},
+                                        {.X_WT = Pose{}, .travel = 0.1, .hold = 0.15}}),
+                      .hand = {},
+                      .X_HT = Pose{},
+                      .mapping = {}};
+  SimulatedDevice fresh(desc, task);
+  desc.sample_age_ticks = 3;
+  SimulatedDevice late(desc, task);
+  std::vector<double> ohm;
+  for (int i = 0; i < 50; ++i) {
+    ohm.push_back(fresh.read().strip_ohm);
+    EXPECT_EQ(late.read().strip_ohm, i < 3 ? kStripOpen : ohm[static_cast<std::size_t>(i) - 3]) << i;
+    fresh.write({});
+    late.write({});
+  }
+  EXPECT_GT(ohm[49], ohm[10] + 100);
 }
 
 TEST(SimulatedDevice, EncodersStepAndDoNotDrift) {

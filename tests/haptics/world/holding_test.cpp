@@ -279,6 +279,8 @@ TEST(Holding, StiffnessIsChangedWhereNothingTouches) {
     EXPECT_EQ(set.records[99].contact_stiffness, 300);
     EXPECT_EQ(set.records[100].contact_stiffness, 500);
     EXPECT_EQ(set.records[kPressed].contact_stiffness, 500);
+    EXPECT_EQ(set.records[1999].contact_stiffness_wanted, 500);
+    EXPECT_EQ(set.records[kPressed].contact_stiffness_wanted, 100);
     EXPECT_EQ(set.last().contact_stiffness, 100);
     EXPECT_GT(set.least_port, -1e-4);
   }
