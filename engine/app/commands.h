@@ -23,7 +23,7 @@ int hardness_command(const HardnessOptions& options);
 int stability_command(const RunOptions& options);      // its out, force and json
 int workprecision_command(const RunOptions& options);  // likewise
 int strip_command(const std::string& device, const std::string& presses);
-int uniformity_command(const RunOptions& options);     // its out and force
-int schema_command(const std::string& of);             // scenario, hand, device or material
+int uniformity_command(const RunOptions& options);  // its out and force
+int schema_command(const std::string& of);          // scenario, hand, device or material
 
 }  // namespace fulcrum::app
