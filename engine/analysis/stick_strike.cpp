@@ -85,9 +85,7 @@ Felt strike(World world, const StickTouch& touch, const StrikePath& path, Inerti
     // The formulas tell of the force of the contact, whatever depth it was found at.
     const TickRecord& record = result.record;
     const Vec3 f(0, touch.stiffness * record.depth_max, 0);
-    Vec3 resistance = Vec3::Zero();
-    if ((record.faults & kPassivityControl) != 0)
-      resistance.y() = F_H_D.force.y() - record.inertia->force_D.y() - f.y();
+    const Vec3& resistance = world.resistance_F_H_D().force;
     const Wrench formula = by_formula(method, touch, f, inertia, resistance);
     return {.depth = depth,
             .force = f_h.y(),

@@ -29,7 +29,7 @@ std::string sensed_words(const SceneDesc& scene, const HoldingCues& cues) {
     case HoldingState::kept:
       return at_mm("lost: still taken to be at", cues.place);
     case HoldingState::fading:
-      return at_mm("lost: let go to what was told:", cues.place);
+      return at_mm("lost: on its way to the default, at", cues.place);
     case HoldingState::lost:
       return at_mm("lost: taken to be at", cues.place);
   }

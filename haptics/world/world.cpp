@@ -114,7 +114,7 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Vec6 moved_D = desc.mapping.motion_in_device(moved);
   const Vec3 lateral_D = w.move_vibration(wanted_F_H_W, moved_D);
   if (!lateral_D.isZero(0)) wanted_F_H_D.force += lateral_D;  // or -0 would become 0
-  const Wrench resistance =
+  const Wrench& resistance = w.resistance_F_H_D_ =
       w.passivity_.resist(w.ledger_.deficit(), desc.mapping.motion_in_device(w.counted_.per_tick()));
   if (!resistance.is_zero()) faults |= kPassivityControl;
   wanted_F_H_D += resistance;

@@ -46,6 +46,8 @@ public:
   std::span<const Impact> impacts() const {
     return impact_detector_ ? impact_detector_->impacts() : std::span<const Impact>();
   }
+  // On the handle in D, of the last tick: what the passivity control wanted beside all else.
+  const Wrench& resistance_F_H_D() const { return resistance_F_H_D_; }
   // Of torque; null: not built.
   const TorqueSubstitution* substitution() const {
     return torque_substitution_ ? &*torque_substitution_ : nullptr;
@@ -117,6 +119,7 @@ private:
   double strip_ohm_ = kNoStrip;          // of this tick
   double stiffness_limit_ = 0;           // N/m, of the device's structure, where it is touched in this tick
 
+  Wrench resistance_F_H_D_;
   Wrench missing_;  // of what was wanted in this tick, on the handle, in D
 
   std::int64_t tick_ = 0;
