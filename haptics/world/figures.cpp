@@ -1,0 +1,263 @@
+#include "haptics/world/figures.h"
+
+#include <numbers>
+
+#include "haptics/world/figure_check.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double kShortestTick = 1e-6, kLongestTick = 0.05;  // s
+constexpr double kWholeTurn = 2 * std::numbers::pi;          // rad
+constexpr double kLargestScale = 1e4;                        // of the scene to the device, either way
+constexpr double kLongestTime = 1e3;                         // s, of what happens within a tick or a touch
+constexpr double kFastest_Hz = 1e6;
+
+// Each of these takes its Desc apart into all of its members.
+
+void check(FigureCheck& figures, const std::string& name, const JointDesc& joint) {
+  const auto& [title, axis_K, point_K, home, low, high, max_torque, through_parallelogram] = joint;
+  figures.direction(name + ".axis", axis_K);
+  figures.finite(name + ".point", point_K);
+  figures.from_to(name + ".home", home, -kWholeTurn, kWholeTurn);
+  figures.from_to(name + ".low", low, -kWholeTurn, kWholeTurn);
+  figures.from_to(name + ".high", high, -kWholeTurn, kWholeTurn);
+  figures.at_least(name + ".max_torque", max_torque);
+}
+
+void check(FigureCheck& figures, const MechanismDesc& mechanism) {
+  const auto& [q_DK, arms, spin] = mechanism;
+  figures.rotation("device.base.orientation", q_DK);
+  for (const ArmDesc& arm : arms) {
+    const auto& [name, joints, end_K] = arm;
+    for (const JointDesc& joint : joints) check(figures, "device.arms." + name + "." + joint.name, joint);
+    figures.finite("device.arms." + name + ".end", end_K);
+  }
+  if (!spin) return;
+  const auto& [name, ratio, max_torque] = *spin;
+  figures.above("device.spin.ratio", ratio);
+  figures.at_least("device.spin.max_torque", max_torque);
+}
+
+void check(FigureCheck& figures, const StructureDesc& structure) {
+  const auto& [tip_stiffness, angular_stiffness_H] = structure;
+  figures.above("device.structure.tip_stiffness", tip_stiffness);
+  figures.above("device.structure.angular_stiffness", angular_stiffness_H);
+}
+
+void check(FigureCheck& figures, const VibrotactileDesc& vibrotactile) {
+  const auto& [channels] = vibrotactile;
+  for (const ChannelDesc& channel : channels) {
+    const auto& [title, kind, largest, rate_Hz, resonance_Hz, quality, lag] = channel;
+    const std::string name = "device.vibrotactile." + title;
+    const bool pcm = kind == ChannelKind::pcm;
+    figures.above(name + ".largest", largest);
+    figures.above_to(name + ".rate_Hz", rate_Hz, 0, kFastest_Hz);
+    figures.at_least(name + ".resonance_Hz", resonance_Hz);
+    figures.at_least(name + ".quality", quality);
+    if (pcm) figures.above(name + ".resonance_Hz", resonance_Hz);
+    if (pcm) figures.above(name + ".quality", quality, 0.5);
+    figures.from_to(name + ".lag", lag, 0, kLongestTime);
+  }
+}
+
+void check(FigureCheck& figures, const HoldingStripDesc& strip) {
+  const auto& [low_place, high_place, low_ohm, high_ohm, closing_force, opening_force, noise_ohm,
+               dropout_rate, dropout_length, tolerance] = strip;
+  const std::string name = "device.strip";
+  figures.finite(name + ".low_place", low_place);
+  figures.finite(name + ".high_place", high_place);
+  figures.at_least(name + ".low_ohm", low_ohm);
+  figures.at_least(name + ".high_ohm", high_ohm);
+  figures.at_least(name + ".closing_force", closing_force);
+  figures.at_least(name + ".opening_force", opening_force);
+  figures.at_least(name + ".noise_ohm", noise_ohm);
+  figures.at_least(name + ".dropout_rate", dropout_rate);
+  figures.from_to(name + ".dropout_length", dropout_length, 0, kLongestTime);
+  figures.from_to(name + ".tolerance", tolerance, 0, 1);
+}
+
+void check(FigureCheck& figures, const DeviceDesc& device) {
+  const auto& [name, kinematics, renders_force, renders_torque, senses_rotation, max_force, max_torque,
+               handle_mass, handle_inertia, handle_weight, bandwidth_Hz, damping, angular_damping, friction,
+               angular_friction, encoder_step, encoder_step_rad, workspace, mechanism, structure,
+               vibrotactile, strip] = device;
+  figures.at_least("device.max_force", max_force);
+  figures.at_least("device.max_torque", max_torque);
+  figures.above("device.handle_mass", handle_mass);
+  figures.above("device.handle_inertia", handle_inertia);
+  figures.at_least("device.handle_weight", handle_weight);
+  figures.above("device.bandwidth_Hz", bandwidth_Hz);
+  figures.at_least("device.damping", damping);
+  figures.at_least("device.angular_damping", angular_damping);
+  figures.at_least("device.friction", friction);
+  figures.at_least("device.angular_friction", angular_friction);
+  figures.at_least("device.encoder_step", encoder_step);
+  figures.at_least("device.encoder_step_rad", encoder_step_rad);
+  figures.at_least("device.workspace", workspace);
+  if (kinematics == Kinematics::arms) check(figures, mechanism);
+  if (structure) check(figures, *structure);
+  if (vibrotactile) check(figures, *vibrotactile);
+  if (strip) check(figures, *strip);
+}
+
+void check(FigureCheck& figures, const MappingDesc& mapping) {
+  const auto& [X_WD, position_scale, force_scale, clutch_button] = mapping;
+  figures.pose("device.base", X_WD);
+  figures.from_to("device.position_scale", position_scale, 1 / kLargestScale, kLargestScale);
+  figures.from_to("device.force_scale", force_scale, 1 / kLargestScale, kLargestScale);
+  figures.from_to("device.clutch_button", clutch_button, -1, 31);
+}
+
+void check(FigureCheck& figures, const ToolDesc& tool) {
+  const auto& [mass, inertia_T, X_HT, X_WT_start, weight] = tool;
+  figures.above("tool.mass", mass);
+  for (Eigen::Index row = 0; row < 3; ++row) figures.finite("tool.inertia", Vec3(inertia_T.row(row)));
+  figures.pose("tool.grasp", X_HT);
+  figures.pose("tool.start", X_WT_start);
+}
+
+void check(FigureCheck& figures, const ContactDesc& contact) {
+  const auto& [response, stiffness, levels, dissipation, friction, region_radius] = contact;
+  figures.above("contact.stiffness", stiffness);
+  for (const double level : levels) figures.above("contact.levels", level);
+  figures.at_least("contact.dissipation", dissipation);
+  figures.at_least("contact.friction", friction);
+  figures.above("contact.region_radius", region_radius);
+}
+
+void check(FigureCheck& figures, const CouplingDesc& coupling) {
+  const auto& [stiffness, angular_stiffness, damping_ratio, max_force, max_torque] = coupling;
+  figures.above("coupling.stiffness", stiffness);
+  figures.above("coupling.angular_stiffness", angular_stiffness);
+  figures.from_to("coupling.damping_ratio", damping_ratio, 0, 1);
+  figures.above("coupling.max_force", max_force);
+  figures.above("coupling.max_torque", max_torque);
+}
+
+void check(FigureCheck& figures, const VelocityEstimatorDesc& velocity) {
+  const auto& [kind, cutoff_Hz, window, noise, noise_rad] = velocity;
+  figures.above("velocity.cutoff_Hz", cutoff_Hz);
+  figures.from_to("velocity.window", window, 1, 1000);
+  figures.at_least("velocity.noise", noise);
+  figures.at_least("velocity.noise_rad", noise_rad);
+}
+
+void check(FigureCheck& figures, const TorqueSubstitutionDesc& torque) {
+  const auto& [variant, bad_above, tool_radius, limit_stiffness, vibration_gain, amplitude, frequency_Hz,
+               reference, ghost_gain, ghost_above, ghost_below, ghost_fade] = torque;
+  const std::string name = "torque_substitution";
+  if (bad_above) figures.above(name + ".bad_above", *bad_above);
+  if (tool_radius) figures.above(name + ".tool_radius", *tool_radius);
+  figures.from_to(name + ".vibration.gain", vibration_gain, 0, 1);
+  figures.at_least(name + ".vibration.amplitude", amplitude);
+  figures.above(name + ".vibration.frequency_Hz", frequency_Hz);
+  if (reference) figures.above(name + ".vibration.reference", *reference);
+  figures.from_to(name + ".ghost.gain", ghost_gain, 0, 1);
+  if (ghost_above) figures.above(name + ".ghost.above", *ghost_above);
+  if (ghost_below) figures.above(name + ".ghost.below", *ghost_below);
+  figures.above_to(name + ".ghost.fade", ghost_fade, 0, kLongestTime);
+}
+
+void check(FigureCheck& figures, const ImpactVibrationDesc& vibration) {
+  const auto& [render, distance, gain, voices, hand_stiffness, materials] = vibration;
+  figures.from_to("impact_vibration.gain", gain, 0, 1);
+  figures.from_to("impact_vibration.voices", static_cast<double>(voices), 1,
+                  static_cast<double>(ImpactVoices::kMost));
+  figures.above("impact_vibration.hand_stiffness", hand_stiffness);
+  for (const ImpactMaterial& material : materials) {
+    const auto& [title, attack, decay, frequency_Hz] = material;
+    const std::string name = "of the material '" + title + "' ";
+    figures.at_least(name + "attack", attack);
+    figures.above(name + "decay", decay);
+    figures.above(name + "frequency_Hz", frequency_Hz);
+  }
+}
+
+void check(FigureCheck& figures, const BrakingPulseDesc& pulse) {
+  const auto& [hand_mass, ticks, p_HG, moment, gain] = pulse;
+  figures.above("braking_pulse.hand_mass", hand_mass);
+  figures.from_to("braking_pulse.ticks", ticks, 1, BrakingPulse::kMostTicks);
+  figures.finite("braking_pulse.grasp", p_HG);
+  figures.from_to("braking_pulse.gain", gain, 0, 1);
+}
+
+void check(FigureCheck& figures, const VibrotactileMotionDesc& motion) {
+  const auto& [use, law, strength, update_Hz, carrier_Hz, gain, centre_W, axis_W, lateral_force, full_speed,
+               full_force] = motion;
+  const auto& [envelope, onset, window, reference] = law;
+  const std::string name = "vibrotactile_motion";
+  figures.above(name + ".window", window);
+  figures.above(name + ".reference", reference);
+  figures.above(name + ".strength", strength);
+  figures.above_to(name + ".update_Hz", update_Hz, 0, kFastest_Hz);
+  figures.above_to(name + ".carrier_Hz", carrier_Hz, 0, kFastest_Hz);
+  figures.from_to(name + ".gain", gain, 0, 1);
+  figures.finite(name + ".centre", centre_W);
+  figures.direction(name + ".axis", axis_W);
+  figures.at_least(name + ".lateral_force", lateral_force);
+  figures.above(name + ".full_speed", full_speed);
+  figures.above(name + ".full_force", full_force);
+}
+
+void check(FigureCheck& figures, const HoldingPointDesc& holding) {
+  const auto& [axis_H, place, low, high, measured, speed, settle, stillness, margin, smoothing, keep, fade] =
+      holding;
+  const std::string name = "holding_point";
+  figures.unit(name + ".axis", axis_H);
+  figures.finite(name + ".low", low);
+  figures.finite(name + ".high", high);
+  figures.finite(name + ".place", place);
+  figures.above(name + ".speed", speed);
+  figures.from_to(name + ".settle", settle, 0, kLongestTime);
+  figures.at_least(name + ".stillness", stillness);
+  figures.at_least(name + ".margin", margin);
+  figures.from_to(name + ".smoothing", smoothing, 0, kLongestTime);
+  figures.from_to(name + ".keep", keep, 0, kLongestTime);
+  figures.above_to(name + ".fade", fade, 0, kLongestTime);
+}
+
+void check(FigureCheck& figures, const InertiaCompensationDesc& inertia) {
+  const auto& [method, switchable, gain, budget, filter, encoder_noise] = inertia;
+  const auto& [kind, jerk, noise, jerk_time, adapt_time, range] = filter;
+  const std::string name = "inertia_compensation";
+  figures.from_to(name + ".gain", gain, 0, 1);
+  figures.above(name + ".budget", budget);
+  figures.above(name + ".filter.jerk", jerk);
+  figures.above(name + ".filter.noise", noise);
+  figures.above_to(name + ".filter.jerk_time", jerk_time, 0, kLongestTime);
+  figures.above_to(name + ".filter.adapt_time", adapt_time, 0, kLongestTime);
+  figures.at_least(name + ".filter.range", range, 1);
+  if (encoder_noise) figures.above(name + ".encoder_noise", *encoder_noise);
+}
+
+}  // namespace
+
+std::optional<Error> refuse_figures(const SceneDesc& desc) {
+  const auto& [tick_s, tool, tool_shell, scene_field, scene_edges, tool_field, contact, integrator, coupling,
+               velocity, mapping, device, allocation, impact, scene_objects, torque_substitution,
+               impact_vibration, braking_pulse, vibrotactile_motion, holding_point, inertia_compensation] =
+      desc;
+  FigureCheck figures;
+  figures.from_to("The tick", tick_s, kShortestTick, kLongestTick);
+  check(figures, tool);
+  check(figures, contact);
+  check(figures, coupling);
+  check(figures, velocity);
+  check(figures, mapping);
+  check(figures, device);
+  const auto& [method, moment_weight] = allocation;
+  figures.above("device.allocation.moment_weight", moment_weight);
+  const auto& [retreat, least_speed] = impact;
+  figures.above("impact.retreat", retreat);
+  figures.at_least("impact.least_speed", least_speed);
+  if (torque_substitution) check(figures, *torque_substitution);
+  if (impact_vibration) check(figures, *impact_vibration);
+  if (braking_pulse) check(figures, *braking_pulse);
+  if (vibrotactile_motion) check(figures, *vibrotactile_motion);
+  if (holding_point) check(figures, *holding_point);
+  if (inertia_compensation) check(figures, *inertia_compensation);
+  return figures.error();
+}
+
+}  // namespace fulcrum
