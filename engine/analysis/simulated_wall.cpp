@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "haptics/estimate/counted_motion.h"
 #include "haptics/math/border.h"
 #include "haptics/safety/energy_ledger.h"
 
@@ -115,11 +114,10 @@ double simulated_stiffness_limit(const WallLoop& loop, double B, double v0) {
 std::vector<double> port_energy(const WallLoop& loop, const Wall& wall, double v0, int ticks) {
   Vec6 step = Vec6::Zero();
   step[0] = loop.axis.encoder_step;
-  CountedMotion counted(step);
-  EnergyLedger ledger(1, true, false);
+  EnergyLedger ledger(step, true, false);
   EnergyLedger::Port port;
   port.open = true;
-  ledger.book(Vec6::Zero(), Vec6::Zero(), port);
+  ledger.book(Vec6::Zero(), port);
   SimulatedWall run(loop, wall, v0);
   std::vector<double> energy;
   double x = run.counted();
@@ -127,10 +125,9 @@ std::vector<double> port_energy(const WallLoop& loop, const Wall& wall, double v
     Vec6 d = Vec6::Zero();
     d[0] = run.counted() - x;
     x = run.counted();
-    counted.update(d);
     run.tick();
-    port.F_H_W.force.x() = run.force();
-    ledger.book(d, counted.within_tick(), port);
+    port.F_H_D.force.x() = run.force();
+    ledger.book(d, port);
     energy.push_back(ledger.port());
   }
   return energy;

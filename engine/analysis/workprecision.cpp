@@ -35,6 +35,7 @@ std::vector<WorkStudy> study_work_precision(const std::optional<PipingParts>& pi
   parts.push_back({"An oscillator", one(study_oscillator)});
   parts.push_back({"A top", one(study_tumbling)});
   parts.push_back({"A tone", one(study_tone)});
+  parts.push_back({"A trembling hand", one(study_port)});
   std::vector<WorkStudy> studies;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     progress(parts[i].what, static_cast<double>(i) / static_cast<double>(parts.size()));

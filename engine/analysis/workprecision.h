@@ -58,6 +58,7 @@ WorkStudy study_tick(bool quick);
 WorkStudy study_oscillator(bool quick);
 WorkStudy study_tumbling(bool quick);
 WorkStudy study_tone(bool quick);
+WorkStudy study_port(bool quick);
 
 // Fills in the orders from neighbouring settings of each method.
 void measure_orders(WorkStudy& study);

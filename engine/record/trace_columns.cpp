@@ -223,7 +223,11 @@ TraceColumns::TraceColumns(double tick_s, std::span<const std::string> motors, E
     c.push_back({"task/hard_touches", "1", "", "Touches so far that were harder than the task allows.",
                  [](const TraceRow& row) { return TraceValue(row.hard_touches); }});
   }
-  add(c, {"energy/port", "J", "", "Passivity observer: below zero the loop has given out energy."},
+  add(c,
+      {"energy/port", "J", "",
+       "Passivity observer, at the device: the least that the hand can have put in; below zero the loop may "
+       "have given out "
+       "energy."},
       [](const TickRecord& record) { return record.energy_port; });
   add(c,
       {"energy/unrendered", "J", "", "Of energy/port, what came in on axes that the device does not render."},

@@ -4,14 +4,17 @@
 // What goes beyond the motors is cut down by one of three methods:
 //     exact          The force keeps its direction and so does the moment; gamma of the force is there and mu
 //     of
-//                    the moment, chosen so that what is missing of both, the moment counted in
-//                    units of its lever, is least (share_program.h). Motors that a wrench has to spare help.
+//                    the moment, chosen so that what is missing of both, the moment counted in units of its
+//                    lever, is least (share_program.h). Motors that a wrench has to spare help.
 //     algorithm1     "Hybrid Force-Moment Braking Pulse", Algorithm 1, with the sign of line 9 turned round
 //                    (m_r = r x f - m is its own Eq. 5) and SCALE comparing with its own s: pseudoinverse,
 //                    force first, then as much of the moment as the motors still have.
 //     pseudoinverse  All efforts scaled alike.
 // Only a pulse has a force and a moment that stand in for each other: for other wrenches algorithm1 is the
 // pseudoinverse.
+//
+// Beside the motors' limits each of them keeps the device's largest force, and its largest torque about the
+// handle: all wrenches of a tick together.
 
 #include "haptics/actuation/share_program.h"
 
@@ -39,7 +42,10 @@ public:
   // A tick: the handle is at X_DH, and no motor does anything yet.
   void begin(const Pose& X_DH) noexcept;
   // What one of the calls below found: later ones of the tick get the motors that are left.
-  void take(const Allocation& allocation) noexcept { taken_ += allocation.effort; }
+  void take(const Allocation& allocation) noexcept {
+    taken_ += allocation.effort;
+    taken_F_H_D_ += allocation.F_H_D;
+  }
 
   // Force and torque each in their direction, as much as there can be: the torque about the control point,
   // p_HG_D (3) m from the handle, where the hand feels it.
@@ -51,9 +57,13 @@ public:
   // direction, and never more than the whole pulse would make it. lever m: what counts it beside force.
   Allocation pulse(const Wrench& F_H_D, const Vec3& p_HG_D, double lever) const noexcept;
 
+  // Part of the way from one allocation of this pose to another, 0 to 1: within every limit, as both of them
+  // are.
+  static Allocation between(const Allocation& from, const Allocation& to, double part) noexcept;
+
   int motors() const { return actuators_.count(); }
-  const Effort& taken() const { return taken_; }  // so far in this tick, within the limits
-  double load(int motor) const noexcept;          // fraction of the limit, signed, -1 to 1
+  const Effort& taken() const { return taken_; }         // so far in this tick, within the limits
+  double load(int motor, double effort) const noexcept;  // fraction of the limit, signed, -1 to 1
   const Actuators& actuators() const { return actuators_; }
 
 private:
@@ -61,6 +71,7 @@ private:
   Allocation algorithm1(const Wrench& F_H_D, const Vec3& p_HG_D) const noexcept;
   Allocation shared(const Wrench& F_H_D, const Vec3& p_HG_D, double lever) const noexcept;
   double largest_share(const Effort& effort, const Effort& beside) const noexcept;
+  double largest_share(const Wrench& F_H_D, const Wrench& beside_F_H_D) const noexcept;
   Allocation given(const Wrench& wanted, const Shares& shares) const noexcept;
 
   AllocationDesc desc_;
@@ -69,6 +80,7 @@ private:
   double lever_;                   // m, of torque beside force, where nothing else says so
   double max_force_, max_torque_;  // N, N m; of the device
   Effort taken_;
+  Wrench taken_F_H_D_;
 };
 
 }  // namespace fulcrum

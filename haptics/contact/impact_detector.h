@@ -38,7 +38,9 @@ struct ImpactDetectorDesc {
 
 class ImpactDetector {
 public:
-  static constexpr std::size_t kPlaces = 128;  // beyond it the one that touched longest ago is forgotten
+  // Twice what can touch in one tick: beyond it the one that touched longest ago is forgotten, never one that
+  // touches.
+  static constexpr std::size_t kPlaces = 2 * kMaxContacts;
 
   // region_radius m: as in ContactDesc. objects: null in a scene of one object.
   ImpactDetector(const ImpactDetectorDesc& desc, double region_radius,

@@ -28,32 +28,46 @@ Held hold(const DeviceAxis& axis, double T) {
 
 }  // namespace
 
-double exact_growth(const WallLoop& loop, const Wall& wall) {
+double exact_growth(const WallLoop& loop, const Wall& wall, const std::optional<FreeTool>& tool) {
   const double T = loop.tick_s;
   const Held held = hold(loop.axis, T);
+  // State: from the tool to the handle, the handle's v, its last way, u_before, the forces that wait, the
+  // next to act first, and the tool's velocity.
   constexpr Eigen::Index kOwn = 4;
-  const Eigen::Index delay = loop.delay_ticks, size = kOwn + delay;
-  // State: x, v, x_before, u_before, then the forces that wait, the next to act first.
+  const Eigen::Index delay = loop.delay_ticks, of_tool = kOwn + delay, size = of_tool + (tool ? 1 : 0);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
-  A(0, 0) = 1;
-  A(0, 1) = held.x_v;
-  A(1, 1) = held.v_v;
-  A(2, 0) = 1;
   Eigen::RowVectorXd velocity = Eigen::RowVectorXd::Zero(size);
-  velocity[0] = (1 - loop.keep) / T;
-  velocity[2] = -velocity[0];
+  velocity[2] = (1 - loop.keep) / T;
   velocity[3] = loop.keep;
-  A.row(3) = velocity;
   Eigen::RowVectorXd force = -wall.B * velocity;
   force[0] -= wall.K;
-  if (delay == 0) {
-    A.row(0) += held.x_F * force;
-    A.row(1) += held.v_F * force;
-  } else {
-    A(0, kOwn) = held.x_F;
-    A(1, kOwn) = held.v_F;
-    for (Eigen::Index i = kOwn; i + 1 < size; ++i) A(i, i + 1) = 1;
-    A.row(size - 1) = force;
+  if (tool) force[of_tool] += wall.B;
+
+  Eigen::RowVectorXd acts = force;
+  if (delay > 0) {
+    acts.setZero();
+    acts[kOwn] = 1;
+    for (Eigen::Index i = kOwn; i + 1 < of_tool; ++i) A(i, i + 1) = 1;
+    A.row(of_tool - 1) = force;
+  }
+  A.row(2) = held.x_F * acts;
+  A(2, 1) += held.x_v;
+  A.row(0) = A.row(2);
+  A(0, 0) += 1;
+  A.row(1) = held.v_F * acts;
+  A(1, 1) += held.v_v;
+  A.row(3) = velocity;
+  if (tool) {
+    Eigen::RowVectorXd change = -T / tool->mass * force, during = Eigen::RowVectorXd::Zero(size);
+    if (tool->integrator == Integrator::implicit_euler) {
+      change = -T * force;
+      change[of_tool] -= T * T * wall.K;
+      change /= tool->mass + T * wall.B + T * T * wall.K;
+    }
+    during[of_tool] = 1;
+    during += change;
+    A.row(of_tool) = during;
+    A.row(0) -= T * during;
   }
   const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A, false);
   return std::log(eigen.eigenvalues().cwiseAbs().maxCoeff()) / T;

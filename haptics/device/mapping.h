@@ -1,7 +1,11 @@
 #pragma once
 // From the device's workspace to the scene and back.
-//     p_WH = p_WD + position_scale R_WD p_DH        q_WH = q_WD q_DH        F_H_D = force_scale R_WD^T F_H_W
-// Rotation is not scaled. The device must render a stiffness of k * position_scale * force_scale.
+//     p_WH = p_WD + position_scale R_WD p_DH        q_WH = q_WD q_DH
+//     f_H_D = force_scale R_WD^T f_H_W              m_H_D = force_scale / position_scale R_WD^T m_H_W
+// The device must render a stiffness of k * position_scale * force_scale. Rotation is not scaled; a torque is
+// a force on a lever, and levers are as much shorter as ways are. So what a force and what a torque does at
+// the device is the same part of what it does in the scene, force_scale / position_scale of it, and a scene
+// that makes no energy makes none at the device, whichever axes a hand takes it by.
 
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
@@ -22,7 +26,7 @@ struct MappingDesc {
   }
   Wrench wrench_in_device(const Wrench& F_H_W) const {
     return {force_scale * (X_WD.q.conjugate() * F_H_W.force),
-            force_scale * (X_WD.q.conjugate() * F_H_W.torque)};
+            energy_scale() * (X_WD.q.conjugate() * F_H_W.torque)};
   }
   // d (6): a small motion or a velocity in W, translation before rotation.
   Vec6 motion_in_device(const Vec6& d) const {
@@ -32,9 +36,11 @@ struct MappingDesc {
   }
   // Of the device, as the scene feels it: kg; kg m^2.
   double mass_in_world(double mass) const { return mass / (position_scale * force_scale); }
-  double inertia_in_world(double inertia) const { return inertia / force_scale; }
+  double inertia_in_world(double inertia) const { return inertia / energy_scale(); }
+  // J at the device for one in the scene; N m likewise.
+  double energy_scale() const { return force_scale / position_scale; }
   Wrench wrench_in_world(const Wrench& F_H_D) const {
-    return {X_WD.q * F_H_D.force / force_scale, X_WD.q * F_H_D.torque / force_scale};
+    return {X_WD.q * F_H_D.force / force_scale, X_WD.q * F_H_D.torque / energy_scale()};
   }
 };
 

@@ -41,7 +41,7 @@ BrakingPulse::Demand BrakingPulse::process(const Tick& tick) noexcept {
   for (Pulse& pulse : pulses_) {
     if (pulse.left == 0) continue;
     --pulse.left;
-    const Vec3 lever_D = q_DW * Vec3(tick.X_WG * pulse.p_G - tick.p_WH);
+    const Vec3 lever_D = q_DW * Vec3(tick.X_WG * pulse.p_G - tick.p_WH) / mapping_.position_scale;
     const double size = cues_.gain * force_per_speed_ * pulse.speed;
     const Vec3 f_D = size * (q_DW * pulse.nhat_W);
     demand.F_H_D += {f_D, lever_D.cross(f_D)};
@@ -50,7 +50,7 @@ BrakingPulse::Demand BrakingPulse::process(const Tick& tick) noexcept {
     p_HP_D = lever_D;
   }
   demand.moment = cues_.moment;
-  demand.p_HG_D = q_DW * (tick.q_WH * desc_.p_HG);
+  demand.p_HG_D = q_DW * (tick.q_WH * desc_.p_HG) / mapping_.position_scale;
   demand.lever = (demand.p_HG_D - p_HP_D).norm();
   cues_.wanted_F_H_D = demand.F_H_D;
   return demand;

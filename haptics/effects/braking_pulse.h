@@ -25,7 +25,7 @@ namespace fulcrum {
 struct BrakingPulseDesc {
   double hand_mass = 0.45;   // kg, of hand and handle: 0.6 % of 75 kg
   int ticks = 1;             // N, 1 to 50
-  Vec3 p_HG = Vec3::Zero();  // (3) m, where the hand holds the handle; in the scene's metres, as torque is
+  Vec3 p_HG = Vec3::Zero();  // (3) m, where the hand holds the handle, in the scene's metres
   bool moment = true;        // at the start
   double gain = 1;           // of the force; 0: named but off
 };
@@ -48,7 +48,7 @@ public:
   };
   struct Demand {
     Wrench F_H_D;                // that would stop the hand, about H
-    Vec3 p_HG_D = Vec3::Zero();  // (3) m
+    Vec3 p_HG_D = Vec3::Zero();  // (3) m, as the device is large
     double lever = 0;            // m, from where it strikes to the grasp
     bool moment = false;         // may make up for force
   };

@@ -12,18 +12,24 @@ constexpr double kGhostOff = 0.6;  // of T_on: T_off
 constexpr double kLeast = 0.1;     // of T_min: to which a limit falls at most
 
 TorqueBounds bounds_of(const TorqueSubstitutionDesc& desc, const TorqueSurroundings& around) {
-  const double torque = desc.bad_above.value_or(kBad * around.max_torque);
+  const double torque = torque_thresholds(desc, around.max_torque).bad;
   return {torque, desc.tool_radius.value_or(around.tool_reach), kContact * torque};
 }
 
 }  // namespace
 
+TorqueThresholds torque_thresholds(const TorqueSubstitutionDesc& desc, double coupling_torque) {
+  const double bad = desc.bad_above.value_or(kBad * coupling_torque);
+  const double above = desc.ghost_above.value_or(kGhostOn * bad);
+  return {bad, above, desc.ghost_below.value_or(kGhostOff * above)};
+}
+
 TorqueSubstitution::TorqueSubstitution(const TorqueSubstitutionDesc& desc, const TorqueSurroundings& around)
     : bounds_(bounds_of(desc, around)),
       classifier_(bounds_, around.tick_s),
       shows_ghost_(around.senses_rotation),
-      ghost_above_(desc.ghost_above.value_or(kGhostOn * bounds_.torque)),
-      ghost_below_(desc.ghost_below.value_or(kGhostOff * ghost_above_)),
+      ghost_above_(torque_thresholds(desc, around.max_torque).ghost_above),
+      ghost_below_(torque_thresholds(desc, around.max_torque).ghost_below),
       ghost_(desc.ghost_fade, around.tick_s) {
   if (desc.limit_stiffness && around.springs) limit_.emplace(around.max_force, kLeast * bounds_.torque);
   if (around.renders_force)

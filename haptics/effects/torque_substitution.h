@@ -44,6 +44,12 @@ struct TorqueSubstitutionDesc {
   double ghost_fade = 0.15;           // s
 };
 
+// N m: what a Desc says, and where it says nothing what follows from the coupling's largest torque.
+struct TorqueThresholds {
+  double bad, ghost_above, ghost_below;
+};
+TorqueThresholds torque_thresholds(const TorqueSubstitutionDesc& desc, double coupling_torque);
+
 // What the effect needs to know of the scene around it.
 struct TorqueSurroundings {
   double tick_s;

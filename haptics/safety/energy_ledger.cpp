@@ -2,22 +2,27 @@
 
 namespace fulcrum {
 
-void EnergyLedger::book(const Vec6& d, const Vec6& within_tick, const Port& port) noexcept {
+EnergyLedger::EnergyLedger(const Vec6& step, bool renders_force, bool renders_torque) : work_(step) {
+  rendered_.head<3>().setConstant(renders_force ? 1 : 0);
+  rendered_.tail<3>().setConstant(renders_torque ? 1 : 0);
+}
+
+void EnergyLedger::book(const Vec6& d_D, const Port& port) noexcept {
   Vec6 F;
-  F << port.F_H_W.force, port.F_H_W.torque;
+  F << port.F_H_D.force, port.F_H_D.torque;
+  const Vec6 held = F.cwiseProduct(rendered_);
   if (port.open && !open_) {
-    port_ += port.springs;
+    before_ = least_ + port.springs;
+    stores_ = 0;
+    work_.open(held);
   } else if (port.open) {
-    Vec6 held = within_tick;
-    if (!renders_force_) held.head<3>().setZero();
-    if (!renders_torque_) held.tail<3>().setZero();
-    const Vec6 mean_F = 0.5 * (last_F_ + F);
-    // Row by row: what the hand put in. F d + (F' - F)(d - s) / 2 = F s + (F + F')(d - s) / 2.
-    const Vec6 work = -(last_F_.cwiseProduct(held) + mean_F.cwiseProduct(d - held));
-    port_ += work.sum() - (port.weight - last_weight_);
-    if (!renders_force_) unrendered_ += work.head<3>().sum();
-    if (!renders_torque_) unrendered_ += work.tail<3>().sum();
+    work_.book(d_D, held);
+    const Vec6 wound = d_D.cwiseProduct(Vec6::Ones() - rendered_);
+    const double by_winding = -0.5 * (last_F_ + F).dot(wound);
+    unrendered_ += by_winding;
+    stores_ += by_winding - (port.weight - last_weight_);
   }
+  if (port.open) least_ = before_ + stores_ + work_.least();
   open_ = port.open;
   last_F_ = F;
   last_weight_ = port.weight;

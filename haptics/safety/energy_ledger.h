@@ -1,12 +1,15 @@
 #pragma once
-// A passivity observer on the closed-loop port: the energy that the hand has put into the loop,
+// A passivity observer on the closed-loop port, at the device: the energy that the hand has put into the
+// loop,
 //     E_k = sum_j F_(j-1) . (x_j - x_(j-1)),   exact under a hold
 // (B. Hannaford, J.-H. Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robotics and
-// Automation 18(1), 2002). Of a count of an encoder, d, the handle went only a part s under the force that
-// was held in that tick, and the rest in the ticks around it, under that force and the next alike:
-//     E_k = E_(k-1) + F_(k-1) . d + 1/2 (F_k - F_(k-1)) . (d - s)
-// (estimate/counted_motion.h), which is the same from two counts a tick on. What lies within a count cannot
-// be seen: each reversal can hide k step / 2 times the way of a tick, at most k step^2 / 2.
+// Automation 18(1), 2002). Encoders count in steps, and what the handle does within a step cannot be seen:
+// the port is the least that E can have been (counted_work.h), so that it reads no better than the loop is.
+// By how much less it reads grows with the hand's way; passivity_control.h takes that back from the hand's
+// motion.
+//
+// Force and torque are those on the handle, the way is the handle's: all in D, in the device's own N, m and
+// J.
 //
 // The port is opened when the force has ramped in, with what the virtual springs, the tool's motion and its
 // weight can give back by then, and closed while the force is stopped or ramps: a gain that changes makes or
@@ -16,50 +19,52 @@
 // A device that senses an axis and does not push on it is no passive port by itself: what the hand winds up
 // there comes back by another axis. That axis is booked at the port too, so that the port tells whether the
 // loop makes energy, and on an account of its own, which tells what it brought in for nothing. No force is
-// held there: the handle jumps and the virtual spring is wound with it, from F_(k-1) to F_k (s = 0).
-//
-// Everything is counted in the scene and shown as the device sees it: force_scale / position_scale times.
+// held there: the virtual spring is wound with the counts, from F_(k-1) to F_k, and nothing of it is unknown.
 
 #include <algorithm>
 
-#include "haptics/estimate/counted_motion.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
+#include "haptics/safety/counted_work.h"
+#include "haptics/safety/passivity_control.h"
 
 namespace fulcrum {
 
-inline constexpr double kPortBound = -1e-4;  // J: below it the loop has made energy
+inline constexpr double kPortBound = -1e-4;  // J: below it the loop may have made energy
 
 class EnergyLedger {
 public:
-  // to_device: force_scale / position_scale.
-  EnergyLedger(double to_device, bool renders_force, bool renders_torque)
-      : to_device_(to_device), renders_force_(renders_force), renders_torque_(renders_torque) {}
+  // step (6): of one count of the device in each axis of D, m and rad.
+  EnergyLedger(const Vec6& step, bool renders_force, bool renders_torque);
 
   struct Port {
-    Wrench F_H_W;       // on the handle about H, from now on, in the scene's scale; what an axis would render
-                        // if it could
-    double weight = 0;  // J, potential energy of the tool now
-    double springs = 0;  // J, energy in the coupling and in the tool's motion now
+    Wrench F_H_D;        // on the handle about H, from now on; what an axis would render if it could
+    double weight = 0;   // J, potential energy of the tool now, at the device
+    double springs = 0;  // J, energy in the coupling and in the tool's motion now, likewise
     bool open = false;   // the force is there in full
   };
-  // d (6): what the handle did since the last call, m and rad in W; within_tick (6): the part of it that was
-  // under the last call's wrench alone.
-  void book(const Vec6& d, const Vec6& within_tick, const Port& port) noexcept;
+  // d_D (6): what was counted of the handle since the last call, m and rad.
+  void book(const Vec6& d_D, const Port& port) noexcept;
 
-  double port() const { return to_device_ * port_; }  // J, put in by the hand
+  double port() const { return least_; }  // J, put in by the hand, at least
   // J, above 0: what the loop has made, and what it would have made once the springs have given back all they
-  // hold. 0 while the port is closed.
-  double deficit() const { return open_ ? to_device_ * std::max(0.0, springs_ - port_) : 0.0; }
-  double unrendered() const { return to_device_ * unrendered_; }  // J, of that on axes that are not rendered
+  // hold; what has happened since the last count aside. 0 while the port is closed.
+  PassivityControl::Deficit deficit() const {
+    if (!open_) return {};
+    const double made = std::max(0.0, springs_ - before_ - stores_ - work_.likely());
+    return {made, std::max(0.0, springs_ - before_ - stores_ - work_.least_counted()) - made};
+  }
+  double unrendered() const { return unrendered_; }  // J, of port() on axes that are not rendered
 
 private:
-  double to_device_;
-  bool renders_force_, renders_torque_;
+  Vec6 rendered_;  // 1 for an axis that is pushed on, else 0
+  CountedWork work_;
   bool open_ = false;
   Vec6 last_F_ = Vec6::Zero();
   double last_weight_ = 0, springs_ = 0;
-  double port_ = 0, unrendered_ = 0;
+  double before_ = 0;  // J, of port() when the port was opened last
+  double stores_ = 0;  // J, since then: by weight and by axes that are not rendered
+  double least_ = 0, unrendered_ = 0;
 };
 
 }  // namespace fulcrum

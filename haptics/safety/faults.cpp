@@ -28,6 +28,8 @@ std::span<const FaultName> fault_names() {
        "The strip did not tell where the hand holds; the last place was used, then the scenario's."},
       {kCompensationFaded, "compensation_faded",
        "Making up for the device's inertia would have added energy, so that it was faded out."},
+      {kOutputLimited, "output_limited",
+       "A command beyond the device's limits was cut before it was sent. Please report it, with the tape."},
   };
   return names;
 }

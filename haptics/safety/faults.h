@@ -31,6 +31,8 @@ enum Fault : std::uint32_t {
   kHoldingPointLost = 1u << 26,   // nothing trustworthy tells where the hand holds: the last place, then the
                                   // scene's own
   kCompensationFaded = 1u << 27,  // the device's inertia is felt: making up for it would add energy
+  kOutputLimited =
+      1u << 28,  // the command was beyond a limit that all before it should have kept, and was cut
 };
 
 inline constexpr std::uint32_t kStoppingFaults = 0x0000ffffu;

@@ -8,20 +8,14 @@
 namespace fulcrum {
 namespace {
 
-// The longest part of `transient` that keeps the sum within the limit.
 Vec3 beside(const Vec3& there, const Vec3& transient, double limit) {
-  const double a = transient.squaredNorm();
-  const double c = there.squaredNorm() - limit * limit;
-  if (a == 0.0 || c >= 0.0) return Vec3::Zero();
-  const double b = there.dot(transient);
-  constexpr double within = 1 - 1e-12;  // or rounding would take the sum beyond
-  return std::min(1.0, within * (std::sqrt(b * b - a * c) - b) / a) * transient;
+  return part_beside(there, transient, limit) * transient;
 }
 
 }  // namespace
 
 Guard::Guard(const DeviceDesc& device, double tick_s, std::span<const TransientSource> transients)
-    : device_(device), tick_s_(tick_s) {
+    : device_(device), tick_s_(tick_s), steps_(device, tick_s) {
   for (const TransientSource source : transients)
     budgets_[static_cast<std::size_t>(source)].emplace(figures_of(source), device, tick_s);
 }
@@ -94,8 +88,8 @@ Wrench Guard::limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept 
   if (device_.renders_force && F.force != ramped.force) faults |= kForceClamped;
   if (device_.renders_torque && F.torque != ramped.torque) faults |= kTorqueClamped;
 
-  const Vec3 force_step = shortened(F.force - last_.force, device_.max_force / kSlewTime * tick_s_);
-  const Vec3 torque_step = shortened(F.torque - last_.torque, device_.max_torque / kSlewTime * tick_s_);
+  const Vec3 force_step = shortened(F.force - last_.force, steps_.force);
+  const Vec3 torque_step = shortened(F.torque - last_.torque, steps_.torque);
   const Wrench slewed{last_.force + force_step, last_.torque + torque_step};
   constexpr double rounding = 1e-12;
   if ((slewed.force - F.force).norm() > rounding || (slewed.torque - F.torque).norm() > rounding) {

@@ -1,6 +1,7 @@
 #pragma once
-// The last word on what reaches the motors: stop, ramp-in, clamp, slew limit and the budget of transients.
-// Its figures come from the device alone. Nothing in a scene, an effect or a plug-in can change or pass it.
+// What may be asked of the motors: stop, ramp-in, clamp, slew limit and the budget of transients. Its figures
+// come from the device alone. Nothing in a scene, an effect or a plug-in can change or pass it. Allocation
+// follows, and after it output_limit.h has the last word.
 
 #include <array>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include "haptics/device/device.h"
 #include "haptics/math/wrench.h"
 #include "haptics/safety/faults.h"
+#include "haptics/safety/output_limit.h"
 #include "haptics/safety/transient_budget.h"
 #include "haptics/world/command.h"
 
@@ -19,8 +21,7 @@ inline constexpr double kStopFall = 2e-3;      // s, from the commanded force to
 inline constexpr double kRampIn = 0.5;         // s, from nothing to the whole force
 inline constexpr double kStaleSample = 20e-3;  // s, a sample older than this stops the force
 inline constexpr double kFarthestHandle =
-    1e3;                                   // m, from D's origin: no handle is there, the sample is damaged
-inline constexpr double kSlewTime = 5e-3;  // s, from nothing to the device's limit at the fastest
+    1e3;  // m, from D's origin: no handle is there, the sample is damaged
 
 class Guard {
 public:
@@ -40,10 +41,16 @@ public:
   // moved_D (6) m and rad: the handle's way in this tick. Nothing of a source that was not asked for.
   Wrench limit_transient(TransientSource source, const Wrench& wanted_F_H_D, const Wrench& beside_F_H_D,
                          const Vec6& moved_D, std::uint32_t& faults) noexcept;
+  // The largest part of the way from one continuous wrench to another, 0 to 1, that may be gone in this tick.
+  // A stop may go all of it.
+  double slew_part(const Wrench& from_F_H_D, const Wrench& to_F_H_D) const noexcept {
+    return stopped_ ? 1.0 : steps_.part(from_F_H_D, to_F_H_D);
+  }
   // What was commanded in the end; slew and stop go on from the continuous wrench.
   void commanded(const Wrench& continuous_F_H_D) noexcept;
   void commanded(TransientSource source, const Wrench& transient_F_H_D) noexcept;
 
+  const Wrench& last() const { return last_; }  // continuous, on the handle, in D; of the tick before
   bool stopped() const { return stopped_; }
   // The faults that stopped the force, until it is acknowledged.
   std::uint32_t reason() const { return stopped_ ? reason_ : 0; }
@@ -58,6 +65,7 @@ public:
 private:
   DeviceDesc device_;
   double tick_s_;
+  SlewSteps steps_;
   bool stopped_ = false;
   std::uint32_t reason_ = 0;
   double gain_ = 0;

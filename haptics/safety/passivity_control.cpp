@@ -5,10 +5,13 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kIgnored = 1e-6;  // J, what rounding and a single count make: nothing that could be felt
-constexpr double kWay = 1e-4;      // m of the handle's way, over which a deficit is taken back
-constexpr double kTurn = 2e-3;     // rad, likewise
-constexpr double kDampingShare = 0.1;
+constexpr double kIgnored = 1e-6;      // J, what rounding and a single count make: nothing that could be felt
+constexpr double kWay = 1e-4;          // m of the handle's way, over which is taken back what has been made
+constexpr double kTurn = 2e-3;         // rad, likewise
+constexpr double kLongWay = 1e-3;      // m, over which is taken back what is not known
+constexpr double kLongTurn = 2e-2;     // rad, likewise
+constexpr double kDampingShare = 0.1;  // of what would stop the handle within a tick
+constexpr double kFrictionShare = 0.02;  // of the device's largest force and torque
 
 Vec3 against(const Vec3& v, double most, double damping) {
   const double speed = v.norm();
@@ -23,15 +26,20 @@ PassivityControl::PassivityControl(const DeviceDesc& device, double tick_s)
       torque_(device.renders_torque),
       tick_s_(tick_s),
       damping_(kDampingShare * device.handle_mass / tick_s),
-      angular_damping_(kDampingShare * device.handle_inertia.minCoeff() / tick_s) {}
+      angular_damping_(kDampingShare * device.handle_inertia.minCoeff() / tick_s),
+      friction_(kFrictionShare * device.max_force),
+      angular_friction_(kFrictionShare * device.max_torque) {}
 
-Wrench PassivityControl::resist(double deficit, const Vec6& per_tick) const noexcept {
+Wrench PassivityControl::resist(const Deficit& deficit, const Vec6& per_tick) const noexcept {
   Wrench F_H_D;
-  deficit -= kIgnored;
-  if (!(deficit > 0)) return F_H_D;
+  const double made = std::max(0.0, deficit.made - kIgnored), unknown = std::max(0.0, deficit.unknown);
+  if (!(made + unknown > kIgnored)) return F_H_D;
   const Vec6 V = per_tick / tick_s_;
-  if (force_) F_H_D.force = against(V.head<3>(), deficit / kWay, damping_);
-  if (torque_) F_H_D.torque = against(V.tail<3>(), deficit / kTurn, angular_damping_);
+  if (force_)
+    F_H_D.force = against(V.head<3>(), made / kWay + std::min(unknown / kLongWay, friction_), damping_);
+  if (torque_)
+    F_H_D.torque = against(V.tail<3>(), made / kTurn + std::min(unknown / kLongTurn, angular_friction_),
+                           angular_damping_);
   return F_H_D;
 }
 

@@ -69,7 +69,7 @@ public:
   double energy() const { return force_energy_ + torque_energy_; }
   double peak() const { return peak_; }                // N
   double peak_torque() const { return peak_torque_; }  // N m
-  std::size_t bytes() const { return spent_.capacity() * sizeof(Spent); }
+  std::size_t bytes() const { return (spent_.capacity() + blocks_.capacity()) * sizeof(Spent); }
 
 private:
   struct Spent {
@@ -77,12 +77,17 @@ private:
     double length = 0;                   // N s
     double turn_length = 0;              // N m s
     double by_force = 0, by_torque = 0;  // J
+
+    Spent& operator+=(const Spent& other) noexcept;
   };
+  Spent window() noexcept;  // all that was spent in it
 
   TransientFigures figures_;
   double tick_s_, peak_, peak_torque_;
-  std::vector<Spent> spent_;  // of the last kWindow, one a tick
-  std::size_t at_ = 0;        // the oldest of them
+  std::vector<Spent> spent_;   // of the last kWindow, one a tick
+  std::vector<Spent> blocks_;  // sums of `block_` neighbours of it each
+  std::size_t block_;
+  std::size_t at_ = 0;     // the oldest of them
   std::size_t quiet_ = 0;  // ticks since the last transient: from the window's length on it holds zeros alone
   Wrench last_;
   double force_energy_ = 0, torque_energy_ = 0;

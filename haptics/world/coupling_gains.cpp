@@ -1,5 +1,6 @@
 #include "haptics/world/coupling_gains.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSoftest = 1e-6;    // N/m or N m/rad
 constexpr double kStiffest = 1e9;    // likewise; where the search ends
 constexpr double kPrecision = 1e-4;  // of a limit
+constexpr double kNeutral = 1e-6;    // 1/s, of handle and tool that fly on together
 constexpr double kMargin = 0.5;      // of a limit: a factor of two is left to what the model leaves out
 constexpr double kSaturation = 0.9;  // of the device's largest force
 
@@ -23,24 +25,31 @@ struct Way {
   DeviceAxis axis;   // in D
   double stiffness;  // what the device renders of 1 of the coupling's
   double inertia;    // kg or kg m^2, which the coupling damps
+  double tool;       // kg or kg m^2, of the tool in this way; 0: it has none
 };
+
+double least_inertia(const ToolDesc& tool) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia_T, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
 
 Way along(const SceneDesc& desc) {
   const double scale = desc.mapping.position_scale * desc.mapping.force_scale;
   const DeviceDesc& device = desc.device;
   return {{device.handle_mass, device.damping, device.friction, device.encoder_step},
           scale,
-          massless(desc.contact.response) ? desc.mapping.mass_in_world(device.handle_mass) : desc.tool.mass};
+          massless(desc.contact.response) ? desc.mapping.mass_in_world(device.handle_mass) : desc.tool.mass,
+          massless(desc.contact.response) ? 0.0 : desc.tool.mass};
 }
 
 Way about(const SceneDesc& desc, Eigen::Index axis) {
-  const double scale = desc.mapping.force_scale;
+  const double scale = desc.mapping.energy_scale();
   const DeviceDesc& device = desc.device;
   const double inertia = device.handle_inertia[axis];
   return {{inertia, device.angular_damping[axis], device.angular_friction, device.encoder_step_rad},
           scale,
           massless(desc.contact.response) ? desc.mapping.inertia_in_world(inertia)
-                                          : desc.tool.inertia_T.trace() / 3};
+                                          : desc.tool.inertia_T.trace() / 3,
+          massless(desc.contact.response) ? 0.0 : least_inertia(desc.tool)};
 }
 
 // The low-pass that is as late as the estimator.
@@ -56,8 +65,14 @@ WallLoop loop_of(const Way& way, const SceneDesc& desc) {
 double limit_of(const Way& way, const SceneDesc& desc) {
   const WallLoop loop = loop_of(way, desc);
   const auto holds = [&](double k) {
-    const double B = 2 * desc.coupling.damping_ratio * std::sqrt(k * way.inertia);
-    return k < kStiffest && exact_growth(loop, {way.stiffness * k, way.stiffness * B}) < 0;
+    const auto wall = [&](double inertia) {
+      const double B = 2 * desc.coupling.damping_ratio * std::sqrt(k * inertia);
+      return Wall{way.stiffness * k, way.stiffness * B};
+    };
+    if (k >= kStiffest || !(exact_growth(loop, wall(way.inertia)) < 0)) return false;
+    if (way.tool == 0) return true;
+    const FreeTool tool{way.stiffness * way.tool, desc.integrator};
+    return exact_growth(loop, wall(way.tool), tool) < kNeutral;
   };
   return border_above(kSoftest, kPrecision, holds);
 }
@@ -134,9 +149,9 @@ CouplingDesc suit_coupling(const CouplingGains& given, const SceneDesc& desc) {
       coupling.stiffness * radius_squared, suited(about(desc), limits.angular_stiffness, kInfinity)));
   coupling.max_force = given.max_force.value_or(
       device.renders_force ? kSaturation * device.max_force / force_scale : CouplingDesc{}.max_force);
-  coupling.max_torque =
-      given.max_torque.value_or(device.renders_torque ? kSaturation * device.max_torque / force_scale
-                                                      : coupling.max_force * std::sqrt(radius_squared));
+  coupling.max_torque = given.max_torque.value_or(
+      device.renders_torque ? kSaturation * device.max_torque / desc.mapping.energy_scale()
+                            : coupling.max_force * std::sqrt(radius_squared));
   return coupling;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 // What stiffness a device can be given of a coupling, and a coupling that suits a device.
 //
-// The handle, in no hand, against a still tool: the exact linear loop of device/linear_loop.h, with the
-// device's mass and damping, the tick, the delay of the velocity estimator, the scales of the mapping and the
-// coupling's own damper. A hand adds damping, so what is stable in none is stable in most.
+// The handle, in no hand, against a tool that the scene holds still and, where it has a mass, against one
+// that nothing holds: the exact linear loop of device/linear_loop.h, with the device's mass and damping, the
+// tick, the delay of the velocity estimator, the scales of the mapping and the coupling's own damper. A hand
+// adds damping, so what is stable in none is stable in most.
 
 #include <optional>
 #include <string>

@@ -10,11 +10,11 @@
 namespace fulcrum {
 namespace {
 
-// (6) m and rad in W, of one count of the device.
-Vec6 encoder_steps(const SceneDesc& desc) {
+// (6) m and rad in D, of one count of the device.
+Vec6 encoder_steps(const DeviceDesc& device) {
   Vec6 step;
-  step.head<3>().setConstant(desc.mapping.position_scale * desc.device.encoder_step);
-  step.tail<3>().setConstant(desc.device.encoder_step_rad);
+  step.head<3>().setConstant(device.encoder_step);
+  step.tail<3>().setConstant(device.encoder_step_rad);
   return step;
 }
 
@@ -25,6 +25,19 @@ double part_of(const Vec3& commanded, const Vec3& wanted) {
   return size > 0 ? std::clamp(commanded.dot(wanted) / size, 0.0, 1.0) : 0.0;
 }
 
+// Of the energy in springs whose force the device clamps, what can come back through it, 0 to 1. Of a spring
+// that is pressed to 1 / p times what comes through, the way back gives p of the force until the rest is let
+// go of, and then the rest: (2 p - p^2) of k d^2 / 2. Where force and torque are clamped it may come back by
+// the one that is clamped less.
+double returnable(const Wrench& commanded_F_H_D, const Wrench& wanted_F_H_D) {
+  if (wanted_F_H_D.is_zero()) return 1;
+  const double force = wanted_F_H_D.force.isZero(0) ? 0 : part_of(commanded_F_H_D.force, wanted_F_H_D.force);
+  const double torque =
+      wanted_F_H_D.torque.isZero(0) ? 0 : part_of(commanded_F_H_D.torque, wanted_F_H_D.torque);
+  const double p = std::max(force, torque);
+  return p * (2 - p);
+}
+
 }  // namespace
 
 World::World(SceneDesc desc)
@@ -33,9 +46,9 @@ World::World(SceneDesc desc)
       velocity_(desc_.velocity, desc_.tick_s),
       motors_(desc_.device, desc_.allocation),
       guard_(desc_.device, desc_.tick_s, transient_sources(desc_)),
-      counted_(encoder_steps(desc_)),
-      ledger_(desc_.mapping.force_scale / desc_.mapping.position_scale, desc_.device.renders_force,
-              desc_.device.renders_torque),
+      output_limit_(desc_.device, desc_.tick_s),
+      counted_(encoder_steps(desc_.device)),
+      ledger_(encoder_steps(desc_.device), desc_.device.renders_force, desc_.device.renders_torque),
       passivity_(desc_.device, desc_.tick_s),
       torque_substitution_(build_torque_substitution(desc_)),
       impact_detector_(build_impact_detector(desc_)),
@@ -79,7 +92,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Pose X_WH = w.follow_handle(sample, faults);
   Vec6 moved;
   moved << X_WH.p - w.X_WH_.p, rotation_vector(X_WH.q * w.X_WH_.q.conjugate());
-  w.counted_.update(moved);
+  const Vec6 moved_D = desc.mapping.motion_in_device(moved);
+  w.counted_.update(moved_D);
   w.X_WH_ = X_WH;
 
   // Estimate.
@@ -103,19 +117,19 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
 
   const World::Touched touched = w.touched(answer.X_WT);
   if (w.holding_point_ && touched.any && desc.device.structure)
-    w.stiffness_limit_ = stiffness_at(*desc.device.structure, touched.p_HC, touched.nhat_H) /
-                         (desc.mapping.position_scale * desc.mapping.force_scale);
+    w.stiffness_limit_ =
+        stiffness_at(*desc.device.structure, touched.p_HC / desc.mapping.position_scale, touched.nhat_H) /
+        (desc.mapping.position_scale * desc.mapping.force_scale);
 
   // Guard and allocate. The device's own weight is held up here, so that the hand feels the tool's alone.
   const Wrench wanted_F_H_W = w.clutched_ ? Wrench{} : F_H_W;
   Wrench wanted_F_H_D = desc.mapping.wrench_in_device(wanted_F_H_W);
   if (!desc.device.renders_force) wanted_F_H_D.force.setZero();
   if (!desc.device.renders_torque) wanted_F_H_D.torque.setZero();
-  const Vec6 moved_D = desc.mapping.motion_in_device(moved);
   const Vec3 lateral_D = w.move_vibration(wanted_F_H_W, moved_D);
   if (!lateral_D.isZero(0)) wanted_F_H_D.force += lateral_D;  // or -0 would become 0
   const Wrench& resistance = w.resistance_F_H_D_ =
-      w.passivity_.resist(w.ledger_.deficit(), desc.mapping.motion_in_device(w.counted_.per_tick()));
+      w.passivity_.resist(w.ledger_.deficit(), w.counted_.per_tick());
   if (!resistance.is_zero()) faults |= kPassivityControl;
   wanted_F_H_D += resistance;
   Wrench own_weight;
@@ -127,38 +141,49 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   const Wrench limited_F_H_D = w.guard_.limit(all_F_H_D, faults);
   const Vec3 felt_D = limited_F_H_D.force - own_weight.force * w.guard_.gain();
   w.motors_.begin(w.X_DH_good_);
-  Allocation continuous = w.motors_.wrench(limited_F_H_D);
-  if (continuous.clamped() && w.holding_point_)  // what is cut keeps its direction where the hand feels it
-    continuous = w.motors_.wrench(limited_F_H_D, w.p_HG_D());
+  const Allocation continuous = w.allocate_continuous(limited_F_H_D, faults);
   w.motors_.take(continuous);
-  w.guard_.commanded(continuous.F_H_D);
-  if (continuous.clamped()) faults |= kMotorClamped;
   DeviceCommand command{.F_H_D = continuous.F_H_D};
   // Slew goes on from what the motors did: what they have not is missing of what was wanted before it.
   w.missing_ = (continuous.clamped() ? all_F_H_D * w.guard_.gain() : limited_F_H_D) + -continuous.F_H_D;
   w.demand_transients(answer, {X_WG, V_WG}, felt_D, answer.X_WT.p + p_TH_W);
   w.render_transients(moved_D, command.F_H_D, faults);
 
+  // The last word on what leaves.
+  OutputLimit::Output output{
+      .continuous = {continuous.F_H_D, continuous.effort},
+      .transient = {command.F_H_D + -continuous.F_H_D, w.motors_.taken() - continuous.effort}};
+  Effort effort = w.motors_.taken();
+  if (const std::uint32_t beyond = w.output_limit_.hold(output); beyond != 0) {
+    command.F_H_D = output.continuous.F_H_D + output.transient.F_H_D;
+    effort = output.continuous.effort + output.transient.effort;
+    faults |= beyond;
+    if ((beyond & kStoppingFaults) != 0) w.guard_.stop(beyond & kStoppingFaults);
+  }
+  w.guard_.commanded(output.continuous.F_H_D);
+
   // Book what the hand did, against what it felt and feels from here on.
-  Wrench felt_F_H_D = continuous.F_H_D + own_weight * -w.guard_.gain();
+  Wrench felt_F_H_D = output.continuous.F_H_D + own_weight * -w.guard_.gain();
   if (w.inertia_compensation_) {  // it has an account of its own
-    w.inertia_compensation_->book({part_of(continuous.F_H_D.force, all_F_H_D.force),
-                                   part_of(continuous.F_H_D.torque, all_F_H_D.torque)},
-                                  moved_D, desc.mapping.motion_in_device(w.counted_.within_tick()),
-                                  sample.age);
+    w.inertia_compensation_->book({part_of(output.continuous.F_H_D.force, all_F_H_D.force),
+                                   part_of(output.continuous.F_H_D.torque, all_F_H_D.torque)},
+                                  moved_D, w.counted_.within_tick(), sample.age);
     const InertiaCues& cues = w.inertia_compensation_->cues();
     if (!cues.force_D.isZero(0)) felt_F_H_D.force -= cues.force_D;
     if (!cues.torque_D.isZero(0)) felt_F_H_D.torque -= cues.torque_D;
     if (w.inertia_compensation_->cues().faded) faults |= kCompensationFaded;
   }
-  Wrench felt_F_H_W = desc.mapping.wrench_in_world(felt_F_H_D);
-  if (!desc.device.renders_force) felt_F_H_W.force = wanted_F_H_W.force * w.guard_.gain();
-  if (!desc.device.renders_torque) felt_F_H_W.torque = wanted_F_H_W.torque * w.guard_.gain();
-  w.ledger_.book(moved, w.counted_.within_tick(),
-                 {.F_H_W = felt_F_H_W,
-                  .weight = tool_weight(desc.tool) * answer.X_WT.p.y(),
-                  .springs = w.motion_->stored_energy(),
-                  .open = w.guard_.gain() >= 1.0});
+  const Wrench unlimited_F_H_D = desc.mapping.wrench_in_device(wanted_F_H_W);
+  if (!desc.device.renders_force) felt_F_H_D.force = unlimited_F_H_D.force * w.guard_.gain();
+  if (!desc.device.renders_torque) felt_F_H_D.torque = unlimited_F_H_D.torque * w.guard_.gain();
+  const double energy_scale = desc.mapping.energy_scale();
+  double springs = energy_scale * w.motion_->stored_energy();
+  // A force that only lags behind what is wanted is no clamp.
+  if ((faults & kSlewLimited) == 0) springs *= returnable(output.continuous.F_H_D, all_F_H_D);
+  w.ledger_.book(moved_D, {.F_H_D = felt_F_H_D,
+                           .weight = energy_scale * tool_weight(desc.tool) * answer.X_WT.p.y(),
+                           .springs = springs,
+                           .open = w.guard_.gain() >= 1.0});
   if (w.ledger_.port() < kPortBound) faults |= kEnergyBound;
 
   StepResult result;
@@ -171,8 +196,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   TickRecord& record = result.record;
   for (int motor = 0; motor < w.motors_.motors(); ++motor) {
     const auto slot = static_cast<std::size_t>(motor);
-    command.effort[slot] = w.motors_.taken()[motor];
-    record.actuator_load[slot] = w.motors_.load(motor);
+    command.effort[slot] = effort[motor];
+    record.actuator_load[slot] = w.motors_.load(motor, effort[motor]);
   }
   result.command = command;
   record.tick = w.tick_++;

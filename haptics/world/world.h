@@ -15,6 +15,7 @@
 #include "haptics/motion/tool_motion.h"
 #include "haptics/safety/energy_ledger.h"
 #include "haptics/safety/guard.h"
+#include "haptics/safety/output_limit.h"
 #include "haptics/safety/passivity_control.h"
 #include "haptics/world/command.h"
 #include "haptics/world/scene_desc.h"
@@ -46,7 +47,9 @@ public:
   std::span<const Impact> impacts() const {
     return impact_detector_ ? impact_detector_->impacts() : std::span<const Impact>();
   }
-  // On the handle in D, of the last tick: what the passivity control wanted beside all else.
+  // On the handle in D, of the last tick: what was commanded without the transients.
+  const Wrench& continuous_F_H_D() const { return guard_.last(); }
+  // Likewise: what the passivity control wanted beside all else.
   const Wrench& resistance_F_H_D() const { return resistance_F_H_D_; }
   // Of torque; null: not built.
   const TorqueSubstitution* substitution() const {
@@ -73,6 +76,8 @@ private:
   };
   void demand_transients(const ToolAnswer& answer, const Wanted& wanted, const Vec3& felt_D,
                          const Vec3& p_WH) noexcept;
+  // Of a continuous wrench that the guard has let through: what the motors can do of it, where the handle is.
+  Allocation allocate_continuous(const Wrench& limited_F_H_D, std::uint32_t& faults) noexcept;
   Allocation allocate_pulse(const Wrench& commanded_F_H_D, const Vec6& moved_D,
                             std::uint32_t& faults) noexcept;
   void render_transients(const Vec6& moved_D, Wrench& commanded_F_H_D, std::uint32_t& faults) noexcept;
@@ -99,6 +104,7 @@ private:
   VelocityEstimator velocity_;
   Allocator motors_;
   Guard guard_;
+  OutputLimit output_limit_;
   CountedMotion counted_;
   EnergyLedger ledger_;
   PassivityControl passivity_;

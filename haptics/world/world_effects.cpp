@@ -42,6 +42,22 @@ void World::demand_transients(const ToolAnswer& answer, const Wanted& wanted, co
   of(TransientSource::braking_pulse) = pulse_.F_H_D;
 }
 
+// What is cut changes no faster than the slew limit either. It begins at what the motors can hold here of the
+// last tick's: where that is less, because the handle has come to where they are weaker, the force falls at
+// once.
+Allocation World::allocate_continuous(const Wrench& limited_F_H_D, std::uint32_t& faults) noexcept {
+  Allocation wanted = motors_.wrench(limited_F_H_D);
+  if (wanted.clamped() && holding_point_)  // what is cut keeps its direction where the hand feels it
+    wanted = motors_.wrench(limited_F_H_D, p_HG_D());
+  if (wanted.F_H_D.force == limited_F_H_D.force && wanted.F_H_D.torque == limited_F_H_D.torque) return wanted;
+  faults |= kMotorClamped;
+  const Allocation held = motors_.whole(guard_.last());
+  const double part = guard_.slew_part(held.F_H_D, wanted.F_H_D);
+  if (part == 1) return wanted;
+  faults |= kSlewLimited;
+  return motors_.between(held, wanted, part);
+}
+
 // A pulse asks for far more than there is. What the motors can do of it is found first, and then bounded.
 Allocation World::allocate_pulse(const Wrench& commanded_F_H_D, const Vec6& moved_D,
                                  std::uint32_t& faults) noexcept {

@@ -73,7 +73,8 @@ World::Touched World::touched(const Pose& X_WT) const noexcept {
 }
 
 Vec3 World::p_HG_D() const noexcept {
-  return holding_point_ ? Vec3(X_DH_good_.q * holding_point_->p_HG()) : Vec3(Vec3::Zero());
+  if (!holding_point_) return Vec3::Zero();
+  return X_DH_good_.q * holding_point_->p_HG() / desc_.mapping.position_scale;
 }
 
 Wrench World::make_up_for_inertia(const Touched& touched, const Vec3& rendered_D) noexcept {

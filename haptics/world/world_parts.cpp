@@ -14,7 +14,7 @@ namespace {
 std::string let_go_text(const SceneDesc& desc) {
   const double limit = coupling_limits(desc).stiffness;
   if (!std::isfinite(limit)) return "";
-  return " and, let go, holds up to " +
+  return "; let go, it holds up to " +
          number_text(limit * desc.mapping.position_scale * desc.mapping.force_scale) + " N/m";
 }
 
@@ -129,11 +129,14 @@ BuiltPart motion_part(const VibrotactileMotionDesc& desc, const DeviceDesc& devi
 }
 
 BuiltPart coupling_part(const SceneDesc& desc) {
+  std::string rendered =
+      number_text(desc.coupling.stiffness * desc.mapping.position_scale * desc.mapping.force_scale) + " N/m";
+  if (desc.device.renders_torque)
+    rendered +=
+        " and " + number_text(desc.coupling.angular_stiffness * desc.mapping.energy_scale()) + " N m/rad";
   return {"coupling",
           number_text(desc.coupling.stiffness) + " N/m, " + number_text(desc.coupling.angular_stiffness) +
-              " N m/rad; the device renders " +
-              number_text(desc.coupling.stiffness * desc.mapping.position_scale * desc.mapping.force_scale) +
-              " N/m" + let_go_text(desc),
+              " N m/rad; the device renders " + rendered + let_go_text(desc),
           sizeof(VirtualCoupling)};
 }
 
@@ -192,8 +195,9 @@ std::vector<BuiltPart> World::parts() const {
        std::to_string(motors_.motors()) + " motors of " + desc_.device.name + ", " +
            method_name(desc_.allocation.method),
        sizeof(Allocator)},
-      {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control: always built",
-       sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl)},
+      {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control, output limit: always built",
+       sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl) +
+           sizeof(OutputLimit)},
   };
   if (coupled(desc_.contact.response)) parts.insert(parts.begin() + 2, coupling_part(desc_));
   if (desc_.scene_edges) {

@@ -99,6 +99,18 @@ TEST(WorkPrecision, PegsJamWhereTheyShould) {
   for (const WorkStudy& study : studies) expect_truer_than_voxels(study, 2);
 }
 
+// The observer reads below the truth at every count size; booking whole counts reads above it, and what it is off by
+// grows with the count.
+TEST(WorkPrecision, ThePortErrsToTheSafeSideAndFinerCountsBringItNearer) {
+  const WorkStudy study = study_port(true);
+  ASSERT_EQ(study.points.size(), 8u);
+  for (std::size_t i = 0; i + 1 < study.points.size(); i += 2) {
+    EXPECT_EQ(study.points[i].method, study.points[i + 1].method);
+    EXPECT_GT(study.points[i].value, study.points[i + 1].value);
+    EXPECT_LT(study.points[i + 1].error, study.points[i].error) << study.points[i].method;
+  }
+}
+
 // A rod across a tube, in place of the shipped scene: what refines towards itself.
 TEST(WorkPrecision, PipingComesNearerToItsFinest) {
   PipingParts parts;

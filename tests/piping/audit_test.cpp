@@ -11,7 +11,7 @@
 namespace fulcrum::test {
 namespace {
 
-void audit_clumsy(const app::Prepared& prepared, double seconds, double deepest_vertex) {
+void audit_clumsy(const app::Prepared& prepared, double seconds, double deepest) {
   PipingRun run("clumsy", prepared);
   const scenario::HapticAssembly& haptic = prepared.haptic;
   PathAudit audit(haptic.scene_W, *haptic.scene.tool_shell);
@@ -25,8 +25,11 @@ void audit_clumsy(const app::Prepared& prepared, double seconds, double deepest_
   }
   EXPECT_GT(audit.crossings(), 1000u) << "it was to touch";
   EXPECT_EQ(audit.passages(), 0u) << audit.first_passage();
-  EXPECT_LT(meter.deepest(haptic.scene_W, haptic.tool_T, *haptic.scene.scene_field), deepest_vertex);
-  EXPECT_EQ(faults & (kStoppingFaults | kEnergyBound), 0u);
+  const app::Penetration worst = meter.deepest(haptic.scene_W, haptic.tool_T, *haptic.scene.scene_field);
+  EXPECT_LT(worst.depth, deepest) << "at " << worst.at << " s";
+  EXPECT_EQ(faults & kStoppingFaults, 0u);
+  // Springs held from tick to tick give out a few millijoules here, and the observer says so.
+  EXPECT_EQ((faults & kEnergyBound) != 0, haptic.scene.contact.response == ContactResponse::penalty);
 }
 
 // A constraint keeps what lies between the shell's points out as well, but for a part of the voxel.

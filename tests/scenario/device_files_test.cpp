@@ -19,9 +19,10 @@ DeviceDesc shipped(const std::string& name) {
   return device ? *device : DeviceDesc();
 }
 
-// N or N m, the largest of this direction at home, the rest of the wrench zero.
-double largest(const DeviceDesc& device, const Wrench& direction,
+// N or N m, the largest of this direction that an arm's motors give at home, the rest of the wrench zero.
+double largest(DeviceDesc device, const Wrench& direction,
                AllocationMethod method = AllocationMethod::exact) {
+  device.max_force = device.max_torque = 1e6;  // of the whole: not asked for here
   Allocator motors(device, {.method = method});
   const Wrench F = motors.whole(direction * 1e3).F_H_D;
   return std::max(F.force.norm(), F.torque.norm());

@@ -24,12 +24,25 @@ double missing(const Allocation& allocation, const Vec3& f_D, const Vec3& p_HG_D
          (p_HG_D.cross(f_D) - felt(allocation, p_HG_D)).squaredNorm() / p_HG_D.squaredNorm();
 }
 
+void expect_within_device(const DeviceDesc& device, const Wrench& F_H_D) {
+  EXPECT_LE(F_H_D.force.norm(), device.max_force * (1 + 1e-9));
+  EXPECT_LE(F_H_D.torque.norm(), device.max_torque * (1 + 1e-9));
+}
+
 void expect_within_limits(const Allocator& motors) {
   for (int motor = 0; motor < motors.motors(); ++motor) {
     const double limit = motors.actuators().limits()[motor];
     EXPECT_LE(std::abs(motors.taken()[motor]), limit * (1 + 1e-12) + 1e-15) << "motor " << motor;
-    EXPECT_LE(std::abs(motors.load(motor)), 1.0);
+    EXPECT_LE(std::abs(motors.load(motor, motors.taken()[motor])), 1.0);
   }
+}
+
+// A device that bounds force and torque by its motors alone.
+DeviceDesc by_motors(DeviceDesc device) {
+  constexpr double out_of_reach = 1e6;  // of its own limits: torque goes on counting beside force as it did
+  device.max_force *= out_of_reach;
+  device.max_torque *= out_of_reach;
+  return device;
 }
 
 // The planar oracle, tau_1 = rho f + m and tau_2 = m with rho = 0.2 m, in six motors of which four are
@@ -38,6 +51,8 @@ DeviceDesc planar() {
   DeviceDesc desc;
   desc.kinematics = Kinematics::arms;
   desc.renders_torque = true;
+  desc.max_force = 1e3;
+  desc.max_torque = 1e2;
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ(), base(-0.2, 0, 0), end(0, 0, 0);
   desc.mechanism.arms = {
       {.name = "arm",
@@ -76,8 +91,8 @@ TEST(Allocator, LargestForcesOfTheW6DByThePseudoinverse) {
   for (const auto& [axis, at_255, at_511] :
        {LargestForce{Vec3::UnitX(), 2.600, 5.211}, LargestForce{Vec3::UnitY(), 1.394, 2.794},
         LargestForce{Vec3::UnitZ(), 1.295, 2.595}}) {
-    Allocator study(w6d::device(0.255, 0.145), {.method = AllocationMethod::pseudoinverse});
-    Allocator whole(w6d::device(0.511, 0.145), {.method = AllocationMethod::pseudoinverse});
+    Allocator study(by_motors(w6d::device(0.255, 0.145)), {.method = AllocationMethod::pseudoinverse});
+    Allocator whole(by_motors(w6d::device(0.511, 0.145)), {.method = AllocationMethod::pseudoinverse});
     EXPECT_NEAR(study.whole({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_255, 5.1e-4);
     EXPECT_NEAR(whole.whole({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_511, 5.1e-4);
   }
@@ -87,7 +102,7 @@ TEST(Allocator, LargestForcesOfTheW6DWithItsSpareMotor) {
   for (const auto& [axis, at_255, at_511] :
        {LargestForce{Vec3::UnitX(), 3.325, 6.663}, LargestForce{Vec3::UnitY(), 1.980, 3.969},
         LargestForce{Vec3::UnitZ(), 1.981, 3.969}}) {
-    Allocator study(w6d::device(0.255, 0.145)), whole(w6d::device(0.511, 0.145));
+    Allocator study(by_motors(w6d::device(0.255, 0.145))), whole(by_motors(w6d::device(0.511, 0.145)));
     const Allocation allocation = study.whole({100 * axis, Vec3::Zero()});
     EXPECT_NEAR(allocation.F_H_D.force.norm(), at_255, 5.1e-4);
     EXPECT_NEAR(allocation.F_H_D.torque.norm(), 0, 1e-12);
@@ -121,7 +136,7 @@ Case random_case(SplitMix& random) {
 }
 
 TEST(Allocator, ExactIsNeverWorseThanTheOthersAndKeepsItsWord) {
-  for (const DeviceDesc& device : {w6d::device(0.255, 0.145), arms::serial6()}) {
+  for (const DeviceDesc& device : {w6d::device(0.255, 0.145), arms::serial6(), by_motors(arms::serial6())}) {
     SplitMix random(1);
     int better = 0;
     for (int i = 0; i < 10000; ++i) {
@@ -133,6 +148,7 @@ TEST(Allocator, ExactIsNeverWorseThanTheOthersAndKeepsItsWord) {
         const Allocation allocation = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
         motors.take(allocation);
         expect_within_limits(motors);
+        expect_within_device(device, allocation.F_H_D);
         const double size = f_D.norm();
         EXPECT_NEAR(allocation.F_H_D.force.cross(f_D).norm(), 0, 1e-8 * size * size);
         const Vec3 whole = p_HG_D.cross(f_D), of_it = felt(allocation, p_HG_D);
@@ -151,15 +167,27 @@ TEST(Allocator, ExactIsNeverWorseThanTheOthersAndKeepsItsWord) {
 }
 
 // Against a search over shares: whether a pair of them can be had is asked of the motors' limits, with the
-// one spare direction as an interval.
+// one spare direction as an interval, and of the device's. Strong motors leave it to the device, and torque
+// that comes first makes its bound an ellipse off the middle.
 TEST(Allocator, NoPairOfSharesOnAGridIsBetterThanExact) {
-  const DeviceDesc device = w6d::device(0.255, 0.145);
   SplitMix random(2);
-  for (int i = 0; i < 40; ++i) {
+  int beyond_device = 0;
+  for (int i = 0; i < 120; ++i) {
+    const DeviceDesc device = i % 3 == 0 ? w6d::device(0.255, 0.145) : w6d::device(2, 1);
     const auto [X_DH, f_D, p_HG_D] = random_case(random);
+    const Wrench first =
+        i % 3 == 2 ? Wrench{arms::random_vector(random), 0.15 * arms::random_vector(random)} : Wrench{};
     Allocator motors(device);
     motors.begin(X_DH);
+    const Allocation taken = motors.wrench(first);
+    motors.take(taken);
     const Allocation exact = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
+    const auto device_can = [&](double gamma, double mu) {
+      const Vec3 torque = taken.F_H_D.torque + (gamma - mu) * p_HG_D.cross(f_D);
+      return (taken.F_H_D.force + gamma * f_D).norm() <= device.max_force &&
+             torque.norm() <= device.max_torque;
+    };
+    if (!device_can(1, 1)) ++beyond_device;
     MotorSpace space(motors.actuators());
     space.factorise(motors.actuators().wrenches(), 0.05);
     const Effort none = space.spare().col(0), limits = motors.actuators().limits();
@@ -171,7 +199,8 @@ TEST(Allocator, NoPairOfSharesOnAGridIsBetterThanExact) {
     for (int g = 0; g <= steps; ++g) {
       for (int u = 0; u <= steps; ++u) {
         const double gamma = 1.0 * g / steps, mu = 1.0 * u / steps;
-        const Effort effort = space.smallest({gamma * f_D, (gamma - mu) * whole});
+        if (!device_can(gamma, mu)) continue;
+        const Effort effort = taken.effort + space.smallest({gamma * f_D, (gamma - mu) * whole});
         double low = -1e300, high = 1e300;
         for (int m = 0; m < motors.motors(); ++m) {
           const double a = (-limits[m] - effort[m]) / none[m], b = (limits[m] - effort[m]) / none[m];
@@ -191,6 +220,38 @@ TEST(Allocator, NoPairOfSharesOnAGridIsBetterThanExact) {
     const double by_exact = missing(exact, f_D, p_HG_D);
     EXPECT_LE(by_exact, best + 1e-9 * f_D.squaredNorm()) << i;
     EXPECT_GE(by_exact, best - 0.05 * f_D.squaredNorm()) << i;  // the grid's width
+    expect_within_device(device, taken.F_H_D + exact.F_H_D);
+  }
+  EXPECT_GT(beyond_device, 40);
+}
+
+// Whatever they are about and however many there are, all wrenches of a tick together are within what the
+// device may give, at stretched arms and with a dead motor too.
+TEST(Allocator, TheDevicesForceAndTorqueHold) {
+  SplitMix random(17);
+  DeviceDesc lame = arms::serial6();
+  lame.mechanism.arms[0].joints[4].max_torque = 0;
+  for (const DeviceDesc& device :
+       {w6d::device(0.511, 0.145), w6d::device(20, 5), arms::serial6(), arms::freedom6s(), lame}) {
+    for (const AllocationMethod method : kMethods) {
+      Allocator motors(device, {.method = method});
+      for (int i = 0; i < 2000; ++i) {
+        motors.begin({quaternion_exp(random.uniform() * arms::random_vector(random)),
+                      0.3 * random.uniform() * arms::random_vector(random)});
+        Wrench sum;
+        const auto take = [&](const Allocation& allocation) {
+          motors.take(allocation);
+          sum += allocation.F_H_D;
+          ASSERT_TRUE(sum.is_finite());
+          expect_within_device(device, sum);
+          expect_within_limits(motors);
+        };
+        const Vec3 p_HG_D = 0.2 * arms::random_vector(random);
+        take(motors.wrench({10 * arms::random_vector(random), arms::random_vector(random)}, p_HG_D));
+        take(motors.pulse({50 * arms::random_vector(random), Vec3::Zero()}, p_HG_D, p_HG_D.norm()));
+        take(motors.whole({arms::random_vector(random), 0.1 * arms::random_vector(random)}));
+      }
+    }
   }
 }
 
@@ -211,7 +272,8 @@ TEST(Allocator, WhatTheMotorsCanDoIsDoneToTheBit) {
 }
 
 TEST(Allocator, SaturationKeepsTheDirections) {
-  for (const DeviceDesc& device : {w6d::device(0.511, 0.145), arms::serial6(), arms::phantom()}) {
+  for (const DeviceDesc& device :
+       {by_motors(w6d::device(0.511, 0.145)), by_motors(arms::serial6()), by_motors(arms::phantom())}) {
     for (const AllocationMethod method : kMethods) {
       Allocator motors(device, {.method = method});
       Wrench wanted{Vec3(30, -20, 10), Vec3(1, 2, -1)};
@@ -221,7 +283,8 @@ TEST(Allocator, SaturationKeepsTheDirections) {
       motors.take(allocation);
       expect_within_limits(motors);
       double largest = 0;
-      for (int m = 0; m < motors.motors(); ++m) largest = std::max(largest, std::abs(motors.load(m)));
+      for (int m = 0; m < motors.motors(); ++m)
+        largest = std::max(largest, std::abs(motors.load(m, motors.taken()[m])));
       EXPECT_NEAR(largest, 1, 1e-9);
       EXPECT_NEAR(allocation.F_H_D.force.normalized().dot(wanted.force.normalized()), 1, 1e-9);
       if (device.renders_torque && allocation.F_H_D.torque.norm() > 1e-9) {
@@ -269,7 +332,7 @@ TEST(Allocator, AMotorWithoutALimitsWorthTakesNoPart) {
       const Allocation allocation = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
       motors.take(allocation);
       EXPECT_EQ(motors.taken()[dead], 0.0);
-      EXPECT_EQ(motors.load(dead), 0.0);
+      EXPECT_EQ(motors.load(dead, motors.taken()[dead]), 0.0);
       expect_within_limits(motors);
       EXPECT_TRUE(allocation.F_H_D.is_finite());
       EXPECT_NEAR(allocation.F_H_D.force.cross(f_D).norm(), 0, 1e-5 * f_D.squaredNorm());

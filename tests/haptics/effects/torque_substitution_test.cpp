@@ -242,6 +242,19 @@ TEST(TorqueSubstitution, DegradesWithTheDevice) {
   EXPECT_EQ(pushed.record.torque.ghost, 0.0);
 }
 
+TEST(TorqueSubstitution, AGhostThatWouldLeaveBeforeItAppearsIsRefused) {
+  SceneDesc desc = peg_scene({});
+  desc.torque_substitution->bad_above = 0.02;
+  desc.torque_substitution->ghost_below = 0.05;  // it appears at twice 0.02
+  const Result<World> world = World::build(desc);
+  ASSERT_FALSE(world);
+  EXPECT_NE(world.error().sentence.find("leaves below 0.05 N m and appears above 0.04 N m"),
+            std::string::npos)
+      << world.error().sentence;
+  desc.torque_substitution->ghost_below = 0.03;
+  EXPECT_TRUE(World::build(desc));
+}
+
 TEST(TorqueSubstitution, AToneThatTheTickCannotHoldIsRefused) {
   SceneDesc desc = peg_scene({});
   desc.tick_s = 1.0 / 400;

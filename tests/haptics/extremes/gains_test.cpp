@@ -31,13 +31,13 @@ TEST(Extremes, TheVoxelBaselineChattersByLessThanAVoxel) {
     SceneDesc scene = pressing_scene();
     scene.contact.response = ContactResponse::voxel;
     scene.contact.stiffness = k;
-    const Verdict verdict = run_closed_loop(scene, pressing_hand(), 3);
+    const Verdict verdict = run_closed_loop(scene, hand_from_to({0, 0.013, 0}, {0, 0.001, 0}, 0.3), 3);
     EXPECT_TRUE(verdict.finite) << k;
     EXPECT_LT(verdict.late_tool, scene.scene_field->voxel_m()) << k;
     EXPECT_LE(verdict.force_max, scene.device.max_force * (1 + 1e-12)) << k;
-    // Softer than the hand by far, the tool sinks past the layers that are looked through: that stops the
-    // force.
-    EXPECT_EQ(verdict.faults & kStoppingFaults, k < 10 ? kToolInside + 0u : 0u) << k;
+    // Softer than the hand by far, the tool sinks past the eight voxels, and one, that are looked through:
+    // that stops the force.
+    EXPECT_EQ(verdict.faults & kStoppingFaults, k < 100 ? kToolInside + 0u : 0u) << k;
   }
 }
 
@@ -108,18 +108,23 @@ double holdable(const SceneDesc& scene, const HandTask& task) {
   return 2 * (scene.device.damping + task.hand.damping) / scene.tick_s;
 }
 
+// By the velocity of a scene, in a low-pass: by differences one count is a blow of B D / T, 0.8 N at 0.5 ms,
+// and whether that keeps a loop going from count to count hangs on the micrometre at which it would rest.
 TEST_P(EveryResponseThatRests, AnyTickComesToRestOrSaysWhyNot) {
   for (const double tick_s : {1e-4, 5e-4, 1e-3, 5e-3, 1e-2, 2e-2}) {
-    SceneDesc scene = answering(pressing_scene());
-    scene.tick_s = tick_s;
-    const HandTask hand = pressing_hand();
-    const Verdict verdict = run_closed_loop(scene, hand, 4);
-    EXPECT_TRUE(verdict.finite) << tick_s;
-    EXPECT_LE(verdict.force_max, scene.device.max_force * (1 + 1e-12)) << tick_s;
-    const bool can = scene.coupling.stiffness < 0.5 * holdable(scene, hand);
-    EXPECT_TRUE(verdict.at_rest() || (!can && (verdict.faults & kSaysSo)))
-        << tick_s << ": " << verdict.late_tool << " m, " << verdict.late_force << " N, faults "
-        << verdict.faults;
+    for (const double deeper : {0.0, 3e-6, 9e-6, 15e-6, 21e-6}) {
+      SceneDesc scene = answering(pressing_scene());
+      scene.velocity.kind = VelocityEstimatorKind::low_pass;
+      scene.tick_s = tick_s;
+      const HandTask hand = hand_from_to({0, 0.013, 0}, {0, 0.005 - deeper, 0}, 0.3);
+      const Verdict verdict = run_closed_loop(scene, hand, 4);
+      EXPECT_TRUE(verdict.finite) << tick_s;
+      EXPECT_LE(verdict.force_max, scene.device.max_force * (1 + 1e-12)) << tick_s;
+      const bool can = scene.coupling.stiffness < 0.5 * holdable(scene, hand);
+      EXPECT_TRUE(verdict.at_rest() || (!can && (verdict.faults & kSaysSo)))
+          << tick_s << ", " << deeper << ": " << verdict.late_tool << " m, " << verdict.late_force
+          << " N, faults " << verdict.faults;
+    }
   }
 }
 

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "haptics/device/linear_loop.h"
 #include "haptics/device/simulated_device.h"
 #include "tests/haptics/scenes.h"
 
@@ -78,6 +81,91 @@ TEST(CouplingLimits, AreWhereALetGoHandleBeginsToSwing) {
         }
       }
     }
+  }
+}
+
+// 1/s, of the swing of a handle and a tool that are both let go, in the scene, over two seconds.
+double simulated_growth(const SceneDesc& scene) {
+  SimulatedDeviceDesc desc;
+  desc.device = scene.device;
+  desc.tick_s = scene.tick_s;
+  const Pose X_DH = scene.mapping.handle_in_device(scene.tool.X_WT_start);
+  SimulatedDevice device(desc, X_DH);
+  World world = expect(World::build(scene));
+  hold(world, X_DH, static_cast<int>(0.6 / scene.tick_s));  // past the ramp
+  device.push({1e-4, 0, 0});                                // less than passivity control would take back
+  const int second = static_cast<int>(1 / scene.tick_s);
+  std::array<double, 4> least, most;
+  least.fill(1);
+  most.fill(-1);
+  for (int i = 0; i < 4 * second; ++i) {
+    const StepResult result = step(world, device.read(), {});
+    device.write(result.command);
+    EXPECT_EQ(result.record.faults, 0u);
+    const double x = result.record.X_WH.p.x() - result.record.X_WT.p.x();
+    const auto at = static_cast<std::size_t>(i / second);
+    least[at] = std::min(least[at], x);
+    most[at] = std::max(most[at], x);
+  }
+  return std::log((most[3] - least[3]) / (most[1] - least[1])) / 2;
+}
+
+TEST(CouplingLimits, AFreeToolSwingsAsTheExactLoop) {
+  const WallLoop loop{.axis = {DeviceDesc{}.handle_mass, 0.5, 0, 0}};
+  for (const Integrator integrator :
+       {Integrator::semi_implicit_euler, Integrator::momentum, Integrator::implicit_euler}) {
+    for (const double K : {100.0, 183.0, 400.0}) {
+      for (const double tool_mass : {0.0144, 0.072}) {
+        if (integrator == Integrator::implicit_euler && tool_mass < 0.05)
+          continue;  // it dies away within a second
+        SceneDesc scene = linear_scene(VelocityEstimatorKind::difference);
+        scene.integrator = integrator;
+        scene.device.handle_weight = 0;
+        scene.device.damping = loop.axis.damping;
+        scene.tool.mass = tool_mass;
+        scene.coupling.damping_ratio = 0;
+        scene.coupling.stiffness = K;
+        const double growth = exact_growth(loop, {K, 0}, FreeTool{tool_mass, integrator});
+        EXPECT_NEAR(simulated_growth(scene), growth, 0.03 * std::abs(growth) + 2e-3)
+            << tool_mass << ", " << K;
+      }
+    }
+  }
+}
+
+// Where the tool is lighter than the handle, a still one would be let through with several times what a free
+// one holds.
+TEST(CouplingLimits, AFreeToolHoldsLess) {
+  SceneDesc scene = linear_scene(VelocityEstimatorKind::difference);
+  scene.device.damping = 0.5;
+  scene.tool.mass = scene.device.handle_mass / 5;
+  scene.coupling.damping_ratio = 0;
+  scene.integrator = Integrator::semi_implicit_euler;
+  const double limit = coupling_limits(scene).stiffness;
+  EXPECT_NEAR(limit, 166.4, 0.5);
+  scene.contact.response = ContactResponse::constraint;  // whose tool has no mass
+  EXPECT_NEAR(coupling_limits(scene).stiffness, 6 * limit, 0.005 * 6 * limit);
+  scene.contact.response = ContactResponse::penalty;
+  scene.integrator = Integrator::implicit_euler;  // which damps what swings
+  EXPECT_GT(coupling_limits(scene).stiffness, 5 * limit);
+  scene.integrator = Integrator::semi_implicit_euler;
+  scene.coupling.stiffness = 2 * limit;
+  const auto sentence = beyond_limits(scene);
+  ASSERT_TRUE(sentence);
+  EXPECT_NE(sentence->find("holds at most 166"), std::string::npos) << *sentence;
+}
+
+// b > K T / 2 (1 + m / m_tool), without damping in the coupling.
+TEST(CouplingLimits, AFreeToolWithoutDampingFollowsTheory) {
+  for (const double tool_mass : {0.0144, 0.072, 0.3}) {
+    SceneDesc scene = linear_scene(VelocityEstimatorKind::difference);
+    scene.device.damping = 1;
+    scene.integrator = Integrator::semi_implicit_euler;
+    scene.tool.mass = tool_mass;
+    scene.coupling.damping_ratio = 0;
+    const double theory =
+        2 * scene.device.damping / scene.tick_s / (1 + scene.device.handle_mass / tool_mass);
+    EXPECT_NEAR(coupling_limits(scene).stiffness, theory, 0.03 * theory) << tool_mass;
   }
 }
 
