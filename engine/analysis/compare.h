@@ -13,8 +13,8 @@
 
 namespace fulcrum::analysis {
 
-// What the figures are of. E_tau and E_F are integrals over the run of the coupling's torque and force on the
-// tool; t_c is when the last checkpoint counted.
+// What the figures are of. E_tau is the integral over the run of the coupling's torque on the tool, E_F that
+// of the force of contact on it, without its weight; t_c is when the last checkpoint counted.
 enum class Metric { torque_error, force_error, completion_time };
 inline constexpr std::array kMetrics{Metric::torque_error, Metric::force_error, Metric::completion_time};
 

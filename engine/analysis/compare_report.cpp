@@ -63,8 +63,9 @@ void say_result(report::Page& page, const Comparison& comparison) {
     page.paragraph(verdict(comparison.variants[v], comparison.variants.front()));
   page.table(compare_table(comparison));
   page.paragraph(
-      "E_τ = ∫|τ_v| dt and E_F = ∫|F_v| dt: the coupling's torque and force on the tool, over the run; E_F "
-      "counts what carries the tool's weight. t_c: when the last checkpoint counted. " +
+      "E_τ = ∫|τ_v| dt: the coupling's torque on the tool, over the run. E_F = ∫|F_c| dt: the force of "
+      "contact, "
+      "of the scene on the tool, without the tool's weight. t_c: when the last checkpoint counted. " +
       std::string(
           trial_count(comparison) > 1
               ? "After ±: half of the mean's 95 % confidence interval over the trials, by Student's t."

@@ -1,34 +1,48 @@
 #pragma once
-// How deep the tool went into the scene: its vertices against the scene's triangles, exactly, at stored
-// poses.
+// How deep the tool and the scene went into each other in a run: both surfaces, exactly, at the ticks where
+// it was worst.
+//
+// The pose of every tick is kept. Between two ticks that were measured the depth is at most half of their
+// depths and of the way that the tool's farthest point went, together; the tick in the middle of the way that
+// could hide most is measured next, until no tick can be deeper than what was found, or a stated amount of
+// work is done.
 
-#include <memory>
-#include <optional>
+#include <cstdint>
 #include <vector>
 
-#include "haptics/bake/solid.h"
-#include "haptics/bake/triangle_distance.h"
-#include "haptics/geometry/distance_field.h"
+#include "haptics/bake/overlap_depth.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::app {
 
+struct Penetration {
+  double depth = 0;         // m, the deepest that was found
+  double within = 0;        // m, no tick was deeper than depth + within
+  double at = 0;            // s, simulated time
+  Vec3 p_W = Vec3::Zero();  // (3) m, the deepest point
+};
+
 class PenetrationMeter {
 public:
-  PenetrationMeter(double tick_s);
+  explicit PenetrationMeter(double tick_s) : tick_s_(tick_s) {}
 
-  // Keeps the pose every 10 ms, and of each 10 ms the one that is deepest by the field.
   void note(const TickRecord& record);
 
-  // The largest depth of a vertex of tool_T over the poses kept, m; 0 when none was inside. A vertex that is
-  // outside by the field's proven bound is not measured.
-  double deepest(const Solid& scene_W, const Solid& tool_T, const DistanceField& field) const;
+  Penetration deepest(const Solid& scene_W, const Solid& tool_T, const DistanceField& field) const;
 
 private:
-  std::int64_t every_ticks_;
-  std::vector<Pose> poses_;
-  std::optional<Pose> worst_;
-  double worst_depth_ = 0;
+  struct Moment {
+    std::int64_t tick;
+    Pose X_WT;
+    double field_depth;    // m, what the tick itself saw
+    double turned, moved;  // rad and m, since the run began: sums over the ticks
+  };
+  void thin();
+
+  double tick_s_;
+  std::vector<Moment> moments_;
+  std::int64_t every_ticks_ = 1;  // more than one once a long run was thinned
+  Moment last_{};
 };
 
 }  // namespace fulcrum::app

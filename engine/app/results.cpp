@@ -34,6 +34,17 @@ bool write_results(const std::filesystem::path& folder, RunSink::Outcome& outcom
   return false;
 }
 
+namespace {
+
+std::string where_deepest(const record::Summary& summary) {
+  if (!summary.max_penetration_at_s || !summary.max_penetration_part) return {};
+  char text[32];
+  std::snprintf(text, sizeof text, " at %.2f s", *summary.max_penetration_at_s);
+  return text + (", in " + *summary.max_penetration_part);
+}
+
+}  // namespace
+
 void print_outcome(const std::filesystem::path& folder, const record::Summary& summary) {
   if (summary.completed)
     std::printf("%s in %.1f s.\n", bold("Completed").c_str(), summary.completion_time_s.value_or(0));
@@ -46,8 +57,9 @@ void print_outcome(const std::filesystem::path& folder, const record::Summary& s
     else
       std::printf("  %-24s %s\n", checkpoint.name.c_str(), dim("not reached").c_str());
   }
-  std::printf("  peak force %.2f N, deepest penetration %.3f mm\n", summary.peak_force_N,
-              1e3 * summary.max_penetration_m.value_or(0));
+  std::printf("  peak force of contact %.2f N, rendered %.2f N; deepest penetration %.3f mm%s\n",
+              summary.peak_force_N, summary.peak_force_rendered_N,
+              1e3 * summary.max_penetration_m.value_or(0), where_deepest(summary).c_str());
   if (summary.hard_touches)
     std::printf("  %lld hard touches, %.1f s in all\n", static_cast<long long>(summary.hard_touches->count),
                 summary.hard_touches->time_s);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/app/nearest_part.h"
 #include "engine/app/terminal.h"
 
 namespace fulcrum::app {
@@ -74,8 +75,14 @@ RunSink::Outcome RunSink::finish() {
   summary.completion_time_s = judge_.completion_time();
   for (std::size_t i = 0; i < prepared_.haptic.task.checkpoints.size(); ++i)
     summary.checkpoints.push_back({prepared_.haptic.task.checkpoints[i].name, task.reached[i]});
-  summary.max_penetration_m = penetration_.deepest(prepared_.haptic.scene_W, prepared_.haptic.tool_T,
+  const Penetration deepest = penetration_.deepest(prepared_.haptic.scene_W, prepared_.haptic.tool_T,
                                                    *prepared_.haptic.scene.scene_field);
+  summary.max_penetration_m = deepest.depth;
+  summary.max_penetration_within_m = deepest.within;
+  if (deepest.depth > 0) {
+    summary.max_penetration_at_s = deepest.at;
+    summary.max_penetration_part = nearest_part(prepared_.scenario, prepared_.models, deepest.p_W);
+  }
   if (!cpu_ns_.empty()) summary.tick_cpu_us = record::tick_cpu_percentiles(cpu_ns_);
   summary.late_ticks = late_ticks_;
   summary.lost_ticks = lost_ticks_;

@@ -7,15 +7,19 @@
 
 namespace fulcrum::record {
 
+void RunTotals::WrenchTotals::add(const Wrench& wrench, double tick_s) {
+  if (!wrench.is_finite()) return;
+  const double force = wrench.force.norm();
+  force_over_time += force * tick_s;
+  peak_force = std::max(peak_force, force);
+  peak_torque = std::max(peak_torque, wrench.torque.norm());
+}
+
 void RunTotals::add(const TickRecord& record) {
   ++ticks_;
-  if (record.coupling_F_T_W.is_finite()) {
-    torque_error_ += record.coupling_F_T_W.torque.norm() * tick_s_;
-    force_error_ += record.coupling_F_T_W.force.norm() * tick_s_;
-  }
-  // max() keeps the peak where the norm is not a number: every comparison with NaN is false.
-  peak_force_ = std::max(peak_force_, record.device_F_H_D.force.norm());
-  peak_torque_ = std::max(peak_torque_, record.device_F_H_D.torque.norm());
+  if (record.coupling_F_T_W.is_finite()) torque_error_ += record.coupling_F_T_W.torque.norm() * tick_s_;
+  contact_.add(record.contact_F_T_W, tick_s_);
+  rendered_.add(record.device_F_H_D, tick_s_);
   for (std::uint32_t left = record.faults; left != 0; left &= left - 1) {
     BitCount& count = bits_[static_cast<std::size_t>(std::countr_zero(left))];
     if (count.ticks++ == 0) {

@@ -9,7 +9,7 @@ namespace fulcrum::record {
 
 namespace {
 
-constexpr int kSummaryVersion = 1;
+constexpr int kSummaryVersion = 2;
 
 using Json = nlohmann::ordered_json;
 
@@ -55,8 +55,11 @@ void Summary::take(const RunTotals& totals) {
   ticks = totals.ticks();
   torque_error_Nms = totals.torque_error_Nms();
   force_error_Ns = totals.force_error_Ns();
+  force_error_rendered_Ns = totals.force_error_rendered_Ns();
   peak_force_N = totals.peak_force_N();
+  peak_force_rendered_N = totals.peak_force_rendered_N();
   peak_torque_Nm = totals.peak_torque_Nm();
+  peak_torque_rendered_Nm = totals.peak_torque_rendered_Nm();
   faults = totals.faults();
   limits = totals.limits();
 }
@@ -74,9 +77,15 @@ std::string summary_json(const Summary& summary) {
                    {"completion_time_s", or_null(summary.completion_time_s)},
                    {"torque_error_Nms", summary.torque_error_Nms},
                    {"force_error_Ns", summary.force_error_Ns},
+                   {"force_error_rendered_Ns", summary.force_error_rendered_Ns},
                    {"peak_force_N", summary.peak_force_N},
+                   {"peak_force_rendered_N", summary.peak_force_rendered_N},
                    {"peak_torque_Nm", summary.peak_torque_Nm},
+                   {"peak_torque_rendered_Nm", summary.peak_torque_rendered_Nm},
                    {"max_penetration_m", or_null(summary.max_penetration_m)},
+                   {"max_penetration_within_m", or_null(summary.max_penetration_within_m)},
+                   {"max_penetration_at_s", or_null(summary.max_penetration_at_s)},
+                   {"max_penetration_part", or_null(summary.max_penetration_part)},
                    {"tick_cpu_us", tick_cpu_json(summary.tick_cpu_us)},
                    {"late_ticks", summary.late_ticks},
                    {"lost_ticks", summary.lost_ticks},

@@ -35,10 +35,13 @@ struct Summary {
   std::optional<double> completion_time_s;
   std::optional<HardTouches> hard_touches;  // absent where the task does not count them
   double torque_error_Nms = 0;
-  double force_error_Ns = 0;
-  double peak_force_N = 0;
-  double peak_torque_Nm = 0;
+  double force_error_Ns = 0, force_error_rendered_Ns = 0;  // of contact; what the motors were told
+  double peak_force_N = 0, peak_force_rendered_N = 0;
+  double peak_torque_Nm = 0, peak_torque_rendered_Nm = 0;
   std::optional<double> max_penetration_m;
+  std::optional<double> max_penetration_within_m;   // no tick was deeper than the two together
+  std::optional<double> max_penetration_at_s;       // absent where nothing was touched
+  std::optional<std::string> max_penetration_part;  // of the scene, at the deepest point
   std::optional<TickCpu> tick_cpu_us;
   std::int64_t late_ticks = 0;
   std::int64_t lost_ticks = 0;

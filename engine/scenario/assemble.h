@@ -39,7 +39,7 @@ struct HapticAssembly {
   SceneDesc scene;
   TaskDesc task;
   std::vector<HandScript> hands;
-  Solid scene_W;  // what is touched, in W: for measuring penetration exactly, with the vertices of tool_T
+  Solid scene_W;  // what is touched, in W: for measuring penetration exactly, with tool_T
   Solid tool_T;
   std::vector<std::string>
       notes;  // sentences: from the cache or baked in how long; what the cache had to say

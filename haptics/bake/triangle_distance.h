@@ -51,6 +51,7 @@ public:
   double component_distance(std::uint32_t component, const Vec3& p, std::uint32_t& hint) const;
   Vec3 closest_on(std::uint32_t triangle, const Vec3& p) const { return tree_.closest_on(triangle, p); }
   std::optional<Crossing> first_crossing_of(std::uint32_t component, const Vec3& p0, const Vec3& p1) const;
+  const TriangleTree& tree() const { return tree_; }
 
 private:
   enum class Trust : unsigned char { always, face, never };  // face: not in those of its edges and corners

@@ -47,29 +47,44 @@ TEST(RunTotals, IntegratesAndPeaks) {
     TickRecord record;
     record.tick = tick;
     record.coupling_F_T_W = {Vec3(3, 0, 4), Vec3(0, -0.5, 0)};
+    record.contact_F_T_W = {Vec3(0, tick < 250 ? 2 : 0, 0), Vec3(tick == 50 ? 0.2 : 0.1, 0, 0)};
     record.device_F_H_D.force = Vec3(0, tick == 100 ? -6 : 1, 0);
     record.device_F_H_D.torque = Vec3(tick == 200 ? 0.3 : 0, 0, tick == 200 ? 0.4 : 0);
     totals.add(record);
   }
   EXPECT_EQ(totals.ticks(), 500);
-  EXPECT_NEAR(totals.force_error_Ns(), 5.0, 1e-12);
   EXPECT_NEAR(totals.torque_error_Nms(), 0.5, 1e-12);
-  EXPECT_DOUBLE_EQ(totals.peak_force_N(), 6);
-  EXPECT_DOUBLE_EQ(totals.peak_torque_Nm(), 0.5);
+  EXPECT_NEAR(totals.force_error_Ns(), 1.0, 1e-12) << "of contact: half the time 2 N";
+  EXPECT_DOUBLE_EQ(totals.peak_force_N(), 2);
+  EXPECT_DOUBLE_EQ(totals.peak_torque_Nm(), 0.2);
+  EXPECT_NEAR(totals.force_error_rendered_Ns(), (499 * 1 + 6) * 0.002, 1e-12);
+  EXPECT_DOUBLE_EQ(totals.peak_force_rendered_N(), 6);
+  EXPECT_DOUBLE_EQ(totals.peak_torque_rendered_Nm(), 0.5);
+}
+
+// A tool that hangs in the air by its coupling, on a device without motors, touches nothing.
+TEST(RunTotals, WeightIsNoForceOfContact) {
+  RunTotals totals(0.001);
+  TickRecord record;
+  record.coupling_F_T_W.force = Vec3(0, 1.53, 0);
+  totals.add(record);
+  EXPECT_EQ(totals.force_error_Ns(), 0);
+  EXPECT_EQ(totals.peak_force_N(), 0);
 }
 
 TEST(RunTotals, ANumberThatIsNoneSpoilsNothing) {
   RunTotals totals(0.001);
   TickRecord good, bad;
-  good.coupling_F_T_W.force = Vec3(1, 0, 0);
+  good.contact_F_T_W.force = Vec3(1, 0, 0);
   good.device_F_H_D.force = Vec3(2, 0, 0);
-  bad.coupling_F_T_W.force.x() = std::numeric_limits<double>::quiet_NaN();
+  bad.contact_F_T_W.force.x() = std::numeric_limits<double>::quiet_NaN();
   bad.device_F_H_D.force.x() = std::numeric_limits<double>::quiet_NaN();
   totals.add(good);
   totals.add(bad);
   totals.add(good);
   EXPECT_DOUBLE_EQ(totals.force_error_Ns(), 0.002);
-  EXPECT_EQ(totals.peak_force_N(), 2);
+  EXPECT_EQ(totals.peak_force_N(), 1);
+  EXPECT_EQ(totals.peak_force_rendered_N(), 2);
 }
 
 TEST(RunTotals, TellsFaultsFromLimits) {
@@ -96,12 +111,13 @@ TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
   for (const auto& [key, value] : document.items()) {
     keys += key + ' ';
   }
-  EXPECT_EQ(
-      keys,
-      "version scenario device hand seed ticks tick_s completed checkpoints completion_time_s "
-      "torque_error_Nms "
-      "force_error_Ns peak_force_N peak_torque_Nm max_penetration_m tick_cpu_us late_ticks lost_ticks faults "
-      "limits built left_out trace_sha256 ");
+  EXPECT_EQ(keys,
+            "version scenario device hand seed ticks tick_s completed checkpoints completion_time_s "
+            "torque_error_Nms "
+            "force_error_Ns force_error_rendered_Ns peak_force_N peak_force_rendered_N peak_torque_Nm "
+            "peak_torque_rendered_Nm max_penetration_m max_penetration_within_m max_penetration_at_s "
+            "max_penetration_part tick_cpu_us late_ticks lost_ticks faults "
+            "limits built left_out trace_sha256 ");
   for (const char* unknown : {"completion_time_s", "max_penetration_m", "tick_cpu_us", "trace_sha256"}) {
     EXPECT_TRUE(document[unknown].is_null()) << unknown;
   }

@@ -20,7 +20,7 @@ run_hand() {
   "$FULCRUM" run "$1" --headless --hand "$2" --size 64x36 --out "$box/$2" >"$box/log" 2>&1 || code=$?
   [ "$code" = "$3" ] || { cat "$box/log"; fail "$2 ended with $code"; }
   depth=$(figure "$box/$2/summary.json" max_penetration_m)
-  force=$(figure "$box/$2/summary.json" peak_force_N)
+  force=$(figure "$box/$2/summary.json" peak_force_rendered_N)
   echo "$2: $depth m deep, at most $force N"
   awk -v d="$depth" -v f="$force" -v most="$4" -v deepest="$deepest" 'BEGIN { exit !(d != "" && d <= deepest && f > 0 && f <= most) }' ||
     fail "$2 goes too deep or pushes too hard"
