@@ -85,7 +85,12 @@ HardnessStudy study_hardness(const std::string& name, const DeviceDesc& device, 
   study.rows = at.rows_at_home(kUsableMethods, kPhis);
   for (const PulseMethod method :
        {PulseMethod::force_only, PulseMethod::force_only_spare, PulseMethod::algorithm1, PulseMethod::exact})
-    study.guarded.push_back(at.guarded(method));
+    study.in_the_tick.push_back(at.in_the_tick(method));
+  for (const PulseMethod method : {PulseMethod::force_only, PulseMethod::force_only_spare,
+                                   PulseMethod::algorithm1, PulseMethod::exact}) {
+    study.means.push_back(at.over_directions(method));
+    if (study.stylus_D) study.along_stylus.push_back(at.along_stylus(method, *study.stylus_D));
+  }
   for (const double speed : {setting.speed, 0.1 * setting.speed}) {
     StrikeSetting slower = setting;
     slower.speed = speed;

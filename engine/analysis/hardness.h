@@ -100,13 +100,24 @@ struct ShownMethod {
   double largest_moment = 0;          // of the contact's own
 };
 
-// What the guard leaves of a method: means over directions at home, at kPhi.
-struct GuardedMethod {
+// A method as the tick allocates it, within what the device's file gives for the whole: means over directions
+// at home, at kPhi.
+struct TickMethod {
   PulseMethod method = PulseMethod::exact;
   double force = 0, moment = 0;  // N, N m felt
-  Gain gain;                     // over force only, guarded too
-  double cut = 0;                // part of the directions in which the guard takes something away
+  Gain gain;                     // over force only, in the tick too
+  double cut = 0;                // part of the directions in which that takes something away
 };
+
+// Means over very many directions at home: the rows' own are a sample of them.
+inline constexpr std::size_t kManyDirections = 20000;
+struct DirectionMeans {
+  PulseMethod method = PulseMethod::exact;
+  double force = 0, moment = 0;       // N, N m felt
+  double gain = 1, largest_gain = 1;  // of felt moment over force only
+  double helped = 0, lowered = 0;     // parts of the directions: gain above, below 1 by more than kNoticed
+};
+inline constexpr double kNoticed = 0.02;  // of the felt moment: a smaller gain or loss counts as none
 
 struct HardnessStudy {
   std::string device, title;  // as its file is called; as it calls itself
@@ -118,7 +129,9 @@ struct HardnessStudy {
   std::vector<std::pair<std::string, double>> limits;  // of the motors, N or N m
   std::optional<Vec3> stylus_D;  // (3) unit, at home, from H to the grasp, where the device says so
   std::vector<HardnessRow> rows;
-  std::vector<GuardedMethod> guarded;
+  std::vector<TickMethod> in_the_tick;
+  std::vector<DirectionMeans> means;         // at kPhi, leaning towards the person
+  std::vector<DirectionMeans> along_stylus;  // with the grasp along stylus_D; empty without one
   std::vector<ShownMethod> shown;
   std::vector<SkyMap> maps;
   std::vector<AngleCurve> angles;

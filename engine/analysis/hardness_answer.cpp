@@ -27,14 +27,22 @@ std::string over_poses(const HardnessStudy& study, Gain PoseAt::*gain) {
   return number(least) + " to " + times(most);
 }
 
+template <class Row>
+Row of_method(const std::vector<Row>& rows, PulseMethod method) {
+  for (const Row& row : rows) {
+    if (row.method == method) return row;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> hardness_answer(const HardnessStudy& study) {
   std::vector<std::string> answer;
   const StrikeSetting& s = study.setting;
-  const auto by = [&study](PulseMethod method) { return summary_of(study, method, kPhi); };
-  const MethodSummary force = by(PulseMethod::force_only), spare = by(PulseMethod::force_only_spare),
-                      algorithm1 = by(PulseMethod::algorithm1), exact = by(PulseMethod::exact);
+  const auto by = [&study](PulseMethod method) { return of_method(study.means, method); };
+  const DirectionMeans force = by(PulseMethod::force_only), spare = by(PulseMethod::force_only_spare),
+                       algorithm1 = by(PulseMethod::algorithm1), exact = by(PulseMethod::exact);
   const double enough = force.force * s.ticks * s.tick_s / s.hand_mass;
   answer.push_back("To stop " + number(s.hand_mass) + " kg at " + number(s.speed) +
                    " m/s in one tick takes " + number(s.wanted_force()) + " N. " + study.title + " has " +
@@ -49,25 +57,30 @@ std::vector<std::string> hardness_answer(const HardnessStudy& study) {
   }
   answer.push_back("Algorithm 1 finds a moment in " + percent(algorithm1.helped) + " of the directions" +
                    (algorithm1.helped < 1 - kNothing ? " and none in the others" : "") +
-                   ". The felt moment becomes " + times(algorithm1.gain.moment) +
+                   ". The felt moment becomes " + times(algorithm1.gain) +
                    " that of the force alone, at most " + times(algorithm1.largest_gain) +
                    "; the force stays.");
-  answer.push_back("The exact method gives more felt moment in " + percent(exact.helped) +
-                   " of the directions" +
-                   (exact.lowered > 0 ? " and less in " + percent(exact.lowered) : std::string()) + ": " +
-                   times(exact.gain.moment) + ", at most " + times(exact.largest_gain) + ", with " +
-                   number(exact.force) + " N of force." +
-                   (spare.gain.moment > 1 + kNoticed
-                        ? " A part of that, " + times(spare.gain.moment) +
-                              " in force and moment, takes no moment: it comes of motors to spare."
-                        : ""));
+  answer.push_back(
+      "The exact method gives more felt moment in " + percent(exact.helped) + " of the directions" +
+      (exact.lowered > 0 ? " and less in " + percent(exact.lowered) : std::string()) + ": " +
+      times(exact.gain) + ", at most " + times(exact.largest_gain) + ", with " + number(exact.force) +
+      " N of force." +
+      (spare.gain > 1 + kNoticed ? " A part of that, " + times(spare.gain) +
+                                       " in force and moment, takes no moment: it comes of motors to spare."
+                                 : ""));
+  if (!study.along_stylus.empty()) {
+    const DirectionMeans own = of_method(study.along_stylus, PulseMethod::algorithm1),
+                         own_exact = of_method(study.along_stylus, PulseMethod::exact);
+    answer.push_back(
+        "That is a stylus which turns with each surface. With the grasp where this device has its own, on "
+        "the line between the arms' ends, Algorithm 1 finds a moment in " +
+        number(100 * own.helped) + " % of the directions, and the exact method gives " +
+        times(own_exact.gain) + " the felt moment.");
+  }
   const auto in_tick = [&study](PulseMethod method) {
-    for (const GuardedMethod& guarded : study.guarded) {
-      if (guarded.method == method) return guarded.gain.moment;
-    }
-    return 1.0;
+    return of_method(study.in_the_tick, method).gain.moment;
   };
-  answer.push_back("In a tick the guard also holds the whole to " + number(study.max_force) + " N and " +
+  answer.push_back("In a tick the whole is held to " + number(study.max_force) + " N and " +
                    number(study.max_torque) + " N m, which leaves " +
                    times(in_tick(PulseMethod::algorithm1)) + " and " + times(in_tick(PulseMethod::exact)) +
                    ".");

@@ -38,7 +38,9 @@ void say_methods(report::Page& page, const HardnessStudy& study) {
   page.paragraph(
       "At home, φ = 45°, the stylus leaning towards the person: means over directions. Gains are of the "
       "felt moment over force only, with the least and the largest; the last columns are the directions "
-      "in which it changes by more than 2 %.");
+      "in which it changes by more than 2 %. These directions are a sample; over " +
+      std::to_string(directions(kManyDirections).size()) + " it is:");
+  page.table(means_table(study.means));
   page.paragraph(
       "Extended rate-hardness, (max dF/dt)/v₀, is that of force alone, as published: methods of the same "
       "force have the same. Felt rate-hardness is (max dF/dt)/v₀ of the contact force that would feel as "
@@ -48,12 +50,14 @@ void say_methods(report::Page& page, const HardnessStudy& study) {
       "agree. It is the unit in which the exact method weighs them; how a hand weighs them is not known.");
   page.heading("In the tick");
   page.paragraph(
-      "Elsewhere on this page the motors alone bound a pulse. In a tick the guard bounds it once more, "
-      "by what the device's file gives for the whole: " +
+      "Elsewhere on this page the motors alone bound a pulse. In a tick so does what the device's file gives "
+      "for "
+      "the whole: " +
       number(study.max_force) + " N and " + number(study.max_torque) +
-      " N m. It shortens force and torque, and what is left goes to the motors again. So much remains; "
-      "the last column is the directions in which it takes something away:");
-  page.table(guarded_table(study));
+      " N m. Every method keeps to both in what it computes. So much remains; the last column is the "
+      "directions in "
+      "which the whole's limits take something away:");
+  page.table(tick_table(study));
 }
 
 void say_directions(report::Page& page, const HardnessStudy& study) {
@@ -108,6 +112,9 @@ void say_paper(report::Page& page, const HardnessStudy& study) {
       "With the grasp on the line between the arms' ends, where this device has its stylus, surfaces "
       "along the three axes come to this:");
   page.table(axis_table(study));
+  page.paragraph("And, with that grasp, over surfaces of every direction (" +
+                 std::to_string(directions(kManyDirections).size()) + ", whatever φ comes of it):");
+  page.table(means_table(study.along_stylus));
   if (study.device != "w6d") return;
   page.paragraph(
       "That is the pose of the study, and its surface is the first line. With line 9 of Algorithm 1 in "

@@ -40,6 +40,13 @@ struct MeanGain {
   Gain value() const { return {moment.value(), hardness.value()}; }
 };
 
+Strike with_grasp_along(const Vec3& nhat_D, const Vec3& stylus_D) {
+  Strike strike{nhat_D, std::acos(std::clamp(nhat_D.dot(stylus_D), -1.0, 1.0)), 0};
+  const Vec3 towards = Strike{nhat_D, std::numbers::pi / 2, 0}.p_HG_D(1);
+  strike.lean = std::atan2(stylus_D.dot(nhat_D.cross(towards)), stylus_D.dot(towards));
+  return strike;
+}
+
 }  // namespace
 
 HardnessRow HardnessSurvey::row(PulseMethod method, const Pose& X_DH, const std::string& pose,
@@ -158,26 +165,64 @@ Front HardnessSurvey::front(const std::string& name, const Vec3& nhat_D) {
   return front;
 }
 
-GuardedMethod HardnessSurvey::guarded(PulseMethod method) {
-  GuardedMethod guarded;
-  guarded.method = method;
+TickMethod HardnessSurvey::in_the_tick(PulseMethod method) {
+  TickMethod tick;
+  tick.method = method;
   Mean force, moment, cut;
   MeanGain gain;
   for (const Vec3& nhat_D : directions(kDirections)) {
     const Strike strike{nhat_D, rad(kPhi), 0};
-    const Felt felt = striker_.guarded(method, Pose{}, strike);
+    const Felt felt = striker_.in_the_tick(method, Pose{}, strike);
     const Felt able = striker_.strike(method, Pose{}, strike);
     force.add(felt.force);
     moment.add(felt.moment_D.norm());
     cut.add(felt.missing > able.missing + kNothing ? 1.0 : 0.0);
-    gain.add(gain_over(felt, striker_.guarded(PulseMethod::force_only, Pose{}, strike), strike.phi,
+    gain.add(gain_over(felt, striker_.in_the_tick(PulseMethod::force_only, Pose{}, strike), strike.phi,
                        setting_.lever));
   }
-  guarded.force = force.value();
-  guarded.moment = moment.value();
-  guarded.gain = gain.value();
-  guarded.cut = cut.value();
-  return guarded;
+  tick.force = force.value();
+  tick.moment = moment.value();
+  tick.gain = gain.value();
+  tick.cut = cut.value();
+  return tick;
+}
+
+DirectionMeans HardnessSurvey::means(PulseMethod method, std::span<const Strike> strikes) {
+  DirectionMeans means;
+  means.method = method;
+  means.largest_gain = 0;
+  Mean force, moment, gains, helped, lowered;
+  for (const Strike& strike : strikes) {
+    const Felt felt = striker_.strike(method, Pose{}, strike);
+    const double gain =
+        gain_over(felt, striker_.strike(PulseMethod::force_only, Pose{}, strike), strike.phi, setting_.lever)
+            .moment;
+    force.add(felt.force);
+    moment.add(felt.moment_D.norm());
+    gains.add(gain);
+    helped.add(gain > 1 + kNoticed ? 1.0 : 0.0);
+    lowered.add(gain < 1 - kNoticed ? 1.0 : 0.0);
+    means.largest_gain = std::max(means.largest_gain, gain);
+  }
+  means.force = force.value();
+  means.moment = moment.value();
+  means.gain = gains.value();
+  means.helped = helped.value();
+  means.lowered = lowered.value();
+  return means;
+}
+
+DirectionMeans HardnessSurvey::over_directions(PulseMethod method) {
+  std::vector<Strike> strikes;
+  for (const Vec3& nhat_D : directions(kManyDirections)) strikes.push_back({nhat_D, rad(kPhi), 0});
+  return means(method, strikes);
+}
+
+DirectionMeans HardnessSurvey::along_stylus(PulseMethod method, const Vec3& stylus_D) {
+  std::vector<Strike> strikes;
+  for (const Vec3& nhat_D : directions(kManyDirections))
+    strikes.push_back(with_grasp_along(nhat_D, stylus_D));
+  return means(method, strikes);
 }
 
 ShownMethod HardnessSurvey::shown(PulseMethod method) {
@@ -203,9 +248,7 @@ ShownMethod HardnessSurvey::shown(PulseMethod method) {
 
 // The grasp along stylus_D, whatever that makes phi and lean.
 PaperAxis HardnessSurvey::axis(const std::string& name, const Vec3& nhat_D, const Vec3& stylus_D) {
-  Strike strike{nhat_D, std::acos(std::clamp(nhat_D.dot(stylus_D), -1.0, 1.0)), 0};
-  const Vec3 towards = Strike{nhat_D, std::numbers::pi / 2, 0}.p_HG_D(1);
-  strike.lean = std::atan2(stylus_D.dot(nhat_D.cross(towards)), stylus_D.dot(towards));
+  const Strike strike = with_grasp_along(nhat_D, stylus_D);
   return {name,
           nhat_D,
           strike.phi,

@@ -21,12 +21,16 @@ public:
   LeanAt lean(double lean_deg);
   PoseAt pose(const Vec3& p_DH);
   Front front(const std::string& name, const Vec3& nhat_D);
-  GuardedMethod guarded(PulseMethod method);
+  TickMethod in_the_tick(PulseMethod method);
+  DirectionMeans over_directions(PulseMethod method);
+  // The grasp along stylus_D at every surface.
+  DirectionMeans along_stylus(PulseMethod method, const Vec3& stylus_D);
   ShownMethod shown(PulseMethod method);
   // The grasp along stylus_D, whatever that makes phi and lean.
   PaperAxis axis(const std::string& name, const Vec3& nhat_D, const Vec3& stylus_D);
 
 private:
+  DirectionMeans means(PulseMethod method, std::span<const Strike> strikes);
   Gain gain(PulseMethod method, const Pose& X_DH, const Strike& strike, const Felt& force_only);
 
   const DeviceDesc& device_;

@@ -84,13 +84,27 @@ report::Table method_table(const HardnessStudy& study) {
   return table;
 }
 
-report::Table guarded_table(const HardnessStudy& study) {
+report::Table tick_table(const HardnessStudy& study) {
   report::Table table{
       {"method", "force (N)", "felt moment (N m)", "gain of felt moment", "gain of contact force", "cut in"},
       {}};
-  for (const GuardedMethod& guarded : study.guarded)
-    table.rows.push_back({title_of(guarded.method), number(guarded.force), number(guarded.moment),
-                          number(guarded.gain.moment), number(guarded.gain.hardness), percent(guarded.cut)});
+  for (const TickMethod& tick : study.in_the_tick)
+    table.rows.push_back({title_of(tick.method), number(tick.force), number(tick.moment),
+                          number(tick.gain.moment), number(tick.gain.hardness), percent(tick.cut)});
+  return table;
+}
+
+report::Table means_table(const std::vector<DirectionMeans>& means) {
+  report::Table table{
+      {"method", "force (N)", "felt moment (N m)", "gain of felt moment", "largest", "more in", "less in"},
+      {}};
+  const auto part = [](double value) { return number(100 * value) + " %"; };
+  for (const DirectionMeans& m : means) {
+    const bool base = m.method == PulseMethod::force_only;
+    table.rows.push_back({title_of(m.method), number(m.force), number(m.moment), base ? "1" : number(m.gain),
+                          base ? "" : number(m.largest_gain), base ? "" : part(m.helped),
+                          base ? "" : part(m.lowered)});
+  }
   return table;
 }
 

@@ -21,11 +21,12 @@ struct MethodSummary {
   double least_gain = 1, largest_gain = 1;           // of the felt moment
   double helped = 0, lowered = 0;  // part of the directions with more felt moment; with less
 };
-inline constexpr double kNoticed = 0.02;  // of the felt moment: a smaller gain or loss counts as none
 MethodSummary summary_of(const HardnessStudy& study, PulseMethod method, double phi_deg);
 
 report::Table method_table(const HardnessStudy& study);
-report::Table guarded_table(const HardnessStudy& study);
+report::Table tick_table(const HardnessStudy& study);
+// Of very many directions: study.means or study.along_stylus.
+report::Table means_table(const std::vector<DirectionMeans>& means);
 report::Table angle_table(const HardnessStudy& study);
 report::Table axis_table(const HardnessStudy& study);
 report::Table cost_table(const HardnessStudy& study);

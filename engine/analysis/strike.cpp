@@ -1,16 +1,23 @@
 #include "engine/analysis/strike.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/analysis/nearest_wrench.h"
-#include "haptics/math/shortened.h"
 
 namespace fulcrum::analysis {
 namespace {
 
 constexpr double kAlong = 0.99;     // a normal this near to the person's direction: the stylus leans upwards
 constexpr double kNoMoment = 1e-9;  // of the lever: a contact without moment at the grasp
+constexpr double kNoBound = 1e6;    // times the device's own
+
+DeviceDesc motors_alone(DeviceDesc device) {
+  if (device.kinematics == Kinematics::arms) {
+    device.max_force *= kNoBound;
+    device.max_torque *= kNoBound;
+  }
+  return device;
+}
 
 }  // namespace
 
@@ -66,13 +73,13 @@ double Felt::contact_force(double phi, double lever) const {
   return std::sqrt((force * force + moment_D.squaredNorm() / (lever * lever)) / (1 + s * s));
 }
 
+Striker::Methods::Methods(const DeviceDesc& device, double moment_weight)
+    : exact(device, {.method = AllocationMethod::exact, .moment_weight = moment_weight}),
+      algorithm1(device, {.method = AllocationMethod::algorithm1, .moment_weight = 1}),
+      pseudoinverse(device, {.method = AllocationMethod::pseudoinverse, .moment_weight = 1}) {}
+
 Striker::Striker(const DeviceDesc& device, const StrikeSetting& setting, double moment_weight)
-    : setting_(setting),
-      max_force_(device.max_force),
-      max_torque_(device.max_torque),
-      exact_(device, {.method = AllocationMethod::exact, .moment_weight = moment_weight}),
-      algorithm1_(device, {.method = AllocationMethod::algorithm1, .moment_weight = 1}),
-      pseudoinverse_(device, {.method = AllocationMethod::pseudoinverse, .moment_weight = 1}) {}
+    : setting_(setting), motors_(motors_alone(device), moment_weight), device_(device, moment_weight) {}
 
 Felt Striker::felt(const Wrench& F_H_D, const Strike& strike) const {
   const double wanted = setting_.wanted_force();
@@ -90,7 +97,7 @@ Felt Striker::felt(const Wrench& F_H_D, const Strike& strike) const {
   return felt;
 }
 
-Felt Striker::strike(PulseMethod method, const Pose& X_DH, const Strike& strike) {
+Felt Striker::strike(Methods& methods, PulseMethod method, const Pose& X_DH, const Strike& strike) const {
   const Vec3 f_D = setting_.wanted_force() * strike.nhat_D, p_HG_D = strike.p_HG_D(setting_.lever);
   const auto by = [&](Allocator& motors) {
     motors.begin(X_DH);
@@ -100,40 +107,38 @@ Felt Striker::strike(PulseMethod method, const Pose& X_DH, const Strike& strike)
     case PulseMethod::none:
       return felt({}, strike);
     case PulseMethod::force_only:
-      return by(pseudoinverse_);
+      return by(methods.pseudoinverse);
     case PulseMethod::force_only_spare:
-      exact_.begin(X_DH);
-      return felt(exact_.whole({f_D, Vec3::Zero()}).F_H_D, strike);
+      methods.exact.begin(X_DH);
+      return felt(methods.exact.whole({f_D, Vec3::Zero()}).F_H_D, strike);
     case PulseMethod::algorithm1:
-      return by(algorithm1_);
+      return by(methods.algorithm1);
     case PulseMethod::exact:
-      return by(exact_);
+      return by(methods.exact);
     case PulseMethod::nearest_wrench:
     case PulseMethod::free_moment:
-      exact_.begin(X_DH);
-      return felt(nearest_wrench(exact_.actuators(), f_D, p_HG_D, method == PulseMethod::free_moment),
+      methods.exact.begin(X_DH);
+      return felt(nearest_wrench(methods.exact.actuators(), f_D, p_HG_D, method == PulseMethod::free_moment),
                   strike);
   }
   return {};
 }
 
-// As World::allocate_pulse: what the motors can do is found first, and then bounded.
-Felt Striker::guarded(PulseMethod method, const Pose& X_DH, const Strike& strike) {
-  const Felt able = this->strike(method, X_DH, strike);
-  const Wrench allowed{shortened(able.F_H_D.force, max_force_), shortened(able.F_H_D.torque, max_torque_)};
-  if (allowed.force == able.F_H_D.force && allowed.torque == able.F_H_D.torque) return able;
-  const bool spares = method == PulseMethod::exact || method == PulseMethod::force_only_spare;
-  Allocator& motors = spares ? exact_ : pseudoinverse_;
-  motors.begin(X_DH);
-  return felt(motors.whole(allowed).F_H_D, strike);
+Felt Striker::strike(PulseMethod method, const Pose& X_DH, const Strike& strike) {
+  return this->strike(motors_, method, X_DH, strike);
+}
+
+Felt Striker::in_the_tick(PulseMethod method, const Pose& X_DH, const Strike& strike) {
+  return this->strike(device_, method, X_DH, strike);
 }
 
 // Line 9 of it turned round is line 9 for a grasp on the other side.
 Felt Striker::as_printed(const Pose& X_DH, const Strike& strike) {
   const Vec3 f_D = setting_.wanted_force() * strike.nhat_D;
-  algorithm1_.begin(X_DH);
-  return felt(algorithm1_.pulse({f_D, Vec3::Zero()}, -strike.p_HG_D(setting_.lever), setting_.lever).F_H_D,
-              strike);
+  motors_.algorithm1.begin(X_DH);
+  return felt(
+      motors_.algorithm1.pulse({f_D, Vec3::Zero()}, -strike.p_HG_D(setting_.lever), setting_.lever).F_H_D,
+      strike);
 }
 
 }  // namespace fulcrum::analysis

@@ -70,20 +70,26 @@ public:
   // moment_weight: of `exact`.
   Striker(const DeviceDesc& device, const StrikeSetting& setting, double moment_weight = 1);
 
+  // By what the motors can do; where each axis has its motor, the device's limits are the motors'.
   Felt strike(PulseMethod method, const Pose& X_DH, const Strike& strike);
-  // Of a usable method, with the guard after it: the device's largest force and torque as a whole.
-  Felt guarded(PulseMethod method, const Pose& X_DH, const Strike& strike);
+  // Of a usable method, as the tick allocates it: within the device's largest force and torque as a whole
+  // too.
+  Felt in_the_tick(PulseMethod method, const Pose& X_DH, const Strike& strike);
   // Algorithm 1 with the sign of its line 9 as it is printed.
   Felt as_printed(const Pose& X_DH, const Strike& strike);
 
   const StrikeSetting& setting() const { return setting_; }
 
 private:
+  struct Methods {
+    Methods(const DeviceDesc& device, double moment_weight);
+    Allocator exact, algorithm1, pseudoinverse;
+  };
+  Felt strike(Methods& methods, PulseMethod method, const Pose& X_DH, const Strike& strike) const;
   Felt felt(const Wrench& F_H_D, const Strike& strike) const;
 
   StrikeSetting setting_;
-  double max_force_, max_torque_;  // N, N m
-  Allocator exact_, algorithm1_, pseudoinverse_;
+  Methods motors_, device_;  // by the motors' limits alone; by the device's as well
 };
 
 }  // namespace fulcrum::analysis

@@ -60,20 +60,33 @@ Json axes_json(const analysis::HardnessStudy& study) {
   return axes;
 }
 
+Json means_json(const std::vector<analysis::DirectionMeans>& means) {
+  Json list = Json::array();
+  for (const analysis::DirectionMeans& m : means)
+    list.push_back({{"method", analysis::name_of(m.method)},
+                    {"felt_force_N", m.force},
+                    {"felt_moment_Nm", m.moment},
+                    {"moment_gain", m.gain},
+                    {"largest_moment_gain", m.largest_gain},
+                    {"helped", m.helped},
+                    {"lowered", m.lowered}});
+  return list;
+}
+
 Json to_json(const analysis::HardnessStudy& study) {
   Json methods = Json::array();
   for (const analysis::PulseMethod method : analysis::kUsableMethods) {
     for (const double phi_deg : analysis::kPhis)
       methods.push_back(to_json(analysis::summary_of(study, method, phi_deg)));
   }
-  Json guarded = Json::array();
-  for (const analysis::GuardedMethod& g : study.guarded)
-    guarded.push_back({{"method", analysis::name_of(g.method)},
-                       {"felt_force_N", g.force},
-                       {"felt_moment_Nm", g.moment},
-                       {"moment_gain", g.gain.moment},
-                       {"felt_hardness_gain", g.gain.hardness},
-                       {"cut", g.cut}});
+  Json in_the_tick = Json::array();
+  for (const analysis::TickMethod& t : study.in_the_tick)
+    in_the_tick.push_back({{"method", analysis::name_of(t.method)},
+                           {"felt_force_N", t.force},
+                           {"felt_moment_Nm", t.moment},
+                           {"moment_gain", t.gain.moment},
+                           {"felt_hardness_gain", t.gain.hardness},
+                           {"cut", t.cut}});
   Json shown = Json::array();
   for (const analysis::ShownMethod& s : study.shown)
     shown.push_back({{"method", analysis::name_of(s.method)},
@@ -94,7 +107,9 @@ Json to_json(const analysis::HardnessStudy& study) {
           {"wanted_force_N", s.wanted_force()},
           {"answer", analysis::hardness_answer(study)},
           {"methods", methods},
-          {"guarded", guarded},
+          {"many_directions", means_json(study.means)},
+          {"along_stylus", means_json(study.along_stylus)},
+          {"in_the_tick", in_the_tick},
           {"shown_not_used", shown},
           {"paper_axes", axes_json(study)},
           {"checks", checks_json(study.checks)}};

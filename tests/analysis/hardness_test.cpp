@@ -64,7 +64,7 @@ TEST(Strike, AMotorForEachAxisGivesAllItsMomentBesideAllItsForce) {
   EXPECT_NEAR(striker.strike(PulseMethod::force_only, {}, strike).moment_D.norm(), own, 1e-12);
   for (const PulseMethod method : {PulseMethod::algorithm1, PulseMethod::exact}) {
     const Felt felt = striker.strike(method, {}, strike);
-    EXPECT_NEAR(felt.force, 8, 1e-12);
+    EXPECT_NEAR(felt.force, 8, 1e-11);  // kept with a part in 10^12 to spare
     EXPECT_NEAR(felt.moment_D.norm(), own + 0.3, 1e-9) << name_of(method);
     EXPECT_NEAR(felt.gamma, 8 / 67.5, 1e-12);
     EXPECT_NEAR(felt.delta(), 0.3 / (0.12 * 59.5), 1e-9);
@@ -74,15 +74,36 @@ TEST(Strike, AMotorForEachAxisGivesAllItsMomentBesideAllItsForce) {
   EXPECT_NEAR(striker.as_printed({}, strike).moment_D.norm(), own - 0.3, 1e-12);
 }
 
-// A motor for each axis gives sqrt(2) of its limit along a diagonal; the guard holds the whole to one.
-TEST(Strike, TheGuardBoundsTheWhole) {
-  Striker striker(six_axis(), StrikeSetting{});
-  const Strike strike{Vec3(1, 1, 0).normalized(), kRightAngle, 0};  // r along z
-  EXPECT_NEAR(striker.strike(PulseMethod::exact, {}, strike).force, 8 * std::sqrt(2.0), 1e-9);
-  const Felt felt = striker.guarded(PulseMethod::exact, {}, strike);
-  EXPECT_NEAR(felt.force, 8, 1e-9);
-  EXPECT_NEAR(felt.moment_D.norm(), 0.12 * 8 + 0.3, 1e-9);
-  EXPECT_NEAR(felt.tilt, 0, 1e-7);
+// What the device's file gives for the whole bounds a pulse in the tick, and each method knows of it: exact
+// is not cut afterwards, so that no other comes out ahead in what it makes small.
+TEST(Strike, InTheTickTheWholeIsHeldAndExactIsAhead) {
+  SplitMix random(9);
+  for (const DeviceDesc& device : {w6d_in_D(), arms::serial6(), six_axis()}) {
+    Striker striker(device, StrikeSetting{});
+    int cut = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Strike strike{arms::random_vector(random).normalized(), 1.5 * random.uniform(),
+                          6 * random.uniform()};
+      const Felt exact = striker.in_the_tick(PulseMethod::exact, {}, strike);
+      const double wanted = striker.setting().wanted_force();
+      const auto squares = [&](const Felt& felt) {
+        const Vec3 r = strike.p_HG_D(0.12), f = wanted * strike.nhat_D;
+        return (f - felt.F_H_D.force).squaredNorm() +
+               (r.cross(f) - felt.moment_D).squaredNorm() / (0.12 * 0.12);
+      };
+      for (const PulseMethod method :
+           {PulseMethod::force_only, PulseMethod::algorithm1, PulseMethod::exact}) {
+        const Felt felt = striker.in_the_tick(method, {}, strike);
+        EXPECT_LE(felt.F_H_D.force.norm(), device.max_force * (1 + 1e-9)) << name_of(method);
+        EXPECT_LE(felt.F_H_D.torque.norm(), device.max_torque * (1 + 1e-9)) << name_of(method);
+        EXPECT_GE(squares(felt), squares(exact) - 1e-9 * wanted * wanted) << name_of(method);
+      }
+      cut += exact.missing > striker.strike(PulseMethod::exact, {}, strike).missing + 1e-9;
+    }
+    if (device.kinematics == Kinematics::arms) {
+      EXPECT_GT(cut, 0);
+    }
+  }
 }
 
 TEST(Strike, WithoutAMomentTheContactForceIsTheForce) {
@@ -250,6 +271,25 @@ TEST(Hardness, Algorithm1FindsNoMomentAtThePapersPose) {
     EXPECT_GT(axis.exact.force, 1.3 * axis.force_only.force) << axis.name;
   }
   EXPECT_NEAR(study().axes[0].phi, kRightAngle / 2, 0.01);
+}
+
+// On the device's own stylus there is hardly a direction in which Algorithm 1 finds a moment: half a per
+// cent.
+TEST(Hardness, OnItsOwnStylusAlgorithm1FindsHardlyAMoment) {
+  ASSERT_EQ(study().along_stylus.size(), 4u);
+  const DirectionMeans& algorithm1 = study().along_stylus[2];
+  ASSERT_EQ(algorithm1.method, PulseMethod::algorithm1);
+  EXPECT_LT(algorithm1.helped, 0.01);
+  EXPECT_GT(study().along_stylus[3].helped, 0.9) << "exact";
+}
+
+// The rows are a sample: their mean is off by up to a twelfth, and the page says what it is over very many.
+TEST(Hardness, TheRowsMeanIsThatOfVeryManyDirectionsNearly) {
+  for (const DirectionMeans& means : study().means) {
+    const MethodSummary rows = summary_of(study(), means.method, kPhi);
+    EXPECT_NEAR(rows.gain.moment, means.gain, means.gain / 12) << name_of(means.method);
+    EXPECT_NEAR(rows.helped, means.helped, 0.03) << name_of(means.method);
+  }
 }
 
 TEST(Hardness, ExactIsNeverWorseInItsOwnObjective) {
