@@ -70,8 +70,10 @@ void describe_guide(KeyVisitor& visitor, GuideDesc& guide) {
   visitor.vector({"from", "m", "where it sets out, in the world", true}, guide.from_W, kPosition);
   visitor.vector({"to", "m", "where it turns back", true}, guide.to_W, kPosition);
   visitor.rule("to", guide.from_W != guide.to_W, "is where 'from' is; there is no way to go");
-  visitor.number({"speed", "m/s", "on its way"}, guide.speed, above_to(0, 100));
-  visitor.number({"rest", "s", "at either end, and before it sets out"}, guide.rest, from_to(0, 600));
+  visitor.number({"speed", "m/s", "in the middle of its way; it sets out and stops as a hand does"},
+                 guide.speed, above_to(0, 100));
+  visitor.number({"wait", "s", "before it sets out for the first time"}, guide.wait, from_to(0, 600));
+  visitor.number({"rest", "s", "at either end"}, guide.rest, from_to(0, 600));
   visitor.number({"radius", "m", "of the ball"}, guide.radius, above_to(0, 10));
 }
 

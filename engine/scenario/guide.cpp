@@ -10,12 +10,19 @@
 
 namespace fulcrum::scenario {
 
+namespace {
+
+constexpr double kPeak = 1.875;  // of the speed in the middle of a way of least jerk to its mean
+
+}  // namespace
+
 Vec3 guide_place(const GuideDesc& guide, double time) {
-  const double way = (guide.to_W - guide.from_W).norm() / guide.speed;  // s
-  const double leg = guide.rest + way;
-  const double in_round = std::fmod(std::max(time, 0.0), 2 * leg);
+  const double way = kPeak * (guide.to_W - guide.from_W).norm() / guide.speed;  // s
+  const double leg = way + guide.rest;
+  const double in_round = std::fmod(std::max(time - guide.wait, 0.0), 2 * leg);
   const bool back = in_round >= leg;
-  const double part = std::clamp((in_round - (back ? leg : 0) - guide.rest) / way, 0.0, 1.0);
+  const double s = std::clamp((in_round - (back ? leg : 0)) / way, 0.0, 1.0);
+  const double part = s * s * s * (10 + s * (6 * s - 15));
   return guide.from_W + (back ? 1 - part : part) * (guide.to_W - guide.from_W);
 }
 

@@ -10,18 +10,39 @@ namespace fulcrum::test {
 namespace {
 
 TEST(Guide, RestsAndGoesAtItsSpeed) {
-  const scenario::GuideDesc guide{.from_W = {-0.1, 0, 0.2}, .to_W = {0.1, 0, 0.2}, .speed = 0.2, .rest = 0.5};
+  const scenario::GuideDesc guide{.from_W = {-0.1, 0, 0.2},
+                                  .to_W = {0.1, 0, 0.2},
+                                  .speed = 0.375,
+                                  .wait = 0.5,
+                                  .rest = 0.25};  // a way takes 1 s
   const auto x = [&](double time) { return scenario::guide_place(guide, time).x(); };
   EXPECT_EQ(x(0), -0.1);
   EXPECT_EQ(x(0.5), -0.1);
   EXPECT_NEAR(x(1.0), 0, 1e-12);
-  EXPECT_NEAR((x(1.101) - x(1.1)) / 1e-3, 0.2, 1e-9);
+  EXPECT_NEAR((x(1.0005) - x(0.9995)) / 1e-3, 0.375, 1e-6) << "the largest speed, in the middle";
+  EXPECT_NEAR((x(0.501) - x(0.5)) / 1e-3, 0, 1e-5) << "it sets out slowly";
   EXPECT_NEAR(x(1.5), 0.1, 1e-12);
-  EXPECT_NEAR(x(2.0), 0.1, 1e-12);
-  EXPECT_NEAR(x(2.25), 0.05, 1e-12);
-  EXPECT_NEAR(x(3.0), -0.1, 1e-12);
-  EXPECT_NEAR(x(301.0), 0, 1e-9);  // a hundred rounds later
+  EXPECT_NEAR(x(1.75), 0.1, 1e-12);
+  EXPECT_NEAR(x(2.25), 0, 1e-12);
+  EXPECT_NEAR(x(2.75), -0.1, 1e-12);
+  EXPECT_NEAR(x(251.0), 0, 1e-9);  // a hundred rounds later
   EXPECT_NEAR(scenario::guide_place(guide, 2.25).z(), 0.2, 1e-12);
+}
+
+// From one end to the other and back, in the window and beyond it: by no more than the tremor would shake a
+// hand.
+TEST(Guide, TheExpertsHandGoesWithItAllTheWay) {
+  const auto sweep = app::prepare("sweep", std::vector<std::string>{});
+  ASSERT_TRUE(sweep);
+  for (const scenario::HandScript& hand : sweep->haptic.hands) {
+    if (hand.name != "expert") continue;
+    const HandPath path(hand.waypoints);
+    const Vec3 tip_T = sweep->haptic.scene.tool.X_HT.inverse().p;  // H is the lowest point of the pad
+    for (double time = 0.68; time < 0.68 + 6 * 1.6 - 0.4; time += 0.01) {
+      const Pose X_WT = path.at(time);
+      EXPECT_NEAR((X_WT * tip_T).x(), scenario::guide_place(*sweep->scenario.guide, time).x(), 2e-4) << time;
+    }
+  }
 }
 
 // Of each bar as it is posed: its foot, and how high it is.
