@@ -1,9 +1,10 @@
 #pragma once
 // How large the teeth of a lower jaw are.
 //
-// Means in millimetres after S. Nelson, "Wheeler's Dental Anatomy, Physiology and Occlusion", tables of the
-// mandibular teeth: length of crown, mesiodistal and labio- or buccolingual diameter of crown, and
-// mesiodistal and labio- or buccolingual diameter at the cervix.
+// Assumed: means in millimetres as remembered from S. Nelson, "Wheeler's Dental Anatomy, Physiology and
+// Occlusion", tables of the mandibular teeth, and not checked against the book: length of crown, mesiodistal
+// and labio- or buccolingual diameter of crown, and mesiodistal and labio- or buccolingual diameter at the
+// cervix.
 
 #include <array>
 
