@@ -1,7 +1,6 @@
 #include "drivers/mouse/mouse_device.h"
 
-#include <cmath>
-
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum {
@@ -28,7 +27,7 @@ DeviceDesc MouseDevice::mouse_desc() {
 }
 
 MouseDevice::MouseDevice(const Pose& X_DH, double tick_s)
-    : follow_(-std::expm1(-tick_s / kLag)), halfway_(X_DH), X_DH_(X_DH) {
+    : follow_(-math::expm1(-tick_s / kLag)), halfway_(X_DH), X_DH_(X_DH) {
   aim(X_DH);
 }
 

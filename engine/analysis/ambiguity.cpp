@@ -1,10 +1,10 @@
 #include "engine/analysis/ambiguity.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "haptics/effects/distance_model.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -36,7 +36,7 @@ std::vector<Felt> felt_from(std::span<const ImpactSite> sites, const Vec3& p_T, 
 
 PointScore score_point(std::span<const ImpactSite> sites, const Vec3& p_T, const AmbiguityDesc& desc) {
   const std::vector<Felt> felt = felt_from(sites, p_T, desc);
-  const double same_axis = std::cos(desc.axis_apart);
+  const double same_axis = math::cos(desc.axis_apart);
   PointScore score;
   score.p_T = p_T;
   double pairs = 0, distance = 0;

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum::analysis {
 namespace {
 
 // With so many digits after the point that `shown` has two that count.
 std::string to_digits_of(double value, double shown) {
   constexpr int most = 6;
-  const int digits = shown > 0 ? 1 - static_cast<int>(std::floor(std::log10(shown))) : most;
+  const int digits = shown > 0 ? 1 - static_cast<int>(std::floor(math::log10(shown))) : most;
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", std::clamp(digits, 0, most), std::abs(value));
   return std::string(value < 0 ? "−" : "").append(text);

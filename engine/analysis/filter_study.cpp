@@ -6,6 +6,7 @@
 
 #include "haptics/device/hand.h"
 #include "haptics/loop/run_tick.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -22,7 +23,7 @@ double counted(double x, double step) {
 // differences over 0.1 ms: rounding leaves 1e-8 m/s^2 of error.
 struct HandMotion {
   Tremor tremor{HandDesc{}};
-  double x(double t) const { return 0.01 * std::sin(2 * kSlow * t) + tremor.at(t)[0]; }
+  double x(double t) const { return 0.01 * math::sin(2 * kSlow * t) + tremor.at(t)[0]; }
   double a(double t) const {
     constexpr double d = 1e-4;
     return (x(t + d) - 2 * x(t) + x(t - d)) / (d * d);
@@ -39,17 +40,17 @@ void measure(FilterRow& row, const AccelerationEstimatorDesc& desc, double encod
   int measured = 0;
   const int ticks = static_cast<int>(std::lround(kLength / tick_s));
   for (int i = 0; i < ticks; ++i) {
-    const double t = i * tick_s, x = 0.02 * std::sin(kSlow * t);
+    const double t = i * tick_s, x = 0.02 * math::sin(kSlow * t);
     const double a = exact.update(Vec3(x, 0, 0)).x();
     const double through = coarse.update(Vec3(counted(x, encoder_step), 0, 0)).x();
     const double felt = hand.update(Vec3(counted(motion.x(t), encoder_step), 0, 0)).x();
     if (t < kSettled) continue;
     ++measured;
-    swing += a * std::polar(1.0, -kSlow * t);
-    noise += std::pow(through - a, 2);
-    error += std::pow(felt - motion.a(t), 2);
+    swing += a * std::complex(math::cos(kSlow * t), -math::sin(kSlow * t));
+    noise += math::square(through - a);
+    error += math::square(felt - motion.a(t));
   }
-  row.measured_lag = -std::arg(swing * std::complex<double>(0, -1)) / kSlow;
+  row.measured_lag = math::atan2(swing.real(), swing.imag()) / kSlow;
   row.measured_noise = std::sqrt(noise / measured);
   row.error = std::sqrt(error / measured);
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "engine/analysis/hardness_survey.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/number_text.h"
 
 namespace fulcrum::analysis {
@@ -39,7 +40,7 @@ std::optional<Vec3> sky_direction(std::size_t cell) {
   const auto place = [](std::size_t i) {
     return 2 * (static_cast<double>(i) + 0.5) / static_cast<double>(kAcross) - 1;
   };
-  const double x = place(cell % kAcross), z = place(cell / kAcross), radius = std::hypot(x, z);
+  const double x = place(cell % kAcross), z = place(cell / kAcross), radius = math::hypot(x, z);
   if (radius >= 1 + std::numbers::sqrt2 / static_cast<double>(kAcross)) return std::nullopt;
   if (radius < kNothing) return Vec3::UnitY();
   const double up = std::max(0.0, 1 - radius * radius), level = std::sqrt(1 - up * up);
@@ -54,7 +55,7 @@ std::vector<Vec3> directions(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const double up = 1 - 2 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
     const double level = std::sqrt(1 - up * up), turn = golden * static_cast<double>(i);
-    all.emplace_back(level * std::cos(turn), up, level * std::sin(turn));
+    all.emplace_back(level * math::cos(turn), up, level * math::sin(turn));
   }
   return all;
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum::analysis {
 namespace {
 
@@ -65,7 +67,7 @@ Plot moment_plot(const HardnessStudy& study) {
   plot.y.high = 1.1 * most;
   for (double phi_deg = 0; phi_deg <= 90; phi_deg += 0.5) {
     const double moment =
-        study.setting.lever * study.setting.wanted_force() * std::sin(phi_deg * std::numbers::pi / 180);
+        study.setting.lever * study.setting.wanted_force() * math::sin(phi_deg * std::numbers::pi / 180);
     if (moment > 3 * most) break;
     own.points.push_back({phi_deg, moment});
   }

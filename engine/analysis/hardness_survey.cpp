@@ -1,10 +1,10 @@
 #include "engine/analysis/hardness_survey.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "engine/analysis/struck_surface.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -41,9 +41,9 @@ struct MeanGain {
 };
 
 Strike with_grasp_along(const Vec3& nhat_D, const Vec3& stylus_D) {
-  Strike strike{nhat_D, std::acos(std::clamp(nhat_D.dot(stylus_D), -1.0, 1.0)), 0};
+  Strike strike{nhat_D, math::acos(std::clamp(nhat_D.dot(stylus_D), -1.0, 1.0)), 0};
   const Vec3 towards = Strike{nhat_D, std::numbers::pi / 2, 0}.p_HG_D(1);
-  strike.lean = std::atan2(stylus_D.dot(nhat_D.cross(towards)), stylus_D.dot(towards));
+  strike.lean = math::atan2(stylus_D.dot(nhat_D.cross(towards)), stylus_D.dot(towards));
   return strike;
 }
 
@@ -154,7 +154,7 @@ Front HardnessSurvey::front(const std::string& name, const Vec3& nhat_D) {
   Front front;
   front.name = name;
   for (int i = -24; i <= 24; ++i) {
-    const double weight = std::pow(10.0, i / 12.0);
+    const double weight = math::pow(10.0, i / 12.0);
     Striker weighted(device_, setting_, weight);
     const Felt felt = weighted.strike(PulseMethod::exact, Pose{}, strike);
     front.at.push_back({weight, felt.force, felt.moment_D.norm()});
@@ -236,7 +236,7 @@ ShownMethod HardnessSurvey::shown(PulseMethod method) {
     const Vec3 own = setting_.wanted_force() * strike.p_HG_D(setting_.lever).cross(nhat_D);
     force.add(felt.force);
     tilt.add(felt.tilt);
-    turned.add(std::atan2(felt.moment_D.cross(own).norm(), felt.moment_D.dot(own)));
+    turned.add(math::atan2(felt.moment_D.cross(own).norm(), felt.moment_D.dot(own)));
     shown.largest_tilt = std::max(shown.largest_tilt, felt.tilt);
     shown.largest_moment = std::max(shown.largest_moment, felt.moment_D.norm() / own.norm());
   }

@@ -1,11 +1,11 @@
 #include "engine/analysis/hardness_tables.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "engine/analysis/hardness_words.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/number_text.h"
 
 namespace fulcrum::analysis {
@@ -118,7 +118,7 @@ report::Table angle_table(const HardnessStudy& study) {
                         exact = summary_of(study, PulseMethod::exact, phi_deg);
     table.rows.push_back({number(phi_deg),
                           number(study.setting.lever * study.setting.wanted_force() *
-                                 std::sin(phi_deg * std::numbers::pi / 180)),
+                                 math::sin(phi_deg * std::numbers::pi / 180)),
                           number(force.moment), number(algorithm1.moment), number(exact.moment),
                           number(algorithm1.gain.moment), number(exact.gain.moment)});
   }

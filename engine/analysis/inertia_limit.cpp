@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "haptics/math/border.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -47,7 +48,7 @@ Tick tick_of(const InertiaLoop& loop) {
 
 double growth_of(const Eigen::MatrixXd& A, double tick_s) {
   const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A, false);
-  return std::log(eigen.eigenvalues().cwiseAbs().maxCoeff()) / tick_s;
+  return 0.5 * math::log(eigen.eigenvalues().cwiseAbs2().maxCoeff()) / tick_s;
 }
 
 SteadyFilter filter_of(double jerk, double tick_s) {

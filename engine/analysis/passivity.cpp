@@ -1,9 +1,10 @@
 #include "engine/analysis/passivity.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 
@@ -13,8 +14,8 @@ double passive_stiffness_limit(const WallLoop& loop, double B) {
   // For each frequency the condition is a bound on K, from above where the spring's factor is positive. From
   // below it asks for less than 0 while B <= b.
   const auto bound = [&](double wT) {
-    const double factor = wT > 1e-9 ? std::sin((n + 0.5) * wT) / std::sin(0.5 * wT) : 2 * n + 1;
-    return factor > 0 ? 2 * (b + B * std::cos((n + 1) * wT)) / (T * factor)
+    const double factor = wT > 1e-9 ? math::sin((n + 0.5) * wT) / math::sin(0.5 * wT) : 2 * n + 1;
+    return factor > 0 ? 2 * (b + B * math::cos((n + 1) * wT)) / (T * factor)
                       : std::numeric_limits<double>::infinity();
   };
   constexpr int kSteps = 2000;
@@ -34,7 +35,7 @@ double passive_stiffness_limit(const WallLoop& loop, double B) {
 }
 
 double energy_per_cycle(double K, double amplitude, double w, double tick_s) {
-  const double half = 0.5 * w * tick_s, s = std::sin(half);
+  const double half = 0.5 * w * tick_s, s = math::sin(half);
   return std::numbers::pi * K * amplitude * amplitude * s * s / half;
 }
 

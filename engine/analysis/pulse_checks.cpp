@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "haptics/loop/run_tick.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
 
@@ -29,7 +30,7 @@ Case random_case(const DeviceDesc& device, SplitMix& random) {
   c.X_DH.q = quaternion_exp(0.4 * random_vector(random));
   c.X_DH.p = device.workspace.cwiseProduct(random_vector(random));
   c.step = kTickMotion * random_vector(random).normalized();
-  const double size = std::exp(8 * random.uniform() - 3);
+  const double size = math::exp(8 * random.uniform() - 3);
   c.f_D = size * random_vector(random).normalized();
   c.p_HG_D = 0.2 * random.uniform() * random_vector(random).normalized();
   return c;

@@ -1,9 +1,10 @@
 #include "engine/analysis/shapes.h"
 
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 
@@ -37,11 +38,11 @@ TriangleMesh ball_mesh(double radius, int splits) {
 
 TriangleMesh tube_mesh(double inner, double outer, double length, int sides) {
   TriangleMesh mesh;
-  const double half = std::numbers::pi / sides, between = 2 / (1 + std::cos(half));
+  const double half = std::numbers::pi / sides, between = 2 / (1 + math::cos(half));
   const auto n = static_cast<std::uint32_t>(sides);
   for (std::uint32_t i = 0; i < n; ++i) {
     const double angle = 2 * half * i;
-    const Vec3 direction(std::cos(angle), std::sin(angle), 0);
+    const Vec3 direction(math::cos(angle), math::sin(angle), 0);
     for (const double radius : {inner, outer}) {
       for (const double z : {-0.5 * length, 0.5 * length})
         mesh.vertices.push_back(between * radius * direction + Vec3(0, 0, z));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "haptics/math/border.h"
+#include "haptics/math/functions.h"
 #include "haptics/safety/energy_ledger.h"
 
 namespace fulcrum::analysis {
@@ -44,7 +45,7 @@ public:
   Stretch(int from, int ticks) : from_(from), ticks_(ticks) {}
   void take(int tick, double x) {
     if (tick < from_ || tick >= from_ + ticks_) return;
-    sum_ += (1 - std::cos(2 * std::numbers::pi * (tick - from_ + 0.5) / ticks_)) * x * x;
+    sum_ += (1 - math::cos(2 * std::numbers::pi * (tick - from_ + 0.5) / ticks_)) * x * x;
   }
   double sum() const { return sum_; }
 
@@ -85,7 +86,7 @@ Swing swing(const WallLoop& loop, const Wall& wall, double v0) {
     const double x = run.x();
     if (!(std::abs(x) < kBrokenOff * amplitude)) {
       constexpr double far = std::numeric_limits<double>::infinity();
-      return {std::log(kBrokenOff) / ((i + 1) * loop.tick_s), early.most - early.least, far};
+      return {math::log(kBrokenOff) / ((i + 1) * loop.tick_s), early.most - early.least, far};
     }
     if (i < ticks / 3) early.take(x);
     if (i >= ticks - ticks / 3) late.take(x);
@@ -95,7 +96,7 @@ Swing swing(const WallLoop& loop, const Wall& wall, double v0) {
   Swing result;
   result.early = early.most - early.least;
   result.late = late.most - late.least;
-  result.growth = after.sum() > 0 ? 0.5 * std::log(after.sum() / before.sum()) / (quarter * loop.tick_s)
+  result.growth = after.sum() > 0 ? 0.5 * math::log(after.sum() / before.sum()) / (quarter * loop.tick_s)
                                   : -std::numeric_limits<double>::infinity();  // it came to rest at 0
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include "engine/analysis/simulated_wall.h"
 #include "haptics/device/linear_loop.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -22,7 +23,7 @@ std::vector<double> evenly(double low, double high, int steps) {
 
 std::vector<double> geometrically(double low, double high, int steps) {
   std::vector<double> values;
-  for (int i = 0; i <= steps; ++i) values.push_back(low * std::pow(high / low, double(i) / steps));
+  for (int i = 0; i <= steps; ++i) values.push_back(low * math::pow(high / low, double(i) / steps));
   return values;
 }
 

@@ -1,12 +1,12 @@
 #include "engine/analysis/stick_scene.h"
 
-#include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "engine/analysis/shapes.h"
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/solid.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -23,7 +23,7 @@ StickBodies stick_bodies() {
   for (int i = 0; i * kPointSpacing <= kStickLength + 1e-9; ++i) {
     for (int k = 0; k < kAround; ++k) {
       const double angle = 2 * std::numbers::pi * k / kAround;
-      const Vec3 outward(0, -std::cos(angle), std::sin(angle));
+      const Vec3 outward(0, -math::cos(angle), math::sin(angle));
       points.push_back(Vec3(i * kPointSpacing, 0, 0) + kStickRadius * outward);
       normals.push_back(outward);
     }

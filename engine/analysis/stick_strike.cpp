@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "haptics/device/hand.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/split_mix.h"
 #include "haptics/safety/faults.h"
 
@@ -24,7 +25,7 @@ public:
     const double half = std::sqrt(path_.travel / path_.acceleration), a = path_.acceleration;
     const double top = path_.travel - path_.depth - path_.beyond, s = std::max(0.0, t - rest_);
     const double y =
-        s < half ? top - 0.5 * a * s * s : top - path_.travel + 0.5 * a * std::pow(2 * half - s, 2);
+        s < half ? top - 0.5 * a * s * s : top - path_.travel + 0.5 * a * math::square(2 * half - s);
     return Vec3(0, y, 0) + shake(t);
   }
   // While it slows down.

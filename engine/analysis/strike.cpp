@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/analysis/nearest_wrench.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -24,8 +25,8 @@ DeviceDesc motors_alone(DeviceDesc device) {
 Vec3 Strike::p_HG_D(double lever) const {
   const Vec3 person = std::abs(nhat_D.z()) > kAlong ? Vec3::UnitY() : Vec3::UnitZ();
   const Vec3 towards = (person - nhat_D * nhat_D.dot(person)).normalized();
-  const Vec3 side = std::cos(lean) * towards + std::sin(lean) * nhat_D.cross(towards);
-  return lever * (std::cos(phi) * nhat_D + std::sin(phi) * side);
+  const Vec3 side = math::cos(lean) * towards + math::sin(lean) * nhat_D.cross(towards);
+  return lever * (math::cos(phi) * nhat_D + math::sin(phi) * side);
 }
 
 const char* name_of(PulseMethod method) {
@@ -69,7 +70,7 @@ const char* title_of(PulseMethod method) {
 }
 
 double Felt::contact_force(double phi, double lever) const {
-  const double s = std::sin(phi);
+  const double s = math::sin(phi);
   return std::sqrt((force * force + moment_D.squaredNorm() / (lever * lever)) / (1 + s * s));
 }
 
@@ -88,12 +89,12 @@ Felt Striker::felt(const Wrench& F_H_D, const Strike& strike) const {
   felt.F_H_D = F_H_D;
   felt.moment_D = r.cross(F_H_D.force) - F_H_D.torque;
   felt.force = F_H_D.force.dot(strike.nhat_D);
-  felt.tilt = std::atan2(F_H_D.force.cross(strike.nhat_D).norm(), felt.force);
+  felt.tilt = math::atan2(F_H_D.force.cross(strike.nhat_D).norm(), felt.force);
   felt.gamma = felt.force / wanted;
   felt.mu = whole.norm() > kNoMoment * wanted * setting_.lever
                 ? felt.moment_D.dot(whole) / whole.squaredNorm()
                 : felt.gamma;
-  felt.missing = std::hypot((f_des - F_H_D.force).norm(), (whole - felt.moment_D).norm() / setting_.lever);
+  felt.missing = math::hypot((f_des - F_H_D.force).norm(), (whole - felt.moment_D).norm() / setting_.lever);
   return felt;
 }
 

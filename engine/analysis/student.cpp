@@ -3,13 +3,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum::analysis {
 namespace {
 
 // P(|T| < t) with tan(theta) = t / sqrt(degrees): finite sums for whole degrees of freedom (Abramowitz and
 // Stegun, "Handbook of mathematical functions", 26.7.3 and 26.7.4).
 double central_probability(double theta, int degrees) {
-  const double c = std::cos(theta), s = std::sin(theta);
+  const double c = math::cos(theta), s = math::sin(theta);
   double sum = 0;
   if (degrees % 2 == 0) {
     double term = 1;
@@ -36,7 +38,7 @@ double student_quantile(double p, int degrees) {
     const double middle = 0.5 * (low + high);
     (central_probability(middle, degrees) < wanted ? low : high) = middle;
   }
-  return std::copysign(std::sqrt(degrees) * std::tan(0.5 * (low + high)), p - 0.5);
+  return std::copysign(std::sqrt(degrees) * math::tan(0.5 * (low + high)), p - 0.5);
 }
 
 }  // namespace fulcrum::analysis

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "haptics/bake/parallel.h"
+#include "haptics/math/functions.h"
 #include "haptics/world/world.h"
 
 namespace fulcrum::analysis {
@@ -28,7 +29,7 @@ Moments moments_of(const std::vector<double>& values) {
   Moments m;
   const auto n = static_cast<double>(values.size());
   for (const double v : values) m.mean += v / n;
-  for (const double v : values) m.deviation += std::pow(v - m.mean, 2) / std::max(1.0, n - 1);
+  for (const double v : values) m.deviation += math::square(v - m.mean) / std::max(1.0, n - 1);
   m.deviation = std::sqrt(m.deviation);
   return m;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "haptics/bake/solid.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 
@@ -25,9 +26,12 @@ std::vector<std::shared_ptr<const DistanceField>> fields_of(const TriangleMesh& 
 }
 
 Vec3 random_direction(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  return Vec3(x, y, z).normalized();
+  std::uniform_real_distribution<double> along(-1, 1);
+  while (true) {
+    const double x = along(random), y = along(random), z = along(random);
+    const double length = Vec3(x, y, z).norm();
+    if (length > 0.1 && length < 1) return Vec3(x, y, z) / length;
+  }
 }
 
 double golden_angle(int i) {
@@ -38,7 +42,7 @@ std::vector<Vec3> fibonacci_sphere(int count) {
   std::vector<Vec3> directions;
   for (int i = 0; i < count; ++i) {
     const double y = 1 - (2.0 * i + 1) / count, r = std::sqrt(1 - y * y);
-    directions.emplace_back(r * std::cos(golden_angle(i)), y, r * std::sin(golden_angle(i)));
+    directions.emplace_back(r * math::cos(golden_angle(i)), y, r * math::sin(golden_angle(i)));
   }
   return directions;
 }

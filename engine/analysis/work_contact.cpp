@@ -13,6 +13,7 @@
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/voxel_query.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum::analysis {
@@ -125,7 +126,7 @@ WorkStudy study_tube(bool quick) {
   for (int i = 0; i < (quick ? 40 : 200); ++i) {
     const double angle = golden_angle(i);
     poses.push_back(
-        {quaternion_exp(Vec3(0, 0, angle)), Vec3(e * std::cos(angle), e * std::sin(angle), along(random))});
+        {quaternion_exp(Vec3(0, 0, angle)), Vec3(e * math::cos(angle), e * math::sin(angle), along(random))});
   }
   compare(study, quick ? std::vector{1.0, 0.5} : std::vector{1.0, 0.5, 0.25, 0.125}, [&](double voxel_mm) {
     const auto field = field_of(tube, 1e-3 * voxel_mm);

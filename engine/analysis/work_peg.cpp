@@ -1,11 +1,11 @@
 // A peg that leans in a hole until it jams.
 
 #include <array>
-#include <cmath>
 
 #include "engine/analysis/shapes.h"
 #include "engine/analysis/work_bodies.h"
 #include "engine/analysis/work_press.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/number_text.h"
 #include "haptics/math/rotation.h"
 
@@ -54,8 +54,8 @@ WorkStudy one_clearance(double clearance_mm, const std::vector<std::shared_ptr<c
   task.stiffness = k;
   task.coupling = straight_springs();
   task.arm = 0.5 * L;
-  const auto into = [&](double t) { return d * std::cos(t) + L * std::sin(t) - D; };
-  const auto lever = [&](double t) { return L * std::cos(t) - d * std::sin(t); };
+  const auto into = [&](double t) { return d * math::cos(t) + L * math::sin(t) - D; };
+  const auto lever = [&](double t) { return L * math::cos(t) - d * math::sin(t); };
   const double rigid = zero_of(into);
   const double sprung = zero_of([&](double t) { return 0.5 * k * into(t) * lever(t) - kCouple; });
   const int places = quick ? 3 : 8;

@@ -12,6 +12,7 @@
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/voxel_query.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum::analysis {
@@ -62,7 +63,7 @@ std::vector<Pose> touching_poses(ContactQuery query, const Pose& X_WT, std::size
 }
 
 double size(const Wrench& F) {
-  return std::hypot(F.force.norm(), F.torque.norm() / kArm);
+  return math::hypot(F.force.norm(), F.torque.norm() / kArm);
 }
 
 struct Felt {
@@ -91,8 +92,8 @@ Felt feel(Query query, const std::vector<Pose>& poses) {
 double error(const Felt& felt, const Felt& truth) {
   double off = 0, all = 0;
   for (std::size_t i = 0; i < truth.wrenches.size(); ++i) {
-    off += std::pow(size(felt.wrenches[i] + -truth.wrenches[i]), 2);
-    all += std::pow(size(truth.wrenches[i]), 2);
+    off += math::square(size(felt.wrenches[i] + -truth.wrenches[i]));
+    all += math::square(size(truth.wrenches[i]));
   }
   return std::sqrt(off / all);
 }

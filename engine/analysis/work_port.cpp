@@ -7,6 +7,7 @@
 
 #include "engine/analysis/best_time.h"
 #include "engine/analysis/workprecision.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/split_mix.h"
 #include "haptics/safety/energy_ledger.h"
 
@@ -40,11 +41,11 @@ Trembling tremble(double rms, double count, double seconds) {
   const auto place = [&](int tick) {
     double x = kDepth;
     for (const Tone& tone : tones)
-      x += rms * std::sqrt(2.0 / kTones) * std::sin(tone.w * tick * kTick + tone.phase);
+      x += rms * std::sqrt(2.0 / kTones) * math::sin(tone.w * tick * kTick + tone.phase);
     return x;
   };
   const auto seen = [count](double x) { return count > 0 ? std::round(x / count) * count : x; };
-  const double keep = std::exp(-2 * std::numbers::pi * kCutoff_Hz * kTick);
+  const double keep = math::exp(-2 * std::numbers::pi * kCutoff_Hz * kTick);
   Trembling hand;
   double x = place(0), q = seen(x), v = 0, F = -kStiffness * q;
   hand.first_force = F;

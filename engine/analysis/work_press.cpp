@@ -5,6 +5,7 @@
 
 #include "engine/analysis/work_bodies.h"
 #include "haptics/loop/run_tick.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum::analysis {
@@ -40,7 +41,7 @@ SceneDesc scene(const PressTask& task, ContactResponse response,
 }
 
 double size(const Wrench& F, double arm) {
-  return std::hypot(F.force.norm(), F.torque.norm() / arm);
+  return math::hypot(F.force.norm(), F.torque.norm() / arm);
 }
 
 struct Pressed {
@@ -67,7 +68,7 @@ double error_while_held(World& world, const PressPlace& place, const DeviceSampl
   double mean_square = 0;
   for (int i = 0; i < kMeasured; ++i) {
     const Wrench off = step(world, sample, {}).record.coupling_F_T_W + -place.felt;
-    mean_square += std::pow(size(off, arm) / size(place.felt, arm), 2) / kMeasured;
+    mean_square += math::square(size(off, arm) / size(place.felt, arm)) / kMeasured;
   }
   return mean_square;
 }

@@ -6,6 +6,7 @@
 #include "engine/analysis/shapes.h"
 #include "engine/analysis/work_bodies.h"
 #include "engine/analysis/work_press.h"
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum::analysis {
@@ -87,12 +88,12 @@ WorkStudy study_press_groove(bool quick) {
   const Pose X = askew();
   PressTask task;
   task.fields = fields_of(moved(joined(slabs), X), voxels(quick));
-  const std::array sides{Vec3(std::cos(a), -std::sin(a), 0), Vec3(-std::cos(a), -std::sin(a), 0)};
+  const std::array sides{Vec3(math::cos(a), -math::sin(a), 0), Vec3(-math::cos(a), -math::sin(a), 0)};
   task.shell = shell_touching(std::array{Vec3(r * sides[0]), Vec3(r * sides[1])}, sides, 0.5 * r);
   task.stiffness = k;
   task.coupling = straight_springs();
   task.arm = r;
-  const double height = r / std::sin(a), sink = W / (2 * k * std::sin(a) * std::sin(a));
+  const double height = r / math::sin(a), sink = W / (2 * k * math::sin(a) * math::sin(a));
   const double pulled = W / task.coupling.stiffness;
   const int places = quick ? 3 : 8;
   for (int i = 0; i < places; ++i) {
@@ -132,11 +133,11 @@ WorkStudy study_press_table(bool quick) {
   const double k_c = task.coupling.stiffness, k_R = task.coupling.angular_stiffness;
   // Turned by t about its middle, which is b above the floor: legs at x cos t + b sin t.
   const double t = -P * e / (4 * k * a * a);
-  const double couple = (4 * k * a * a * std::cos(t) - b * P) * std::sin(t);
+  const double couple = (4 * k * a * a * math::cos(t) - b * P) * math::sin(t);
   const int places = quick ? 3 : 8;
   for (int i = 0; i < places; ++i) {
-    const Vec3 at(5e-3 * std::cos(golden_angle(i)) * std::sqrt((i + 0.5) / places), 0,
-                  5e-3 * std::sin(golden_angle(i)) * std::sqrt((i + 0.5) / places));
+    const Vec3 at(5e-3 * math::cos(golden_angle(i)) * std::sqrt((i + 0.5) / places), 0,
+                  5e-3 * math::sin(golden_angle(i)) * std::sqrt((i + 0.5) / places));
     const Quat facing = quaternion_exp(Vec3(0, golden_angle(3 * i), 0));
     const auto place = [&](double angle, double height, double torque) {
       const Pose on_floor{facing, at};
@@ -146,7 +147,7 @@ WorkStudy study_press_table(bool quick) {
           {Vec3(0, -P, 0), Vec3(0, 0, torque)}};
       return moved(straight, X * on_floor);
     };
-    task.springs.push_back(place(t, b * std::cos(t) - P / (4 * k), couple));
+    task.springs.push_back(place(t, b * math::cos(t) - P / (4 * k), couple));
     task.rigid.push_back(place(0, b, -P * e));
   }
   measure_presses(study, task);

@@ -9,6 +9,7 @@
 #include "engine/analysis/shapes.h"
 #include "engine/analysis/work_bodies.h"
 #include "engine/analysis/workprecision.h"
+#include "haptics/math/functions.h"
 #include "haptics/world/world.h"
 
 namespace fulcrum::analysis {
@@ -70,7 +71,7 @@ public:
     mean_ = k_c * (rigid ? 1 : k / (k_c + k)) * kMean;
   }
   double operator()(double t) const {
-    return mean_ + std::imag(swing_ * std::exp(std::complex<double>(0, kTurn * t)));
+    return mean_ + std::imag(swing_ * std::complex(math::cos(kTurn * t), math::sin(kTurn * t)));
   }
 
 private:
@@ -87,7 +88,7 @@ double run(const SceneDesc& desc) {
   DeviceSample sample;
   for (long i = 0; i < ticks; ++i) {
     const double t = static_cast<double>(i) * desc.tick_s;
-    sample.X_DH.p.y() = kRadius - kMean - kSwing * std::sin(kTurn * t);
+    sample.X_DH.p.y() = kRadius - kMean - kSwing * math::sin(kTurn * t);
     const double felt = -step(world, sample, {}).record.coupling_F_T_W.force.y();
     if (i < settled) continue;
     constexpr int moments = 8;

@@ -6,6 +6,7 @@
 
 #include "engine/analysis/best_time.h"
 #include "engine/analysis/workprecision.h"
+#include "haptics/math/functions.h"
 #include "haptics/signal/held_sine.h"
 
 namespace fulcrum::analysis {
@@ -16,13 +17,13 @@ constexpr double kTone_Hz = 200;
 // Of the staircase that holds each sample, at the tone's frequency.
 double held_amplitude(const std::vector<double>& samples, double tick_s) {
   const double w = 2 * std::numbers::pi * kTone_Hz;
-  const std::complex<double> i(0, 1);
+  const auto turned = [w](double t) { return std::complex(math::cos(w * t), -math::sin(w * t)); };
   std::complex<double> sum = 0;
   for (std::size_t n = 0; n < samples.size(); ++n) {
     const double t = static_cast<double>(n) * tick_s;
-    sum += samples[n] * (std::exp(-i * w * t) - std::exp(-i * w * (t + tick_s))) / (i * w);
+    sum += samples[n] * (turned(t) - turned(t + tick_s)) / std::complex(0.0, w);
   }
-  return 2 * std::abs(sum) / (static_cast<double>(samples.size()) * tick_s);
+  return 2 * std::sqrt(std::norm(sum)) / (static_cast<double>(samples.size()) * tick_s);
 }
 
 }  // namespace

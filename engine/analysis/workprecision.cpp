@@ -1,6 +1,6 @@
 #include "engine/analysis/workprecision.h"
 
-#include <cmath>
+#include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {
 
@@ -9,7 +9,7 @@ void measure_orders(WorkStudy& study) {
     const WorkPoint& before = study.points[i - 1];
     WorkPoint& point = study.points[i];
     if (point.method != before.method || !(point.error > 0) || !(before.error > 0)) continue;
-    point.order = std::log(before.error / point.error) / std::log(before.value / point.value);
+    point.order = math::log(before.error / point.error) / math::log(before.value / point.value);
   }
 }
 

@@ -1,7 +1,6 @@
 #include "engine/app/bridge.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include "engine/scenario/followed.h"
 #include "engine/scenario/level_bars.h"
 #include "engine/scenario/to_glm.h"
+#include "haptics/math/functions.h"
 #include "haptics/safety/faults.h"
 
 namespace fulcrum::app {
@@ -166,7 +166,7 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
   axes.right_W = axes.forward_W.cross(Vec3::UnitY()).normalized();
   axes.up_W = axes.right_W.cross(axes.forward_W);
   const double distance = std::max((p_W - eye).dot(axes.forward_W), 0.05);
-  axes.height = 2 * distance * std::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
+  axes.height = 2 * distance * math::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
   return axes;
 }
 

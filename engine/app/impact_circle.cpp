@@ -6,6 +6,7 @@
 
 #include "engine/render/turned.h"
 #include "engine/scenario/to_glm.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::app {
 namespace {
@@ -38,7 +39,7 @@ glm::mat4 piece_pose(std::size_t piece, const StruckPlace& struck, const Pose& X
   const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
   const auto on_circle = [&](std::size_t i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i % kPieces) / kPieces;
-    return Vec3(struck.centre_T + struck.radius * (std::cos(angle) * u + std::sin(angle) * v));
+    return Vec3(struck.centre_T + struck.radius * (math::cos(angle) * u + math::sin(angle) * v));
   };
   const Vec3 from = on_circle(piece), along = on_circle(piece + 1) - from;
   const Vec3 side = axis.cross(along).normalized();

@@ -10,6 +10,7 @@
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
 #include "engine/scenario/words.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::app {
 namespace {
@@ -30,7 +31,7 @@ double sag(const SceneDesc& scene) {
   if (!scene.tool.weight || !coupled(scene.contact.response)) return 0;
   const double weight = std::min(scene.tool.mass * kGravity, 0.95 * scene.coupling.max_force);
   return -scene.coupling.max_force / scene.coupling.stiffness *
-         std::log1p(-weight / scene.coupling.max_force);
+         math::log1p(-weight / scene.coupling.max_force);
 }
 
 }  // namespace

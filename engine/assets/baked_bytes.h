@@ -1,5 +1,6 @@
 #pragma once
-// Baked things as bytes. A change of either format needs a new kBakeFormat.
+// Baked things as bytes. A change of either format, or of the last bit of what
+// a bake gives, needs a new kBakeFormat.
 
 #include <cstddef>
 #include <optional>
@@ -12,7 +13,7 @@
 
 namespace fulcrum {
 
-inline constexpr std::string_view kBakeFormat = "fulcrum bake 3";
+inline constexpr std::string_view kBakeFormat = "fulcrum bake 4";
 
 std::vector<std::byte> to_bytes(const DistanceField& field);
 std::vector<std::byte> to_bytes(const Pointshell& shell);

@@ -2,13 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "engine/render/turned.h"
 #include "engine/scenario/followed.h"
 #include "engine/scenario/to_glm.h"
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 
 namespace fulcrum::scenario {
 
@@ -61,9 +62,9 @@ void add_level_bars(render::VisualDesc& desc, std::uint32_t layers) {
 }
 
 Quat level_turn(const Vec3& axis_W) {
-  const double along = std::hypot(axis_W.x(), axis_W.z());
+  const double along = math::hypot(axis_W.x(), axis_W.z());
   if (along < 1e-3 * axis_W.norm()) return Quat::Identity();  // it goes up or down: no side is the right one
-  return Quat(Eigen::AngleAxisd(std::atan2(-axis_W.z(), axis_W.x()), Vec3::UnitY()));
+  return turn_by(math::atan2(-axis_W.z(), axis_W.x()), Vec3::UnitY());
 }
 
 glm::mat4 level_pose(const Pose& X_WF, int side, double level) {

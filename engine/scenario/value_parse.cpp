@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/scenario/words.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::scenario {
 
@@ -34,7 +35,7 @@ std::string range_text(const Range& range, std::string_view unit) {
 
 // IEC 61966-2-1: sRGB, 0 to 1, to linear.
 double srgb_to_linear(double c) {
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  return c <= 0.04045 ? c / 12.92 : math::pow((c + 0.055) / 1.055, 2.4);
 }
 
 std::optional<Vec3> parse_hex(std::string_view text) {

@@ -34,7 +34,7 @@ JointChain::Placed JointChain::place(const JointAngles& angles) const noexcept {
   for (std::size_t j = 0; j < static_cast<std::size_t>(joints_); ++j) {
     placed.axis_D[j] = moved.q * axis_D_[j];
     placed.point_D[j] = moved * point_D_[j];
-    const Quat turn(Eigen::AngleAxisd(angles[j], axis_D_[j]));
+    const Quat turn = turn_by(angles[j], axis_D_[j]);
     moved = moved * Pose{turn, point_D_[j] - turn * point_D_[j]};
   }
   placed.X_DE = {moved.q.normalized(), moved * end_D_};

@@ -1,7 +1,6 @@
 #include "haptics/actuation/vibrotactile_actuator.h"
 
-#include <cmath>
-
+#include "haptics/math/functions.h"
 #include "haptics/signal/held_sine.h"
 
 namespace fulcrum {
@@ -9,7 +8,7 @@ namespace fulcrum {
 double actuator_response(const ChannelDesc& channel, double frequency_Hz) noexcept {
   if (channel.kind == ChannelKind::rumble) return 1;
   const double r = frequency_Hz / channel.resonance_Hz;
-  return r * r / std::hypot(channel.quality * (1 - r * r), r);
+  return r * r / math::hypot(channel.quality * (1 - r * r), r);
 }
 
 double actuator_reach(const ChannelDesc& channel, double carrier_Hz) noexcept {

@@ -1,10 +1,11 @@
 #include "haptics/bake/edge_pairing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <span>
 #include <tuple>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -18,7 +19,7 @@ std::vector<double> angles_about(const TriangleMesh& mesh, std::span<const HalfE
   for (const HalfEdge& edge : fan) {
     const Triangle& corner = mesh.triangles[edge.place / 3];
     const Vec3 apex = mesh.vertices[corner[(edge.place % 3 + 2) % 3]] - origin;
-    angles.push_back(std::atan2(y.dot(apex), x.dot(apex)));
+    angles.push_back(math::atan2(y.dot(apex), x.dot(apex)));
   }
   return angles;
 }

@@ -13,6 +13,7 @@
 #include "haptics/bake/triangle_distance.h"
 #include "haptics/bake/union_distance.h"
 #include "haptics/bake/wall_thickness.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -33,7 +34,7 @@ std::optional<Error> lay_grid(FieldData& field) {
   const Vec3 bricks = (size / brick_m).array().ceil();
   constexpr double kBytesPerBrick = sizeof(std::int32_t) + sizeof(float);
   if (bricks.prod() * kBytesPerBrick > kLargestField) {
-    const double scale = std::cbrt(bricks.prod() * kBytesPerBrick / kLargestField);
+    const double scale = math::cbrt(bricks.prod() * kBytesPerBrick / kLargestField);
     return Error{"A distance field of " + spell_mm(field.voxel_m) + " voxels over " +
                  spell_mm(size.maxCoeff()) + " would have too many bricks to index: use a voxel of " +
                  spell_mm(1.05 * scale * field.voxel_m) + " or more, or remove far-away parts."};

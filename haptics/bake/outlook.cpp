@@ -6,6 +6,7 @@
 
 #include "haptics/bake/triangle_tree.h"
 #include "haptics/bake/weld.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -18,7 +19,7 @@ constexpr double kLift = 1e-6;           // of the body's diagonal, off the tria
 Vec3 direction(std::size_t i) {
   const double y = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / kDirections;
   const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0)) * static_cast<double>(i);
-  return {std::sqrt(1.0 - y * y) * std::cos(turn), y, std::sqrt(1.0 - y * y) * std::sin(turn)};
+  return {std::sqrt(1.0 - y * y) * math::cos(turn), y, std::sqrt(1.0 - y * y) * math::sin(turn)};
 }
 
 // The bodies as components of something a tree can be built from; body[t]: which one a triangle belongs to.

@@ -8,6 +8,7 @@
 #include "haptics/bake/parallel.h"
 #include "haptics/bake/sentence.h"
 #include "haptics/bake/surface_samples.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -47,8 +48,8 @@ std::optional<Error> check_desc(const FieldDesc& desc) {
 
 // Down to two digits, so that it can be said and typed.
 double rounded_down(double length) {
-  const double digit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
-  return std::floor(length / digit * (1.0 + 1e-12)) * digit;
+  const double per_digit = math::pow(10.0, 1.0 - std::floor(math::log10(length)));
+  return std::floor(length * per_digit * (1.0 + 1e-12)) / per_digit;
 }
 
 double value_between_corners(const TriangleDistance& exact, const Vec3& p, double h) {
@@ -107,7 +108,7 @@ public:
     if (affordable_ > thin) {
       return Error{"A wall near " + spell(thinnest_.place) + " is " + spell_mm(thinnest_.thickness_m) +
                    " thick, and three voxels across it would make a field of about " +
-                   spell(kMostChosen * 1e-9 * std::pow(affordable_ / thin, 2.0)) +
+                   spell(kMostChosen * 1e-9 * math::square(affordable_ / thin)) +
                    " GB: make the wall thicker, divide the scene, or give a voxel of " +
                    spell_mm(rounded_down(thin)) + " or less yourself."};
     }

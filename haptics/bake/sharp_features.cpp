@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum {
 namespace {
 
 double angle_between(const Vec3& u, const Vec3& v) {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  return math::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 // A blade without thickness has no outside to point to: up, so that a normal is a normal.
@@ -83,7 +85,7 @@ private:
       if (sharp_[index(edge.edge())]) directions.push_back(along(edge));
     }
     if (directions.size() != 2) return !directions.empty();
-    return -directions[0].dot(directions[1]) < std::cos(angle_);
+    return -directions[0].dot(directions[1]) < math::cos(angle_);
   }
 
   SurfacePoint at_vertex(const Vertex& vertex) const {

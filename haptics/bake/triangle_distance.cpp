@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum {
 namespace {
 
@@ -14,7 +16,7 @@ Vec3 unit_or_zero(const Vec3& v) {
 }
 
 double angle_between(const Vec3& u, const Vec3& v) {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  return math::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 }  // namespace

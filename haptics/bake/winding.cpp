@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr std::size_t kStack = 128;  // 2^32 triangles halve 29 times to a leaf;
 // A. van Oosterom, J. Strackee, "The solid angle of a plane triangle" (IEEE Trans. Biomed. Eng. 30, 1983).
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  return 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  return 2.0 * math::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "haptics/contact/friction.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -21,7 +22,7 @@ double mobility(const RubbingPoint& point, const Vec6& metric) {
   const Vec3 turn_t = point.r_W.cross(t), turn_u = point.r_W.cross(u);
   const double k = metric[0], k_R = metric[3];
   const double tt = turn_t.squaredNorm(), uu = turn_u.squaredNorm(), tu = turn_t.dot(turn_u);
-  const double largest = 0.5 * (tt + uu) + std::hypot(0.5 * (tt - uu), tu);
+  const double largest = 0.5 * (tt + uu) + math::hypot(0.5 * (tt - uu), tu);
   return 1 / k + largest / k_R;
 }
 

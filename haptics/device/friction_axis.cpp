@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum {
 namespace {
 
@@ -15,7 +17,7 @@ struct State {
 State oscillate(State s, double m, double c, double k, double F, double h, double t) {
   if (k <= 0) {
     if (c <= 0) return {s.x + s.v * t + 0.5 * F / m * t * t, s.v + F / m * t};
-    const double terminal = F / c, gone = -std::expm1(-c / m * t);
+    const double terminal = F / c, gone = -math::expm1(-c / m * t);
     return {s.x + terminal * t + (s.v - terminal) * m / c * gone, s.v + (terminal - s.v) * gone};
   }
   const double rest = (F - c * h) / k;
@@ -23,17 +25,17 @@ State oscillate(State s, double m, double c, double k, double F, double h, doubl
   const double a = 0.5 * c / m, disc = a * a - k / m;
   double C, S;  // e^(-at) cosh(wt) and e^(-at) sinh(wt)/w, or with cos and sin
   if (std::abs(disc) * t * t < 1e-8) {
-    const double e = std::exp(-a * t), z = disc * t * t;
+    const double e = math::exp(-a * t), z = disc * t * t;
     C = e * (1 + z / 2);
     S = e * t * (1 + z / 6);
   } else if (disc > 0) {
-    const double w = std::sqrt(disc), up = std::exp((w - a) * t), down = std::exp(-(w + a) * t);
+    const double w = std::sqrt(disc), up = math::exp((w - a) * t), down = math::exp(-(w + a) * t);
     C = 0.5 * (up + down);
     S = 0.5 * (up - down) / w;
   } else {
-    const double w = std::sqrt(-disc), e = std::exp(-a * t);
-    C = e * std::cos(w * t);
-    S = e * std::sin(w * t) / w;
+    const double w = std::sqrt(-disc), e = math::exp(-a * t);
+    C = e * math::cos(w * t);
+    S = e * math::sin(w * t) / w;
   }
   return {rest + h * t + y * C + (u + a * y) * S, h + u * C - (a * u + k / m * y) * S};
 }

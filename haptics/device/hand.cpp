@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
 
 namespace fulcrum {
@@ -39,7 +41,7 @@ Pose HandPath::at(double time) const {
   const Pose& to = waypoints_[next].X_WT;
   const double s = std::min(1.0, (time - end_[next - 1]) / waypoints_[next].travel);
   const double along = s * s * s * (10 + s * (6 * s - 15));  // minimum jerk
-  return {from.q.slerp(along, to.q), from.p + along * (to.p - from.p)};
+  return {slerp(from.q, to.q, along), from.p + along * (to.p - from.p)};
 }
 
 Tremor::Tremor(const HandDesc& desc) {
@@ -58,7 +60,7 @@ Vec6 Tremor::at(double time) const {
   Vec6 sum = Vec6::Zero();
   for (std::size_t axis = 0; axis < 6; ++axis) {
     for (const Tone& tone : tones_[axis])
-      sum[static_cast<Eigen::Index>(axis)] += tone.amplitude * std::sin(tone.w * time + tone.phase);
+      sum[static_cast<Eigen::Index>(axis)] += tone.amplitude * math::sin(tone.w * time + tone.phase);
   }
   return sum;
 }

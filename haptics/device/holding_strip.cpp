@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum {
 
 std::optional<Error> refuse_strip(const HoldingStripDesc& strip) {
@@ -41,10 +43,10 @@ double SimulatedStrip::advance(double place, double press) noexcept {
 }
 
 bool SimulatedStrip::drops_out() noexcept {
-  const double begins = random_.uniform(), length = -std::log1p(-random_.uniform()) * desc_.dropout_length;
+  const double begins = random_.uniform(), length = -math::log1p(-random_.uniform()) * desc_.dropout_length;
   if (dropout_left_ > 0)
     dropout_left_ -= tick_s_;
-  else if (begins < -std::expm1(-desc_.dropout_rate * tick_s_))
+  else if (begins < -math::expm1(-desc_.dropout_rate * tick_s_))
     dropout_left_ = length;
   return dropout_left_ > 0;
 }
@@ -58,7 +60,7 @@ std::optional<StripFit> fit_strip(const HoldingStripDesc& strip, std::span<const
   }
   double spread = 0, together = 0;
   for (const StripPress& press : presses) {
-    spread += std::pow(press.place - mean_place, 2);
+    spread += math::square(press.place - mean_place);
     together += (press.place - mean_place) * (press.ohm - mean_ohm);
   }
   const double slope = together / spread;  // ohm/m
@@ -68,7 +70,7 @@ std::optional<StripFit> fit_strip(const HoldingStripDesc& strip, std::span<const
   fit.high_ohm = mean_ohm + slope * (strip.high_place - mean_place);
   double squares = 0;
   for (const StripPress& press : presses) {
-    squares += std::pow(press.ohm - (mean_ohm + slope * (press.place - mean_place)), 2);
+    squares += math::square(press.ohm - (mean_ohm + slope * (press.place - mean_place)));
   }
   fit.residual_ohm = std::sqrt(squares / n);
   fit.residual = fit.residual_ohm / std::abs(slope);

@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
-#include <cmath>
 
 #include "haptics/math/border.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -22,7 +22,7 @@ Held hold(const DeviceAxis& axis, double T) {
   if (z < 1e-6) {  // to first order in z, where the closed form loses its digits
     return {T * (1 - z / 2), T * T / axis.mass * (0.5 - z / 6), 1 - z, T / axis.mass * (1 - z / 2)};
   }
-  const double gone = -std::expm1(-z), x_v = axis.mass / axis.damping * gone;
+  const double gone = -math::expm1(-z), x_v = axis.mass / axis.damping * gone;
   return {x_v, (T - x_v) / axis.damping, 1 - gone, gone / axis.damping};
 }
 
@@ -70,7 +70,7 @@ double exact_growth(const WallLoop& loop, const Wall& wall, const std::optional<
     A.row(0) -= T * during;
   }
   const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A, false);
-  return std::log(eigen.eigenvalues().cwiseAbs().maxCoeff()) / T;
+  return 0.5 * math::log(eigen.eigenvalues().cwiseAbs2().maxCoeff()) / T;
 }
 
 double exact_stiffness_limit(const WallLoop& loop, double B) {

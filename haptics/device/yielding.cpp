@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum {
@@ -17,10 +18,10 @@ constexpr double kNothing = 1e-9;                       // rad: a turn that is o
 Yielding::Yielding(const YieldingDesc& desc, double tick_s, std::uint64_t seed)
     : desc_(desc),
       tick_s_(tick_s),
-      kept_(std::exp(-tick_s / desc.recovery)),
+      kept_(math::exp(-tick_s / desc.recovery)),
       random_(seed ^ kStream),
-      gain_(desc.gain * std::exp(desc.spread * random_.normal())) {
-  const double reaction = desc.reaction * std::exp(desc.spread * random_.normal());
+      gain_(desc.gain * math::exp(desc.spread * random_.normal())) {
+  const double reaction = desc.reaction * math::exp(desc.spread * random_.normal());
   percepts_.resize(static_cast<std::size_t>(std::lround(reaction / tick_s)) + 1);
 }
 
@@ -57,7 +58,7 @@ void Yielding::turn_back(const Percept& percept) noexcept {
     error_ = random_.normal();
     const double about = 2 * std::numbers::pi * random_.uniform();
     const Vec3 aside = right_way.unitOrthogonal();
-    error_axis_ = std::cos(about) * aside + std::sin(about) * right_way.cross(aside);
+    error_axis_ = math::cos(about) * aside + math::sin(about) * right_way.cross(aside);
   }
   const double error_rad = error_ * (percept.seen > 0 ? desc_.seen_error_rad : desc_.felt_error_rad);
   const Vec3 way = quaternion_exp(error_rad * error_axis_) * right_way;

@@ -1,7 +1,8 @@
 #include "haptics/effects/distance_model.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -12,9 +13,9 @@ constexpr double kBetaL[] = {1.8751040687119611, 4.6940911329741746, 7.854757438
 
 // At x = part L; +-2 at the free end.
 double mode_shape(double beta_L, double part) {
-  const double sigma = (std::cosh(beta_L) + std::cos(beta_L)) / (std::sinh(beta_L) + std::sin(beta_L));
+  const double sigma = (math::cosh(beta_L) + math::cos(beta_L)) / (math::sinh(beta_L) + math::sin(beta_L));
   const double b = beta_L * part;
-  return std::cosh(b) - std::cos(b) - sigma * (std::sinh(b) - std::sin(b));
+  return math::cosh(b) - math::cos(b) - sigma * (math::sinh(b) - math::sin(b));
 }
 
 }  // namespace

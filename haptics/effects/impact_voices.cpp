@@ -1,8 +1,9 @@
 #include "haptics/effects/impact_voices.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -23,7 +24,7 @@ bool ImpactVoices::start(const Wrench& amplitude, const VibrationModes& modes, d
   }
   voice.energy = (amplitude.force.squaredNorm() + amplitude.torque.squaredNorm() / (kLever * kLever)) *
                  squares / (4 * decay);
-  voice.kept = std::exp(-2 * decay * tick_s_);
+  voice.kept = math::exp(-2 * decay * tick_s_);
   voice.least = kNegligible * voice.energy;
   if (count_ < limit_) {
     voices_[count_++] = voice;

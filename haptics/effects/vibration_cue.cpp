@@ -1,7 +1,8 @@
 #include "haptics/effects/vibration_cue.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -15,10 +16,10 @@ VibrationCue::VibrationCue(const VibrationDesc& desc, double tick_s)
     : desc_(desc),
       sine_(desc.frequency_Hz, tick_s),
       ramp_(kSwell, tick_s),
-      turning_(1 - std::exp(-tick_s / kTurn)) {}
+      turning_(1 - math::exp(-tick_s / kTurn)) {}
 
 double VibrationCue::strength(double torque) const noexcept {
-  return std::min(1.0, std::log1p(torque / desc_.reference) / std::log1p(desc_.largest / desc_.reference));
+  return std::min(1.0, math::log1p(torque / desc_.reference) / math::log1p(desc_.largest / desc_.reference));
 }
 
 Vec3 VibrationCue::process(double level, const Vec3& felt_D) noexcept {

@@ -2,11 +2,13 @@
 
 #include <cmath>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum {
 
 double motion_envelope(const MotionLaw& law, double x, double window) noexcept {
   if (law.envelope == MotionEnvelope::linear) return x / window;
-  return std::log1p(x / law.reference) / std::log1p(window / law.reference);
+  return math::log1p(x / law.reference) / math::log1p(window / law.reference);
 }
 
 double trailing_onset(const MotionLaw& law, double speed) noexcept {

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum {
 namespace {
 
@@ -81,7 +83,7 @@ KalmanModel kalman_model(double jerk, double noise, double jerk_time, double tic
   Mat4 A = Mat4::Zero(), G = Mat4::Zero();
   A(0, 1) = A(1, 2) = A(2, 3) = 1;
   A(3, 3) = -decay;
-  G(3, 3) = std::pow(index * decay, 2);
+  G(3, 3) = math::square(index * decay);
   discretise(A, G, model);
   return model;
 }

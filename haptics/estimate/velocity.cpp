@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum {
@@ -46,7 +47,7 @@ Twist VelocityEstimator::update(const Pose& X_WH) noexcept {
       velocity = difference();
       break;
     case VelocityEstimatorKind::low_pass: {
-      const double keep = std::exp(-2.0 * std::numbers::pi * desc_.cutoff_Hz * tick_s_);
+      const double keep = math::exp(-2.0 * std::numbers::pi * desc_.cutoff_Hz * tick_s_);
       filtered_ = keep * filtered_ + (1.0 - keep) * difference();
       velocity = filtered_;
       break;
@@ -88,7 +89,7 @@ double VelocityEstimator::delay() const {
     case VelocityEstimatorKind::difference:
       return 0.5 * tick_s_;
     case VelocityEstimatorKind::low_pass: {
-      const double keep = std::exp(-2.0 * std::numbers::pi * desc_.cutoff_Hz * tick_s_);
+      const double keep = math::exp(-2.0 * std::numbers::pi * desc_.cutoff_Hz * tick_s_);
       return tick_s_ * (0.5 + keep / (1.0 - keep));
     }
     case VelocityEstimatorKind::adaptive_window:

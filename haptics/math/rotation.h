@@ -17,4 +17,17 @@ Quat quaternion_exp(const Vec3& rotation);
 // one goes on, up to |result| <= 2 pi. Keeps a torque from reversing when the hand winds past half a turn.
 Vec3 rotation_vector_near(const Quat& q, const Vec3& previous);
 
+// The following do what Eigen's AngleAxis, slerp and angularDistance do, which call the C library.
+
+// By an angle (rad) about a unit axis.
+Quat turn_by(double angle, const Vec3& axis);
+
+// rad, 0 to pi.
+double angle_of(const Quat& q);
+double angle_between(const Quat& a, const Quat& b);
+
+// From 0 at `from` to 1 at `to`, the shorter way, at a steady pace. K. Shoemake, "Animating rotation with
+// quaternion curves", SIGGRAPH 1985.
+Quat slerp(const Quat& from, const Quat& to, double part);
+
 }  // namespace fulcrum

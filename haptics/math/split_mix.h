@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum {
 
 class SplitMix {
@@ -20,8 +22,8 @@ public:
   }
 
   double normal() noexcept {  // mean 0, standard deviation 1 (Box and Muller 1958)
-    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-    return radius * std::cos(2 * std::numbers::pi * uniform());
+    const double radius = std::sqrt(-2 * math::log(1 - uniform()));
+    return radius * math::cos(2 * std::numbers::pi * uniform());
   }
 
 private:

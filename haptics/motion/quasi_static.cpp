@@ -1,6 +1,6 @@
 #include "haptics/motion/quasi_static.h"
 
-#include <cmath>
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 
@@ -24,7 +24,7 @@ QuasiStaticTool::QuasiStaticTool(const SceneDesc& desc)
       weight_(tool_weight(desc.tool)),
       // F_s (1 - exp(-k sag / F_s)) = weight
       sag_(-desc.coupling.max_force / desc.coupling.stiffness *
-           std::log1p(-weight_ / desc.coupling.max_force)) {
+           math::log1p(-weight_ / desc.coupling.max_force)) {
   state_.X_WT = desc.tool.X_WT_start;
   state_.X_WT.p.y() -= sag_;
 }

@@ -6,8 +6,9 @@
 // for a tick, as a device holds it, it comes half a tick late; the amplitude that the hold takes away, f T =
 // 0.04 or less for what shakes a hand, is 0.3 % at most and stays away.
 
-#include <cmath>
 #include <numbers>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 
@@ -17,10 +18,10 @@ public:
   // decay: 1/s.
   DecayingSine(double frequency_Hz, double decay, double tick_s) {
     const double turn = 2 * std::numbers::pi * frequency_Hz * tick_s;
-    const double kept = std::exp(-decay * tick_s);
-    of_last_ = 2 * kept * std::cos(turn);
+    const double kept = math::exp(-decay * tick_s);
+    of_last_ = 2 * kept * math::cos(turn);
     of_before_ = kept * kept;
-    before_ = -std::sin(turn) / kept;
+    before_ = -math::sin(turn) / kept;
   }
 
   // y_1 first, then y_2, and so on.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 #include "haptics/math/shortened.h"
 
@@ -54,11 +55,11 @@ Wrench VirtualCoupling::pull_at_grip(const Pose& X_WG, const Twist& V_WG, const 
 }
 
 void VirtualCoupling::linearise(const BodyState& tool, Linearisation& around) const noexcept {
-  const double k = desc_.stiffness * std::exp(-desc_.stiffness * offset_.norm() / desc_.max_force);
+  const double k = desc_.stiffness * math::exp(-desc_.stiffness * offset_.norm() / desc_.max_force);
   const double full = full_torque_.norm();
   const double part = full > torque_limit_ ? torque_limit_ / full : 1.0;  // of torque, where it is limited
   const double k_R = part * desc_.angular_stiffness *
-                     std::exp(-desc_.angular_stiffness * rotation_.norm() / desc_.max_torque);
+                     math::exp(-desc_.angular_stiffness * rotation_.norm() / desc_.max_torque);
   around.K.topLeftCorner<3, 3>().diagonal().array() += k;
   around.K.bottomRightCorner<3, 3>().diagonal().array() += k_R;
   around.B.topLeftCorner<3, 3>().diagonal().array() += damping_;
@@ -81,7 +82,7 @@ double VirtualCoupling::stored() const noexcept {
   const double k_R = desc_.angular_stiffness, most = desc_.max_torque;
   // Beyond this turn the torque is the limit and stays so.
   const double yields =
-      torque_limit_ < most ? std::min(turn, -most / k_R * std::log1p(-torque_limit_ / most)) : turn;
+      torque_limit_ < most ? std::min(turn, -most / k_R * math::log1p(-torque_limit_ / most)) : turn;
   const double beyond = turn > yields ? torque_limit_ * (turn - yields) : 0.0;
   return saturated_spring_energy(offset_.norm(), desc_.stiffness, desc_.max_force) +
          saturated_spring_energy(yields, k_R, most) + beyond;
@@ -91,11 +92,11 @@ Vec3 saturated_spring(const Vec3& d, double stiffness, double limit) noexcept {
   const double length = d.norm();
   const double x = stiffness * length / limit;
   if (x < 1e-9) return stiffness * d;
-  return d * (-limit * std::expm1(-x) / length);
+  return d * (-limit * math::expm1(-x) / length);
 }
 
 double saturated_spring_energy(double length, double stiffness, double limit) noexcept {
-  return limit * length + limit * limit / stiffness * std::expm1(-stiffness * length / limit);
+  return limit * length + limit * limit / stiffness * math::expm1(-stiffness * length / limit);
 }
 
 }  // namespace fulcrum

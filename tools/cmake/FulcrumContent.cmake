@@ -4,7 +4,7 @@ set(FULCRUM_CONTENT_DIR ${CMAKE_BINARY_DIR}/content)
 
 file(GLOB content_mesh CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tools/content/mesh/*.cpp)
 add_library(content_mesh STATIC ${content_mesh})
-target_link_libraries(content_mesh PUBLIC fulcrum::options Eigen3::Eigen PRIVATE tinygltf)
+target_link_libraries(content_mesh PUBLIC fulcrum::options fulcrum::haptics_math PRIVATE tinygltf)
 target_include_directories(content_mesh PUBLIC ${CMAKE_SOURCE_DIR})
 
 # fulcrum_models(SCENARIO MODEL...): the program make_SCENARIO of the folder of that name, and the models it makes.

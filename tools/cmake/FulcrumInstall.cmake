@@ -2,7 +2,7 @@
 
 include(GNUInstallDirs)
 
-install(TARGETS fulcrum_haptics_core fulcrum_haptics_bake fulcrum_options
+install(TARGETS fulcrum_haptics_math fulcrum_haptics_core fulcrum_haptics_bake fulcrum_options
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/haptics DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fulcrum
         FILES_MATCHING PATTERN "*.h")

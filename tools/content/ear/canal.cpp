@@ -5,8 +5,8 @@
 // Lengths and widths are assumed: ordinary adult figures, not checked against a source.
 
 #include <algorithm>
-#include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
@@ -84,7 +84,7 @@ double Canal::to_tube(const Vector3d& p) const {
   const auto gauge = [&](double d) {
     const Vector3d m = middle(d);
     const Vector2d h = half_size(d);
-    return std::hypot((p.x() - m.x()) / h.x(), (p.y() - m.y()) / h.y());
+    return math::hypot((p.x() - m.x()) / h.x(), (p.y() - m.y()) / h.y());
   };
   const Vector3d m = middle(depth);
   const Vector2d h = half_size(depth);
@@ -103,13 +103,13 @@ double Canal::malleus(double x, double y) const {
 }
 
 double Canal::drum_part(double x, double y) const {
-  return std::hypot(x / drum_half_width, y / drum_half_height);
+  return math::hypot(x / drum_half_width, y / drum_half_height);
 }
 
 double Canal::drum_height(double x, double y) const {
   const double part = drum_part(x, y);
   // Drawn in to the umbo, and bulging a little on the way there.
-  double height = -cone * (1.0 - std::pow(std::hypot(std::min(part, 1.0), 0.12), 0.9));
+  double height = -cone * (1.0 - math::pow(math::hypot(std::min(part, 1.0), 0.12), 0.9));
   height += 0.4 * malleus(x, y) + 0.45 * bump((Vector2d(x, y) - process).norm(), 0.55);
   height += 0.3 * bump(drum_half_width * (part - 1.0), 0.4);  // the annulus
   return height;

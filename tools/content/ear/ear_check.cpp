@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
+
 namespace fulcrum::content {
 namespace {
 
@@ -52,7 +55,7 @@ bool check_way(const std::vector<RoutePose>& route, const TriangleTree& scene, c
   for (std::size_t i = 0; i + 1 < route.size(); ++i) {
     const Eigen::Isometry3d from = in_millimetres(route[i].X_WT);
     const Eigen::Isometry3d to = in_millimetres(route[i + 1].X_WT);
-    const double turn = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
+    const double turn = angle_of(Eigen::Quaterniond(from.linear().transpose() * to.linear()));
     const double way = (to.translation() - from.translation()).norm() + 10.0 * turn;
     const int steps = std::max(1, static_cast<int>(std::ceil(way / stride)));
     for (int k = 0; k <= steps; ++k) {
@@ -75,8 +78,8 @@ bool check_canal(const Canal& canal) {
     length += onward.norm();
     // Across the canal: less than in the level section by the cosine of its slope there.
     const Vector2d half = canal.half_size(depth);
-    const double to_front = std::hypot(onward.x(), onward.z());
-    const double up = std::hypot(onward.y(), onward.z());
+    const double to_front = math::hypot(onward.x(), onward.z());
+    const double up = math::hypot(onward.y(), onward.z());
     narrowest = std::min({narrowest, 2.0 * half.x() * step / to_front, 2.0 * half.y() * step / up});
   }
   bool good = within("length of the canal", length, 24.0, 31.0);

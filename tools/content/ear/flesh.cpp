@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
@@ -29,7 +30,7 @@ double Flesh::above_head(const Vector3d& p) const {
 double Flesh::solid(const Vector3d& p) const {
   const double u = (p.x() - middle.x()) / half_size.x();
   const double v = (p.y() - middle.y()) / half_size.y();
-  const double gauge = std::pow(std::pow(u, 4) + std::pow(v, 4), 0.25);
+  const double gauge = std::sqrt(math::hypot(u * u, v * v));
   const double sides = (gauge - 1.0) * half_size.x();
   double block = smooth_max(above_head(p), sides, 9.0);
   block = smooth_max(block, back - p.z(), 3.0);

@@ -1,8 +1,8 @@
 #include "tools/content/ear/needle.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/mass.h"
 #include "tools/content/mesh/profile.h"
@@ -44,11 +44,11 @@ double step(double along) {
 Vector3d axis(double along) {
   const double straight = bent_end - 0.5 * bend_length;
   const double heading = 0.5 * pi - bend;
-  const auto direction = [](double h) { return Vector3d(0.0, std::cos(h), std::sin(h)); };
+  const auto direction = [](double h) { return Vector3d(0.0, math::cos(h), math::sin(h)); };
   if (along <= straight) return along * direction(heading);
   const double turned = std::min((along - straight) / bend_radius, bend);
-  const Vector3d in_bend = bend_radius * Vector3d(0.0, std::sin(heading + turned) - std::sin(heading),
-                                                  std::cos(heading) - std::cos(heading + turned));
+  const Vector3d in_bend = bend_radius * Vector3d(0.0, math::sin(heading + turned) - math::sin(heading),
+                                                  math::cos(heading) - math::cos(heading + turned));
   const double beyond = std::max(along - straight - bend_length, 0.0);
   return straight * direction(heading) + in_bend + beyond * Vector3d::UnitZ();
 }
@@ -74,8 +74,8 @@ double knurl(double along, double angle) {
   constexpr int starts = 14;
   const double lead = starts * (along / (4.0 * mm)) * 0.5;
   const auto groove = [](double phase) {
-    const double s = std::sin(phase);
-    return std::exp(-s * s / 0.16);
+    const double s = math::sin(phase);
+    return math::exp(-s * s / 0.16);
   };
   return 0.2 * mm * std::max(groove(0.5 * starts * angle + lead), groove(0.5 * starts * angle - lead));
 }
@@ -90,7 +90,7 @@ Solid handle() {
     for (int k = 0; k < columns; ++k) {
       const double angle = 2.0 * pi * k / columns;
       const double r = handle_radius(along) - knurl(along, angle);
-      section.push_back(from + Vector3d(r * std::cos(angle), r * std::sin(angle), along));
+      section.push_back(from + Vector3d(r * math::cos(angle), r * math::sin(angle), along));
     }
     const bool grip = along > 7.5 * mm && along < 35.5 * mm;
     const bool end = along < 7.5 * mm || along > 86 * mm;

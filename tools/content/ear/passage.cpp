@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
+
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 
 namespace fulcrum::content {
 namespace {
@@ -73,9 +75,8 @@ std::vector<Vector4d> directions() {
 Eigen::Isometry3d placed(const Station& station, const NeedlePose& pose) {
   Eigen::Isometry3d X_WT = Eigen::Isometry3d::Identity();
   const Vector3d lean(pose.lean.x(), pose.lean.y(), 0.0);
-  if (lean.norm() > 1e-12)
-    X_WT.linear() = Eigen::AngleAxisd(lean.norm(), lean.normalized()).toRotationMatrix();
-  X_WT.linear() *= Eigen::AngleAxisd(pose.roll, Vector3d::UnitZ()).toRotationMatrix();
+  if (lean.norm() > 1e-12) X_WT.linear() = turn_by(lean.norm(), lean.normalized()).toRotationMatrix();
+  X_WT.linear() *= turn_by(pose.roll, Vector3d::UnitZ()).toRotationMatrix();
   X_WT.translation() = station.tip_W + Vector3d(pose.aside.x(), pose.aside.y(), 0.0);
   return X_WT;
 }
@@ -84,7 +85,7 @@ Eigen::Isometry3d on_the_way(const Eigen::Isometry3d& from, const Eigen::Isometr
   static const Vector3d p_TC = needle_centre() / mm;
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.linear() =
-      Eigen::Quaterniond(from.linear()).slerp(part, Eigen::Quaterniond(to.linear())).toRotationMatrix();
+      slerp(Eigen::Quaterniond(from.linear()), Eigen::Quaterniond(to.linear()), part).toRotationMatrix();
   X.translation() = (1.0 - part) * (from * p_TC) + part * (to * p_TC) - X.linear() * p_TC;
   return X;
 }
@@ -197,7 +198,7 @@ std::vector<Passage::Node> Passage::way() const {
                                                       placed(stations_[to / rolls], b.pose)));
     if (room < 0.05) return;
     const double lean = (cells_[from].pose.lean - b.pose.lean).norm();
-    const double c = cost[from] + (length + 4.0 * lean) * (1.0 + std::pow(0.7 / room, 3.0));
+    const double c = cost[from] + (length + 4.0 * lean) * (1.0 + math::pow(0.7 / room, 3.0));
     if (c >= cost[to]) return;
     cost[to] = c;
     before[to] = from;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "haptics/math/rotation.h"
+
 namespace fulcrum::content {
 namespace {
 
@@ -36,7 +38,7 @@ double room_between(const Passage& passage, const Isometry3d& a, const Isometry3
 }
 
 double turn_between(const Isometry3d& a, const Isometry3d& b) {
-  return Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear()));
+  return angle_between(Eigen::Quaterniond(a.linear()), Eigen::Quaterniond(b.linear()));
 }
 
 }  // namespace

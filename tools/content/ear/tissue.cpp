@@ -1,8 +1,8 @@
 #include "tools/content/ear/tissue.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/paint.h"
 #include "tools/content/mesh/smooth.h"
 
@@ -59,7 +59,7 @@ Vector3d drum(const Canal& canal, const Vector3d& p_W) {
   const double part = canal.drum_part(p.x(), p.y());
   Vector3d colour = pearl * (1.0 + 0.05 * mottle(0.8 * p));
   // Light comes back from the lower front quarter: the cone of light.
-  const double angle = std::atan2(p.y(), p.x());
+  const double angle = math::atan2(p.y(), p.x());
   const double cone = bump(angle + 0.95, 0.24) * smooth_step(0.08, 0.2, part) * smooth_step(0.92, 0.6, part);
   colour = mixed(colour, Vector3d(0.95, 0.95, 0.92), 0.7 * cone);
   // The part above the lateral process is slack and red; vessels run down along the handle.

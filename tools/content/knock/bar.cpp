@@ -1,8 +1,8 @@
 #include "tools/content/knock/bar.h"
 
-#include <cmath>
 #include <utility>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/profile.h"
 #include "tools/content/mesh/wood.h"
@@ -17,7 +17,7 @@ Solid rod() {
   std::vector<RadiusHeight> profile;
   for (int k = 0; k < 8; ++k) {  // a round end
     const double angle = 0.5 * pi * (k + 0.25) / 8;
-    profile.push_back({bar_radius * std::sin(angle), bar_end + bar_radius * (1.0 - std::cos(angle))});
+    profile.push_back({bar_radius * math::sin(angle), bar_end + bar_radius * (1.0 - math::cos(angle))});
   }
   for (double z = bar_end + bar_radius; z < -0.5 * grip_half; z += 2.0 * mm) {
     profile.push_back({bar_radius, z});

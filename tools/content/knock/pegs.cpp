@@ -1,8 +1,8 @@
 #include "tools/content/knock/pegs.h"
 
-#include <cmath>
 #include <utility>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/wood.h"
 
@@ -52,7 +52,7 @@ Solid shape(double length, double collar, double collar_height) {
   }
   for (int k = 0; k < 9; ++k) {
     const double angle = 0.5 * pi * k / 8.15;
-    profile.push_back({peg_radius * std::cos(angle), straight + peg_radius * std::sin(angle)});
+    profile.push_back({peg_radius * math::cos(angle), straight + peg_radius * math::sin(angle)});
   }
   return lathe(profile, columns);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/knock/bar.h"
 #include "tools/content/knock/pegs.h"
 
@@ -35,7 +36,7 @@ Knock at_station(std::size_t i, const std::string& from, const char* peg, const 
               .run = run};
   knock.X_WT.linear() = turned(motion_W, rise);
   // A tilted bar is wider across its tilt.
-  const double reach = station.room - bar_radius * std::hypot(1.0, rise);
+  const double reach = station.room - bar_radius * math::hypot(1.0, rise);
   knock.X_WT.translation() = (reach + station.z * rise) * motion_W;
   return knock;
 }

@@ -1,6 +1,6 @@
 #include "tools/content/mesh/loft.h"
 
-#include <cmath>
+#include "haptics/math/functions.h"
 
 namespace fulcrum::content {
 namespace {
@@ -56,7 +56,7 @@ std::vector<Section> turned(std::span<const RadiusHeight> profile, int columns) 
     Section& section = sections.emplace_back();
     for (int k = 0; k < columns; ++k) {
       const double angle = 2.0 * pi * k / columns;
-      section.emplace_back(at.r * std::cos(angle), at.r * std::sin(angle), at.z);
+      section.emplace_back(at.r * math::cos(angle), at.r * math::sin(angle), at.z);
     }
   }
   return sections;

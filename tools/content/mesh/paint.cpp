@@ -4,7 +4,8 @@
 // Global Illumination on Dynamic Scenes", SIGGRAPH 2006 course.
 
 #include <algorithm>
-#include <cmath>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum::content {
 
@@ -15,9 +16,9 @@ Vector3d mixed(const Vector3d& a, const Vector3d& b, double t) {
 }
 
 double mottle(const Vector3d& p) {
-  return std::sin(p.x() + 1.7 * std::sin(0.7 * p.y() + 0.4 * p.z())) *
-         std::sin(p.y() + 1.3 * std::sin(0.8 * p.z() - 0.3 * p.x())) *
-         std::sin(p.z() + 1.5 * std::sin(0.6 * p.x()));
+  return math::sin(p.x() + 1.7 * math::sin(0.7 * p.y() + 0.4 * p.z())) *
+         math::sin(p.y() + 1.3 * math::sin(0.8 * p.z() - 0.3 * p.x())) *
+         math::sin(p.z() + 1.5 * math::sin(0.6 * p.x()));
 }
 
 double openness(const Implicit& scene, const Vector3d& p, const Vector3d& n,

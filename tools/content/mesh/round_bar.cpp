@@ -1,9 +1,9 @@
 #include "tools/content/mesh/round_bar.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/tube.h"
 
 namespace fulcrum::content {
@@ -19,7 +19,7 @@ std::vector<Station> cap(const Vector3d& centre, const Vector3d& outward, const 
   std::vector<Station> stations;
   for (int i = 0; i < steps; ++i) {
     const double angle = 0.5 * pi * (i + 0.25) / steps;
-    stations.push_back({centre + r * std::cos(angle) * outward, tangent, r * std::sin(angle)});
+    stations.push_back({centre + r * math::cos(angle) * outward, tangent, r * math::sin(angle)});
   }
   return stations;
 }
@@ -31,7 +31,7 @@ Solid round_bar(std::span<const Stretch> stretches, double heading,
                 int columns) {
   Vector3d p = Vector3d::Zero();
   double along = 0.0;
-  const auto direction = [&] { return Vector3d(0.0, std::cos(heading), std::sin(heading)); };
+  const auto direction = [&] { return Vector3d(0.0, math::cos(heading), math::sin(heading)); };
   std::vector<Station> line = cap(p, -direction(), direction(), radius(0.0), 6);
   for (const Stretch& stretch : stretches) {
     const double bend = stretch.turn / stretch.length;

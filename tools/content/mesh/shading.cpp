@@ -1,7 +1,8 @@
 #include "tools/content/mesh/shading.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum::content {
 namespace {
@@ -20,7 +21,7 @@ double corner_angle(const Solid& solid, const Triangle& t, std::size_t k) {
   const Eigen::Vector3d& p = solid.points[t[k]];
   const Eigen::Vector3d u = (solid.points[t[(k + 1) % 3]] - p).normalized();
   const Eigen::Vector3d v = (solid.points[t[(k + 2) % 3]] - p).normalized();
-  return std::acos(std::clamp(u.dot(v), -1.0, 1.0));
+  return math::acos(std::clamp(u.dot(v), -1.0, 1.0));
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ ShadedMesh shade(const Solid& solid, double crease, const std::vector<Eigen::Vec
 
   ShadedMesh mesh;
   std::vector<std::vector<std::uint32_t>> drawn_at(solid.points.size());
-  const double cos_crease = std::cos(crease);
+  const double cos_crease = math::cos(crease);
   for (std::uint32_t i = 0; i < solid.triangles.size(); ++i) {
     for (const std::uint32_t point : solid.triangles[i]) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum::content {
 
 // I. Quilez, "smooth minimum" (iquilezles.org/articles/smin), the quadratic one: equal to max where they
@@ -26,7 +28,7 @@ inline double smooth_step(double from, double to, double x) {
 // 1 at 0, and 1/e at one width.
 inline double bump(double x, double width) {
   const double t = x / width;
-  return t * t > 30.0 ? 0.0 : std::exp(-t * t);
+  return t * t > 30.0 ? 0.0 : math::exp(-t * t);
 }
 
 }  // namespace fulcrum::content

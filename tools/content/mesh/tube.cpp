@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 
 namespace fulcrum::content {
@@ -18,15 +19,15 @@ void add_bend(std::vector<Station>* line, const Centreline& spec, std::size_t co
   const Eigen::Vector3d& c = spec.corners[corner];
   const Eigen::Vector3d t_in = (c - spec.corners[corner - 1]).normalized();
   const Eigen::Vector3d t_out = (spec.corners[corner + 1] - c).normalized();
-  const double turn = std::acos(std::clamp(t_in.dot(t_out), -1.0, 1.0));
-  const double setback = spec.bend_radius * std::tan(0.5 * turn);
+  const double turn = math::acos(std::clamp(t_in.dot(t_out), -1.0, 1.0));
+  const double setback = spec.bend_radius * math::tan(0.5 * turn);
   const Eigen::Vector3d inward = (t_out - t_out.dot(t_in) * t_in).normalized();
   const Eigen::Vector3d start = c - setback * t_in;
   const Eigen::Vector3d end = c + setback * t_out;
   const Eigen::Vector3d centre = start + spec.bend_radius * inward;
   const auto add_at = [&](double angle, double swell) {
-    add_station(line, {centre + spec.bend_radius * (std::sin(angle) * t_in - std::cos(angle) * inward),
-                       std::cos(angle) * t_in + std::sin(angle) * inward, swell});
+    add_station(line, {centre + spec.bend_radius * (math::sin(angle) * t_in - math::cos(angle) * inward),
+                       math::cos(angle) * t_in + math::sin(angle) * inward, swell});
   };
   const bool welded = spec.weld_bead > 0.0;
   const double bead_half_width = 2.0 * spec.weld_bead;
@@ -59,7 +60,7 @@ public:
     Section section;
     for (int k = 0; k < columns_; ++k) {
       const double angle = 2.0 * pi * k / columns_;
-      section.push_back(centre + radius * (std::cos(angle) * x_ + std::sin(angle) * y));
+      section.push_back(centre + radius * (math::cos(angle) * x_ + math::sin(angle) * y));
     }
     return section;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/rotation.h"
+
 namespace fulcrum::content {
 namespace {
 
@@ -38,12 +40,12 @@ double clearance_on_way(const std::vector<RoutePose>& route, const TriangleTree&
     const Vector3d step = route[i + 1].X_WT.translation() - from;
     const Eigen::Quaterniond q_from(route[i].X_WT.linear());
     const Eigen::Quaterniond q_to(route[i + 1].X_WT.linear());
-    const double way = step.norm() + reach * q_from.angularDistance(q_to);
+    const double way = step.norm() + reach * angle_between(q_from, q_to);
     const int steps = std::max(1, static_cast<int>(std::ceil(way / stride)));
     for (int k = 0; k <= steps; ++k) {
       const double u = static_cast<double>(k) / steps;
       Eigen::Isometry3d X_WT = Eigen::Isometry3d::Identity();
-      X_WT.linear() = q_from.slerp(u, q_to).toRotationMatrix();
+      X_WT.linear() = slerp(q_from, q_to, u).toRotationMatrix();
       X_WT.translation() = from + u * step;
       for (const Vector3d& p_T : lets_down ? may_not_touch_T : points_T) {
         least = scene.distance(X_WT * p_T, least);

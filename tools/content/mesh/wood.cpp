@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/paint.h"
 #include "tools/content/mesh/smooth.h"
@@ -19,7 +20,7 @@ constexpr double along = 5.0 * mm;   // likewise, along the grain
 // A ring begins light, grows darker and ends at once; trunks are not quite round and not quite straight.
 Vector3d colour_at(const Vector3d& p, const Wood& wood) {
   const Vector3d slow(0.05 * p.x(), 0.05 * p.y(), 0.011 * p.z());
-  const double r = std::hypot(p.x() - wood.pith.x(), p.y() - wood.pith.y()) + 2.6 * mottle(slow);
+  const double r = math::hypot(p.x() - wood.pith.x(), p.y() - wood.pith.y()) + 2.6 * mottle(slow);
   const double t = r / wood.ring - std::floor(r / wood.ring);
   const double late = smooth_step(0.25, 0.85, t) * (1.0 - smooth_step(0.85, 1.0, t));
   const double fibre = mottle(Vector3d(2.9 * p.x(), 3.1 * p.y(), 0.09 * p.z()));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 
 namespace fulcrum::content {
@@ -15,14 +16,14 @@ constexpr double chamfer_slope = 0.57735026918962576;  // 30 degrees, as hexagon
 double hexagon_radius(double across_flats, double angle) {
   const double sector = pi / 3.0;
   const double from_corner = angle - sector * std::floor(angle / sector);
-  return 0.5 * across_flats / std::cos(from_corner - 0.5 * sector);
+  return 0.5 * across_flats / math::cos(from_corner - 0.5 * sector);
 }
 
 Section circle(double radius, double z, int columns) {
   Section section;
   for (int k = 0; k < columns; ++k) {
     const double angle = 2.0 * pi * k / columns;
-    section.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    section.emplace_back(radius * math::cos(angle), radius * math::sin(angle), z);
   }
   return section;
 }
@@ -32,7 +33,7 @@ Section hexagon(double across_flats, double z, int columns) {
   for (int k = 0; k < columns; ++k) {
     const double angle = 2.0 * pi * k / columns;
     const double r = hexagon_radius(across_flats, angle);
-    section.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+    section.emplace_back(r * math::cos(angle), r * math::sin(angle), z);
   }
   return section;
 }

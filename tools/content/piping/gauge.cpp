@@ -2,13 +2,13 @@
 
 #include <array>
 
+#include "haptics/math/rotation.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/piping/fasteners.h"
 
 namespace fulcrum::content {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
@@ -41,13 +41,13 @@ void add_dial(Plant* plant, const std::string& name, const Isometry3d& X_WD) {
   constexpr int marks = 11;
   for (int k = 0; k < marks; ++k) {
     const double angle = (225.0 - 27.0 * k) * degree;
-    const Isometry3d X = X_WD * AngleAxisd(angle, Vector3d::UnitZ()) *
+    const Isometry3d X = X_WD * turn_by(angle, Vector3d::UnitZ()) *
                          Translation3d(case_radius - 6.2 * mm, 0.0, dial_depth - 0.9 * mm);
     const double half_long = k % 5 == 0 ? 2.2 * mm : 1.3 * mm;
     plant->add("gauge/" + name + "/mark/" + std::to_string(k), Finish::black, X,
                chamfered_box({half_long, 1.0 * mm, 1.05 * mm}, 0.05 * mm));
   }
-  const Isometry3d needle = X_WD * AngleAxisd(112.0 * degree, Vector3d::UnitZ());
+  const Isometry3d needle = X_WD * turn_by(112.0 * degree, Vector3d::UnitZ());
   plant->add("gauge/" + name + "/needle", Finish::red_paint,
              needle * Translation3d(4 * mm, 0, dial_depth + 1 * mm),
              chamfered_box({9 * mm, 1.05 * mm, 1.05 * mm}, 0.25 * mm));

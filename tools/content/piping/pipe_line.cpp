@@ -2,12 +2,13 @@
 
 #include <utility>
 
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 #include "tools/content/mesh/tube.h"
 
 namespace fulcrum::content {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
@@ -38,7 +39,7 @@ void add_joint(Plant* plant, const std::string& name, const Isometry3d& X_WJ, co
 }  // namespace
 
 Isometry3d flange_pose(const Isometry3d& X_WJ, int towards) {
-  const Isometry3d facing(AngleAxisd(towards > 0 ? 0.0 : pi, Vector3d::UnitX()));
+  const Isometry3d facing(turn_by(towards > 0 ? 0.0 : pi, Vector3d::UnitX()));
   return X_WJ * facing * Translation3d(0.0, 0.0, -0.5 * gasket_thickness);
 }
 
@@ -50,11 +51,10 @@ void add_bolts(Plant* plant, const std::string& name, const Isometry3d& X_WJ, co
   const double length = seat + nut_z + thread.nut_height + stub(thread);
   for (int k = 0; k < bolts_per_flange; ++k) {
     const double angle = bolt_angle(k);
-    const Vector3d place(size.bolt_radius * std::cos(angle), size.bolt_radius * std::sin(angle), 0.0);
+    const Vector3d place(size.bolt_radius * math::cos(angle), size.bolt_radius * math::sin(angle), 0.0);
     // Nobody lines up the flats of heads and nuts.
     const auto turned = [&](double z, double turn) -> Isometry3d {
-      return X_WJ * Translation3d(place + z * Vector3d::UnitZ()) *
-             AngleAxisd(turn * degree, Vector3d::UnitZ());
+      return X_WJ * Translation3d(place + z * Vector3d::UnitZ()) * turn_by(turn * degree, Vector3d::UnitZ());
     };
     const std::string suffix = "/" + name + "/" + std::to_string(k + 1);
     plant->add("bolt" + suffix, Finish::zinc, turned(-seat, 17.0 * k),

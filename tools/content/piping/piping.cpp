@@ -1,5 +1,6 @@
 #include "tools/content/piping/piping.h"
 
+#include "haptics/math/functions.h"
 #include "tools/content/piping/gauge.h"
 #include "tools/content/piping/plant_frame.h"
 #include "tools/content/piping/route.h"
@@ -35,7 +36,7 @@ void add_slot_lines(std::vector<PipeLine>* lines) {
 
 // The DN 15 line ends in the blind flange that carries the nut. The nut is on the upper front bolt.
 PipeLine target_line() {
-  const double off_axis = flange_dn15.bolt_radius * std::sin(bolt_angle(0));
+  const double off_axis = flange_dn15.bolt_radius * math::sin(bolt_angle(0));
   const double y = Layout::nut_y - off_axis;
   const double z = Layout::nut_z - off_axis;
   const double blind = flange_dn15.thickness + raised_face + m12.washer_height;

@@ -5,19 +5,21 @@
 #include <cmath>
 #include <cstdio>
 
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
+
 namespace fulcrum::content {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // The spanner points its large ring away from the viewer, x_T along -z. Rolled, it stands on edge: z_T along
 // +x, y_T up. Flat, the rings' axes are upright and the shank is the higher part: z_T up.
 Matrix3d pointing(double roll, double dip, double swing) {
-  const Matrix3d on_edge = AngleAxisd(0.5 * pi, Vector3d::UnitY()).toRotationMatrix();
-  const Matrix3d rolled = on_edge * AngleAxisd(roll, Vector3d::UnitX()).toRotationMatrix();
-  return AngleAxisd(swing, Vector3d::UnitY()) * AngleAxisd(-dip, Vector3d::UnitX()) * rolled;
+  const Matrix3d on_edge = turn_by(0.5 * pi, Vector3d::UnitY()).toRotationMatrix();
+  const Matrix3d rolled = on_edge * turn_by(roll, Vector3d::UnitX()).toRotationMatrix();
+  return turn_by(swing, Vector3d::UnitY()) * turn_by(-dip, Vector3d::UnitX()) * rolled;
 }
 
 constexpr double flat = -90.0 * degree;
@@ -33,8 +35,8 @@ Eigen::Isometry3d pose_of_ring(const Vector3d& ring_W, const Matrix3d& R_WT) {
 // On edge, its long axis through the slot, the ring `depth` behind the slot's plane along a line that dips.
 // What lies between the pipes is kept in the middle of the gap.
 Eigen::Isometry3d through_slot(double depth, double dip, double aside) {
-  const Vector3d ring(-crank_height(depth) + aside, Layout::slot_y - depth * std::sin(dip),
-                      Layout::slot_z - depth * std::cos(dip));
+  const Vector3d ring(-crank_height(depth) + aside, Layout::slot_y - depth * math::sin(dip),
+                      Layout::slot_z - depth * math::cos(dip));
   return pose_of_ring(ring, pointing(on_edge, dip, 0.0));
 }
 
@@ -53,7 +55,7 @@ Vector3d touch_point_T() {
 std::vector<RoutePose> route() {
   const double y = Layout::slot_y;
   const double z = Layout::slot_z;
-  const double reach = (Layout::slot_y - Layout::nut_y) / std::sin(Layout::dip);
+  const double reach = (Layout::slot_y - Layout::nut_y) / math::sin(Layout::dip);
   std::vector<RoutePose> poses{
       {"start",
        pose_of_ring({-30 * mm, y + 40 * mm, z + 160 * mm}, pointing(flat, 10 * degree, -20 * degree))},
@@ -81,7 +83,7 @@ Eigen::Isometry3d between(const Eigen::Isometry3d& from, const Eigen::Isometry3d
   const Eigen::Quaterniond q_from(from.linear());
   const Eigen::Quaterniond q_to(to.linear());
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  X.linear() = q_from.slerp(u, q_to).toRotationMatrix();
+  X.linear() = slerp(q_from, q_to, u).toRotationMatrix();
   X.translation() = (1.0 - u) * from.translation() + u * to.translation();
   return X;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "haptics/math/rotation.h"
 #include "tools/content/mesh/triangle_tree.h"
 #include "tools/content/piping/piping.h"
 #include "tools/content/piping/route.h"
@@ -46,7 +47,7 @@ std::vector<Vector3d> edge_points(const Solid& solid, double spacing) {
 
 int steps_between(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
   const double line = (to.translation() - from.translation()).norm();
-  const double turn = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
+  const double turn = angle_of(Eigen::Quaterniond(from.linear().transpose() * to.linear()));
   return std::max(1, static_cast<int>(std::ceil(std::max(line / line_step, turn / turn_step))));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/mass.h"
 #include "tools/content/piping/spanner_head.h"
 
@@ -52,7 +53,7 @@ struct ShankSection {
 double upright_stretch(double from_ring_axis) {
   constexpr double step = 0.1 * mm;
   const double rise = crank_height(from_ring_axis + step) - crank_height(from_ring_axis - step);
-  return std::hypot(1.0, rise / (2.0 * step));
+  return math::hypot(1.0, rise / (2.0 * step));
 }
 
 // Offset from the section's middle, (y, z).
@@ -69,11 +70,11 @@ Eigen::Vector2d shank_outline(const FrameIndex& at, const ShankSection& s) {
   if (q == half_across && v < half_up) {
     if (v <= 2) return {y_sign * s.half_width, z_sign * z_arc * v / 2.0};
     const double a = 22.5 * degree * (v - 2);
-    return {y_sign * (y_arc + edge_radius * std::cos(a)), z_sign * (z_arc + edge_radius * std::sin(a))};
+    return {y_sign * (y_arc + edge_radius * math::cos(a)), z_sign * (z_arc + edge_radius * math::sin(a))};
   }
   if (q >= 9) {
     const double a = arc_step * (q - 9);
-    return {y_sign * (y_arc + edge_radius * std::sin(a)), z_sign * (z_arc + edge_radius * std::cos(a))};
+    return {y_sign * (y_arc + edge_radius * math::sin(a)), z_sign * (z_arc + edge_radius * math::cos(a))};
   }
   const double floor = s.half_thickness - s.panel_depth;
   if (q <= 6) return {y_sign * s.panel_half_width * q / 6.0, z_sign * floor};
@@ -86,9 +87,9 @@ Eigen::Vector2d shank_outline(const FrameIndex& at, const ShankSection& s) {
 class Neck {
 public:
   Neck(const RingHead& head, double half_width) : head_(head), half_width_(half_width) {
-    const double s = std::sin(opening_half_angle);
+    const double s = math::sin(opening_half_angle);
     fillet_ = (head.radius * s - half_width) / (1.0 - s);
-    end_ = (head.radius + fillet_) * std::cos(opening_half_angle);
+    end_ = (head.radius + fillet_) * math::cos(opening_half_angle);
   }
 
   double end() const { return end_; }
@@ -105,15 +106,15 @@ private:
     constexpr double half_across = frame_across / 2;
     constexpr double half_up = frame_up / 2;
     const double a = 1.25 * pi + u * 0.25 * pi;
-    const double x_edge = end_ + fillet_ * std::cos(a);
-    const double y_edge = half_width_ + fillet_ + fillet_ * std::sin(a);
-    const double x_edge_start = head_.radius * std::cos(opening_half_angle);
+    const double x_edge = end_ + fillet_ * math::cos(a);
+    const double y_edge = half_width_ + fillet_ + fillet_ * math::sin(a);
+    const double x_edge_start = head_.radius * math::cos(opening_half_angle);
     const double t = (x_edge - x_edge_start) / (end_ - x_edge_start);
 
     const double angle = opening_half_angle * at.across / half_across;
-    const double x = (1.0 - t) * head_.radius * std::cos(angle) + t * end_;
+    const double x = (1.0 - t) * head_.radius * math::cos(angle) + t * end_;
     const double z_half = half_thickness(t * (end_ - head_.radius));
-    const Eigen::Vector2d block(y_edge * std::sin(angle) / std::sin(opening_half_angle),
+    const Eigen::Vector2d block(y_edge * math::sin(angle) / math::sin(opening_half_angle),
                                 z_half * at.up / half_up);
     const Eigen::Vector2d shank = shank_outline(at, {y_edge, z_half, panel_half_width, 0.0});
     const double blend = smooth_step(t);
@@ -164,7 +165,7 @@ std::vector<ShankStation> shank_stations(double from, double to) {
   result.push_back({-ramp_end, 0.0});
   std::vector<double> panel;
   for (int i = 0; i < end_steps; ++i) {
-    panel.push_back(-panel_half_length + panel_end_radius * (1.0 - std::cos(0.5 * pi * i / end_steps)));
+    panel.push_back(-panel_half_length + panel_end_radius * (1.0 - math::cos(0.5 * pi * i / end_steps)));
   }
   const double inner = panel_half_length - panel_end_radius;
   for (int i = 0; i <= panel_steps; ++i) panel.push_back(-inner + 2.0 * inner * i / panel_steps);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
+
 namespace fulcrum::content {
 namespace {
 
@@ -19,7 +21,7 @@ static_assert(frame_across == columns / 4, "the opening takes a quarter of the r
 double hole_radius(double across_flats, double angle) {
   const double sector = pi / 6.0;
   const double from_point = angle - sector * std::floor(angle / sector + 0.5);
-  return (0.5 * across_flats + fit) / std::cos(sector - std::abs(from_point));
+  return (0.5 * across_flats + fit) / math::cos(sector - std::abs(from_point));
 }
 
 struct ProfilePoint {
@@ -42,7 +44,7 @@ std::vector<ProfilePoint> profile(const RingHead& head, double angle) {
   for (int j = 1; j <= rounding_steps; ++j) {
     const double a = 0.5 * pi * j / rounding_steps;
     over.push_back(
-        {head.radius - barrel - head.rounding * (1.0 - std::cos(a)), wall + head.rounding * std::sin(a)});
+        {head.radius - barrel - head.rounding * (1.0 - math::cos(a)), wall + head.rounding * math::sin(a)});
   }
   over.push_back({cone, top});
   over.push_back({hole, top - (cone - hole)});
@@ -60,8 +62,8 @@ public:
     for (int i = 0; i < columns; ++i) {
       const double angle = 2.0 * pi * i / columns;
       for (const ProfilePoint& at : profile(head, angle)) {
-        solid_.add_point(centre +
-                         Eigen::Vector3d(side * at.r * std::cos(angle), side * at.r * std::sin(angle), at.z));
+        solid_.add_point(
+            centre + Eigen::Vector3d(side * at.r * math::cos(angle), side * at.r * math::sin(angle), at.z));
       }
     }
   }

@@ -1,7 +1,6 @@
 #include "tools/content/piping/supports.h"
 
-#include <cmath>
-
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/tube.h"
 #include "tools/content/piping/fasteners.h"
@@ -24,7 +23,7 @@ Section half_outline(const Channel& channel, double inset, double corner_radius,
     const double start = side < 0.0 ? pi : 0.5 * pi;
     for (int i = 0; i <= corner_steps; ++i) {
       const double angle = start - 0.5 * pi * i / corner_steps;
-      points.emplace_back(side * (a - r) + r * std::cos(angle), -inset - r + r * std::sin(angle), z);
+      points.emplace_back(side * (a - r) + r * math::cos(angle), -inset - r + r * math::sin(angle), z);
     }
   }
   points.emplace_back(a, -channel.depth, z);

@@ -1,9 +1,10 @@
 #include "tools/content/piping/valve.h"
 
 #include <array>
-#include <cmath>
 #include <vector>
 
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/tube.h"
 #include "tools/content/piping/fasteners.h"
@@ -12,7 +13,6 @@
 namespace fulcrum::content {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
@@ -83,7 +83,7 @@ Solid wheel_rim() {
   constexpr int around = 12;
   for (int k = 0; k < around; ++k) {
     const double a = 2.0 * pi * k / around;
-    profile.push_back({wheel_radius + rim_radius * std::cos(a), rim_radius * std::sin(a)});
+    profile.push_back({wheel_radius + rim_radius * math::cos(a), rim_radius * math::sin(a)});
   }
   return lathe_ring(profile, 40);
 }
@@ -94,7 +94,7 @@ void add_wheel(Plant* plant, const std::string& name, const Isometry3d& X_WH) {
       {{8 * mm, -6 * mm}, {8.6 * mm, -5.4 * mm}, {8.6 * mm, 3 * mm}, {7.6 * mm, 4 * mm}, {6 * mm, 4 * mm}}};
   plant->add("hand_wheel/" + name + "/hub", Finish::red_paint, X_WH, lathe(hub, 24));
   for (int k = 0; k < spokes; ++k) {
-    const Isometry3d X = X_WH * AngleAxisd(2.0 * pi * k / spokes, Vector3d::UnitZ());
+    const Isometry3d X = X_WH * turn_by(2.0 * pi * k / spokes, Vector3d::UnitZ());
     // Dished: the spokes climb from the hub to the rim.
     const std::vector<Vector3d> corners{X * Vector3d(5 * mm, 0, -1.5 * mm),
                                         X * Vector3d(12 * mm, 0, -2.5 * mm),
@@ -110,7 +110,7 @@ void add_bonnet_bolts(Plant* plant, const std::string& name, const Isometry3d& X
   const double top = bonnet_seat + 2 * mm + bonnet_plate;
   for (int k = 0; k < bolts_per_flange; ++k) {
     const double a = bolt_angle(k);
-    const Isometry3d X = X_WS * Translation3d(18.4 * mm * std::cos(a), 18.4 * mm * std::sin(a), 0.0);
+    const Isometry3d X = X_WS * Translation3d(18.4 * mm * math::cos(a), 18.4 * mm * math::sin(a), 0.0);
     const std::string suffix = "/" + name + "/bonnet/" + std::to_string(k + 1);
     // Studs, screwed into the chest's plate.
     plant->add("stud" + suffix, Finish::zinc, X * Translation3d(0, 0, underside + 1 * mm),
@@ -133,7 +133,7 @@ void add_valve(Plant* plant, const std::string& name, const Isometry3d& X_WV, co
     add_bolts(plant, joint, X_WJ, size);
   }
 
-  const Isometry3d X_WS = X_WV * AngleAxisd(0.5 * pi, Vector3d::UnitY());
+  const Isometry3d X_WS = X_WV * turn_by(0.5 * pi, Vector3d::UnitY());
   plant->add("valve/" + name + "/chest", Finish::water_paint, X_WS, chest());
   const std::array<RadiusHeight, 2> seal{{{21 * mm, bonnet_seat}, {21 * mm, bonnet_seat + 2 * mm}}};
   plant->add("gasket/" + name + "/bonnet", Finish::gasket, X_WS, lathe(seal, 32));

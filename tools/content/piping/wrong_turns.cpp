@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "haptics/math/rotation.h"
 #include "tools/content/piping/route.h"
 
 namespace fulcrum::content {
@@ -29,7 +30,7 @@ struct Stay {
 
 // About the long axis, on which the handle lies: the handle stays where it is.
 Eigen::Isometry3d turned(const Eigen::Isometry3d& X_WT, double angle) {
-  return X_WT * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX());
+  return X_WT * turn_by(angle, Eigen::Vector3d::UnitX());
 }
 
 std::vector<Stay> way() {
@@ -49,7 +50,7 @@ std::vector<Stay> way() {
 
 double travel(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
   const double way = (to.translation() - from.translation()).norm();
-  const double turn = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
+  const double turn = angle_of(Eigen::Quaterniond(from.linear().transpose() * to.linear()));
   const double time = std::max({least_travel, way / speed, turn / turning});
   return std::ceil(20 * time) / 20;
 }

@@ -1,6 +1,6 @@
 #include "tools/content/plate/faces.h"
 
-#include <cmath>
+#include "haptics/math/functions.h"
 
 namespace fulcrum::content {
 namespace {
@@ -12,11 +12,11 @@ constexpr double level_width = 60.0 * mm;
 constexpr double tilted_width = 48.0 * mm;
 
 Vector2d along(double tilt) {
-  return {std::cos(tilt), -std::sin(tilt)};
+  return {math::cos(tilt), -math::sin(tilt)};
 }
 
 Vector2d outward(double tilt) {
-  return {std::sin(tilt), std::cos(tilt)};
+  return {math::sin(tilt), math::cos(tilt)};
 }
 
 double width_of(std::size_t face) {
@@ -54,7 +54,7 @@ std::array<Vector2d, face_count + 1> chain(double depth) {
     // Between two faces both move inwards by the depth; at the ends there is only one.
     const bool between = i > 0 && i < face_count;
     const double middle = between ? tilt - 0.5 * tilt_step : (i == 0 ? tilt : tilt - tilt_step);
-    const double far = between ? depth / std::cos(0.5 * tilt_step) : depth;
+    const double far = between ? depth / math::cos(0.5 * tilt_step) : depth;
     corners[i] = corner - far * outward(middle);
     if (i < face_count) corner += width_of(i) * along(tilt);
   }

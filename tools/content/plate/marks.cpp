@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/plate/faces.h"
 #include "tools/content/plate/stand.h"
@@ -28,7 +29,7 @@ Line arc(const Vector2d& centre, const Vector2d& radii, double from_deg, double 
   Line line;
   for (int k = 0; k <= pieces; ++k) {
     const double angle = degree * (from_deg + (to_deg - from_deg) * k / pieces);
-    line.emplace_back(centre + radii.cwiseProduct(Vector2d(std::cos(angle), std::sin(angle))));
+    line.emplace_back(centre + radii.cwiseProduct(Vector2d(math::cos(angle), math::sin(angle))));
   }
   return line;
 }
@@ -78,8 +79,8 @@ Solid drawn(const Line& line, const Eigen::Isometry3d& X_WF) {
     Section& section = sections.emplace_back();
     for (int k = 0; k < corners; ++k) {
       const double angle = 2.0 * pi * (k + 0.5) / corners;
-      section.push_back(X_WF *
-                        (middle + stroke * (std::cos(angle) * across + std::sin(angle) * Vector3d::UnitZ())));
+      section.push_back(
+          X_WF * (middle + stroke * (math::cos(angle) * across + math::sin(angle) * Vector3d::UnitZ())));
     }
   }
   return closed ? closed_loft(sections) : loft(sections);

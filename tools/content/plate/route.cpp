@@ -1,8 +1,9 @@
 #include "tools/content/plate/route.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 #include "tools/content/plate/faces.h"
 #include "tools/content/plate/stylus.h"
 
@@ -22,7 +23,7 @@ constexpr double sphere = 2.0 * mm;  // radius of a checkpoint
 
 // From upright to the left, then about the vertical towards the trainee.
 Vector3d leaning(double left, double forward) {
-  return Eigen::AngleAxisd(forward, Vector3d::UnitY()) * Vector3d(-std::sin(left), std::cos(left), 0.0);
+  return turn_by(forward, Vector3d::UnitY()) * Vector3d(-math::sin(left), math::cos(left), 0.0);
 }
 
 // The rod's z axis along a direction, by the shortest turn from how the handle holds it at rest.

@@ -1,8 +1,8 @@
 #include "tools/content/plate/stand.h"
 
-#include <cmath>
 #include <random>
 
+#include "haptics/math/rotation.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/plate/faces.h"
 
@@ -126,7 +126,7 @@ Model make_stand() {
   model.parts.push_back({.name = "column",
                          .material = 1,
                          .solid = upright(column, 96, {base_middle.x(), base_top - 1 * mm, 0.0})});
-  const Eigen::Isometry3d lying(Eigen::AngleAxisd(-0.5 * pi, Vector3d::UnitX()));
+  const Eigen::Isometry3d lying(turn_by(-0.5 * pi, Vector3d::UnitX()));
   const Vector3d half(base_half.x(), base_half.z(), base_half.y());
   model.parts.push_back({.name = "base",
                          .material = 0,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/profile.h"
 #include "tools/content/mesh/round_bar.h"
@@ -29,7 +30,7 @@ double radius(double along) {
 double turned(double along) {
   for (const double at : {46.0, 48.5, 148.0, 150.5}) {
     const double off = std::abs(along - at * mm);
-    if (off < 0.6 * mm) return radius(along) - 0.35 * mm * (0.5 + 0.5 * std::cos(pi * off / (0.6 * mm)));
+    if (off < 0.6 * mm) return radius(along) - 0.35 * mm * (0.5 + 0.5 * math::cos(pi * off / (0.6 * mm)));
   }
   return radius(along);
 }

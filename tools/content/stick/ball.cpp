@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/paint.h"
 #include "tools/content/mesh/wood.h"
@@ -27,7 +29,7 @@ Model make_ball() {
   std::vector<RadiusHeight> profile;
   for (int k = 0; k <= rings; ++k) {
     const double angle = pi * (0.02 + 0.96 * k / rings) - 0.5 * pi;
-    profile.push_back({ball_radius * std::cos(angle), ball_radius * std::sin(angle)});
+    profile.push_back({ball_radius * math::cos(angle), ball_radius * math::sin(angle)});
   }
   profile.insert(profile.begin(), {0.4 * mm, -std::sqrt(ball_radius * ball_radius - 0.16 * mm * mm)});
   profile.push_back({0.4 * mm, -profile.front().z});
@@ -67,7 +69,7 @@ Model make_table() {
               .parts = {}};
   Part base = board("board", {75 * mm, 0.5 * board_height, 120 * mm}, oak);
   Eigen::Isometry3d X(Eigen::Translation3d(0.0, board_top - 0.5 * board_height, 0.0));
-  X.rotate(Eigen::AngleAxisd(0.5 * pi, Vector3d::UnitY()));  // the grain from left to right
+  X.rotate(turn_by(0.5 * pi, Vector3d::UnitY()));  // the grain from left to right
   base.solid = transformed(std::move(base.solid), X);
   model.parts.push_back(std::move(base));
   const Vector3d half(0.8, 15.0 * mm, 0.5);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 
 namespace fulcrum::content {
@@ -42,13 +43,13 @@ std::vector<RadiusHeight> stick_profile() {
   for (int k = 0; k < steps; ++k) {
     const double angle = 0.5 * pi * k / steps;
     profile.push_back(
-        {stick_radius * std::cos(angle), stick_length - stick_radius * (1.0 - std::sin(angle))});
+        {stick_radius * math::cos(angle), stick_length - stick_radius * (1.0 - math::sin(angle))});
   }
   return profile;
 }
 
 Vector3d colour_at(const Vector3d& p) {
-  const double from_top = std::abs(std::atan2(p.z(), p.y()));
+  const double from_top = std::abs(math::atan2(p.z(), p.y()));
   if (p.x() < strip_from - 2.0 * mm || p.x() > strip_to + 2.0 * mm || from_top > strip_half) return carbon;
   const long mark = std::lround((p.x() - strip_from) / mark_step);
   const bool long_mark = (mark + 3) % 5 == 0;  // 50, 100 and 150 mm

@@ -1,10 +1,10 @@
 #include "tools/content/sweep/finger.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/paint.h"
 #include "tools/content/mesh/smooth.h"
@@ -38,7 +38,7 @@ Vector3d skin_colour(const FingerShape& shape, const Vector3d& p) {
 Vector3d nail_colour(const FingerShape& shape, const Vector3d& p) {
   const FingerShape::Place at = shape.place(p);
   const Vector3d pink(0.64, 0.36, 0.295), white(0.74, 0.66, 0.58);
-  const double moon = smooth_step(0.6, -0.4, std::hypot(at.x / 1.15, at.s - 9.6) - 3.0);
+  const double moon = smooth_step(0.6, -0.4, math::hypot(at.x / 1.15, at.s - 9.6) - 3.0);
   const double edge = smooth_step(-3.0, -3.5, at.s + 0.02 * at.x * at.x);
   return mixed(pink, white, std::max(0.4 * moon, 0.95 * edge));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
@@ -18,8 +19,8 @@ constexpr double roundness = 2.3;  // exponent of the ovals; 2 is an ellipse
 constexpr double nail_middle = 2.4, nail_half_length = 6.5, nail_half_width = 5.7;  // mm
 
 double gauge(double u, double v, double w, double exponent) {
-  return std::pow(
-      std::pow(std::abs(u), exponent) + std::pow(std::abs(v), exponent) + std::pow(std::abs(w), exponent),
+  return math::pow(
+      math::pow(std::abs(u), exponent) + math::pow(std::abs(v), exponent) + math::pow(std::abs(w), exponent),
       1.0 / exponent);
 }
 
@@ -31,17 +32,17 @@ FingerShape::FingerShape()
           {{-2, 5.0}, {0, 5.0}, {6, 5.5}, {12, 5.7}, {18, 6.3}, {21, 6.4}, {28, 6.4}, {36, 7.0}, {45, 8.4}}),
       under_(
           {{-2, 6.7}, {0, 6.7}, {4, 7.3}, {8, 7.4}, {14, 6.8}, {19, 6.4}, {26, 7.4}, {34, 7.7}, {45, 8.4}}) {
-  Vector2d p(-before * std::sin(inclination(-before)), -before * std::cos(inclination(-before)));
+  Vector2d p(-before * math::sin(inclination(-before)), -before * math::cos(inclination(-before)));
   for (double s = -before; s < end + before; s += step) {
     axis_.push_back(p);
     const double angle = inclination(s + 0.5 * step);
-    p += step * Vector2d(std::sin(angle), std::cos(angle));
+    p += step * Vector2d(math::sin(angle), math::cos(angle));
   }
   // Of the tip's cap and the first of the pad.
   double least = 0.0;
   for (double s = -cap; s < 8.0; s += 0.01) {
     double h = -under_(s);
-    if (s < 0.0) h *= std::pow(std::max(0.0, 1.0 - std::pow(-s / cap, roundness)), 1.0 / roundness);
+    if (s < 0.0) h *= math::pow(std::max(0.0, 1.0 - math::pow(-s / cap, roundness)), 1.0 / roundness);
     const double y = point({s, 0.0, h}).y();
     if (y < least) {
       least = y;
@@ -55,11 +56,11 @@ double FingerShape::inclination(double s) const {
 }
 
 Vector3d FingerShape::along(double s) const {
-  return {0.0, std::sin(inclination(s)), std::cos(inclination(s))};
+  return {0.0, math::sin(inclination(s)), math::cos(inclination(s))};
 }
 
 Vector3d FingerShape::above(double s) const {
-  return {0.0, std::cos(inclination(s)), -std::sin(inclination(s))};
+  return {0.0, math::cos(inclination(s)), -math::sin(inclination(s))};
 }
 
 Vector3d FingerShape::point(const Place& place) const {
@@ -81,8 +82,8 @@ double FingerShape::oval(double s, double x, double h) const {
 }
 
 Vector3d FingerShape::surface(double s, double angle, double off) const {
-  const auto part = [](double v) { return std::copysign(std::pow(std::abs(v), 2.0 / roundness), v); };
-  const double c = std::cos(angle), v = std::sin(angle);
+  const auto part = [](double v) { return std::copysign(math::pow(std::abs(v), 2.0 / roundness), v); };
+  const double c = math::cos(angle), v = math::sin(angle);
   return point({s, part(c) * half_width_(s) + off * c, part(v) * (v > 0.0 ? over_(s) : under_(s)) + off * v});
 }
 
@@ -103,7 +104,7 @@ double FingerShape::skin(const Vector3d& p) const {
   const double top = smooth_step(-1.0, 3.5, at.h), below = smooth_step(0.0, -3.5, at.h);
   // Wrinkles over the last joint, and one fold under it.
   for (const double line : {16.4, 18.0, 19.3, 20.7, 22.4}) {
-    const double bent = at.s - line - 0.35 * std::sin(0.9 * at.x + line);
+    const double bent = at.s - line - 0.35 * math::sin(0.9 * at.x + line);
     d += (0.30 - 0.04 * std::abs(line - 19.3)) * top * bump(bent, 0.38);
   }
   d -= 0.35 * top * bump(at.s - 19.4, 4.0);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/prism.h"
 #include "tools/content/mesh/wood.h"
@@ -22,16 +24,16 @@ Solid rounded_plate(const Vector2d& half, double corner, double low, double high
   Outline outline;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double turn = 0.5 * pi * quarter;
-    const Vector2d inner(std::copysign(half.x() - corner, std::cos(turn + 0.25 * pi)),
-                         std::copysign(half.y() - corner, std::sin(turn + 0.25 * pi)));
+    const Vector2d inner(std::copysign(half.x() - corner, math::cos(turn + 0.25 * pi)),
+                         std::copysign(half.y() - corner, math::sin(turn + 0.25 * pi)));
     for (int k = 0; k <= pieces; ++k) {
       const double angle = turn + 0.5 * pi * k / pieces;
-      outline.emplace_back(inner + corner * Vector2d(std::cos(angle), std::sin(angle)));
+      outline.emplace_back(inner + corner * Vector2d(math::cos(angle), math::sin(angle)));
     }
   }
   // The drawing's y is towards -z.
   Eigen::Isometry3d X(Eigen::Translation3d(middle.x(), 0.5 * (low + high), middle.y()));
-  X.rotate(Eigen::AngleAxisd(-0.5 * pi, Vector3d::UnitX()));
+  X.rotate(turn_by(-0.5 * pi, Vector3d::UnitX()));
   return transformed(bevelled_prism(outline, 0.5 * (high - low), bevel), X);
 }
 
@@ -88,7 +90,7 @@ Model make_desk() {
               .parts = {}};
   Part top = board("desk", {190 * mm, 12 * mm, 290 * mm}, walnut);
   Eigen::Isometry3d X(Eigen::Translation3d(0.0, desk_top - 12 * mm, 0.0));
-  X.rotate(Eigen::AngleAxisd(0.5 * pi, Vector3d::UnitY()));
+  X.rotate(turn_by(0.5 * pi, Vector3d::UnitY()));
   top.solid = transformed(std::move(top.solid), X);
   model.parts.push_back(std::move(top));
   return model;

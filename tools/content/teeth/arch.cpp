@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/profile.h"
 
 namespace fulcrum::content {
@@ -25,7 +26,7 @@ constexpr double reach = 60.0;   // mm, along, to either side
 
 Vector2d form(double x) {
   const double u = std::clamp(x / width, -0.4995, 0.4995);
-  return {u * width, depth * std::pow(1.0 - 4.0 * u * u, bluntness) - 0.5 * depth};
+  return {u * width, depth * math::pow(1.0 - 4.0 * u * u, bluntness) - 0.5 * depth};
 }
 
 // Half of the line, from the middle to the jaw's left; where the form ends it goes straight on.
@@ -35,7 +36,7 @@ std::vector<Vector2d> half_line() {
   double rest = spacing;
   for (int i = 0; i < pieces; ++i) {
     // Finer towards the end, where the form runs parallel to z.
-    const auto x_at = [](int k) { return 0.4995 * width * std::sin(1.57079632679 * k / pieces); };
+    const auto x_at = [](int k) { return 0.4995 * width * math::sin(1.57079632679 * k / pieces); };
     const Vector2d from = form(x_at(i));
     const Vector2d step = form(x_at(i + 1)) - from;
     double done = 0.0;

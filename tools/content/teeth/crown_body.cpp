@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
@@ -31,12 +32,12 @@ double CrownBody::distance(const Eigen::Vector3d& p) const {
   const double u = std::abs(p.x()) / a;
   const double v = std::abs(p.y()) / b;
   // The gauge r is 1 on the outline; divided by its slope it is a distance to first order.
-  const double un = std::pow(u, n - 1.0);
-  const double vn = std::pow(v, n - 1.0);
+  const double un = math::pow(u, n - 1.0);
+  const double vn = math::pow(v, n - 1.0);
   const double sum = un * u + vn * v;
   if (sum < 1e-9) return -std::min(a, b);
-  const double r = std::pow(sum, 1.0 / n);
-  const double slope = std::hypot(un / a, vn / b) * r / sum;
+  const double r = math::pow(sum, 1.0 / n);
+  const double slope = math::hypot(un / a, vn / b) * r / sum;
   return (r - 1.0) / slope;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/solid.h"
 #include "tools/content/teeth/tooth_designs.h"
 #include "tools/content/teeth/tooth_table.h"
@@ -49,13 +50,13 @@ void stand(Tooth* tooth, const Stance& stance, const Variation& own, const Arch&
   const Vector3d up = Vector3d::UnitY();
   const Vector3d line = in_space(at.onward, 0.0);
   const Vector3d out = in_space(at.outward, 0.0);
-  const Vector3d mesial0 = std::cos(stance.turn) * line + std::sin(stance.turn) * out;
-  const Vector3d buccal0 = std::cos(stance.turn) * out - std::sin(stance.turn) * line;
-  const Vector3d occlusal1 = std::cos(stance.inward) * up - std::sin(stance.inward) * buccal0;
-  const Vector3d buccal = std::cos(stance.inward) * buccal0 + std::sin(stance.inward) * up;
-  tooth->R_WT.col(0) = std::cos(stance.mesial) * mesial0 - std::sin(stance.mesial) * occlusal1;
+  const Vector3d mesial0 = math::cos(stance.turn) * line + math::sin(stance.turn) * out;
+  const Vector3d buccal0 = math::cos(stance.turn) * out - math::sin(stance.turn) * line;
+  const Vector3d occlusal1 = math::cos(stance.inward) * up - math::sin(stance.inward) * buccal0;
+  const Vector3d buccal = math::cos(stance.inward) * buccal0 + math::sin(stance.inward) * up;
+  tooth->R_WT.col(0) = math::cos(stance.mesial) * mesial0 - math::sin(stance.mesial) * occlusal1;
   tooth->R_WT.col(1) = buccal;
-  tooth->R_WT.col(2) = std::cos(stance.mesial) * occlusal1 + std::sin(stance.mesial) * mesial0;
+  tooth->R_WT.col(2) = math::cos(stance.mesial) * occlusal1 + math::sin(stance.mesial) * mesial0;
   tooth->along = along;
   const double length = tooth->size * tooth->crown_length;
   const double pivot = tooth->design.contact * length;

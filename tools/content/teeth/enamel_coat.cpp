@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/paint.h"
 #include "tools/content/mesh/smooth.h"
 #include "tools/content/mesh/surface_nets.h"
@@ -26,7 +27,7 @@ const Vector3d beside_teeth(0.70, 0.30, 0.26);
 // with, more and further down.
 double translucency(const Tooth& tooth, const Vector3d& p_T) {
   const double width = tooth.half_width / tooth.size;
-  const double lobes = 0.5 - 0.5 * std::cos(3.0 * pi * (p_T.x() / width + 1.0));
+  const double lobes = 0.5 - 0.5 * math::cos(3.0 * pi * (p_T.x() / width + 1.0));
   const double to_side = smooth_step(0.72, 0.95, std::abs(p_T.x()) / width);
   const double reach = 1.8 + 0.7 * std::max(1.0 - lobes, to_side) + 0.2 * mottle(1.1 * p_T);
   const double below_edge = tooth.crown_length - p_T.z();
@@ -48,7 +49,7 @@ Vector3d enamel_colour(const Tooth& tooth, const Vector3d& p_T) {
     colour = mixed(colour, cusp, 0.8 * smooth_step(0.7, 0.98, up));
   }
   const double fissure = tooth.design.relief.fissure(p_T.x(), p_T.y()) * smooth_step(0.8, 0.2, under_top);
-  colour = mixed(colour, stain, 0.95 * std::pow(fissure, 0.7) * (0.85 + 0.35 * mottle(1.5 * p_T)));
+  colour = mixed(colour, stain, 0.95 * math::pow(fissure, 0.7) * (0.85 + 0.35 * mottle(1.5 * p_T)));
   return colour * (1.0 + 0.03 * mottle(0.9 * p_T));
 }
 

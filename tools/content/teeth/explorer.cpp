@@ -1,7 +1,6 @@
 #include "tools/content/teeth/explorer.h"
 
-#include <cmath>
-
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/profile.h"
 #include "tools/content/mesh/round_bar.h"
 
@@ -39,7 +38,7 @@ double cut(double along) {
   const bool at_grip = grip > 5 * mm && grip < 29 * mm;
   const bool at_end = grip > 84 * mm && grip < 93 * mm;
   if (!at_grip && !at_end) return 0.0;
-  const double wave = 0.5 - 0.5 * std::cos(2.0 * pi * (grip - 5 * mm) / (1.5 * mm));
+  const double wave = 0.5 - 0.5 * math::cos(2.0 * pi * (grip - 5 * mm) / (1.5 * mm));
   return 0.35 * mm * wave * wave;
 }
 

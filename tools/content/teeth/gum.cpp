@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/profile.h"
 #include "tools/content/mesh/smooth.h"
 
@@ -24,7 +25,7 @@ double papilla(const Tooth& a, const Tooth& b) {
 
 // Of the margin, from 0 in the middle of a tooth to 1 at the papilla's rounded tip.
 double scallop(double part) {
-  return smooth_step(0.0, 1.0, std::pow(std::clamp(part, 0.0, 1.0), 1.55));
+  return smooth_step(0.0, 1.0, math::pow(std::clamp(part, 0.0, 1.0), 1.55));
 }
 
 // How far (mm) the gum stands off a tooth, this far below its margin: the free gingiva, a shallow groove, the
@@ -76,7 +77,7 @@ Gum::Margin Gum::margin(const Vector3d& p_W, const Arch::Foot& foot) const {
 
 // Folds of mucosa in the middle of the jaw, to the lip and to the tongue: how far (mm) they stand out.
 double frenulum(const Vector3d& p_W, const Arch::Foot& foot) {
-  const double wander = foot.along - 0.35 * std::sin(0.45 * p_W.y());
+  const double wander = foot.along - 0.35 * math::sin(0.45 * p_W.y());
   const double above_base = smooth_step(-20.4, -17.8, p_W.y());
   if (foot.outward > 0.0) return 1.1 * bump(wander, 0.65) * smooth_step(-12.5, -16.5, p_W.y()) * above_base;
   return 0.9 * bump(wander, 0.7) * smooth_step(-14.0, -17.5, p_W.y()) * above_base;
@@ -113,7 +114,7 @@ double Gum::distance(const Vector3d& p_W) const {
   const Margin m = margin(p_W, foot);
   // The necks are formulas without an end: inside the ridge, well above its underside, they are cut.
   const double side = m.to_teeth - thickness(m.below, m.under_neck);
-  const double rolled = smooth_max(side, -m.below / std::hypot(1.0, m.slope), roll);
+  const double rolled = smooth_max(side, -m.below / math::hypot(1.0, m.slope), roll);
   const double sleeve = smooth_max(rolled, base + 4.0 - p_W.y(), 1.0);
   return smooth_min(sleeve, hull, 3.0);
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/paint.h"
 #include "tools/content/mesh/profile.h"
 #include "tools/content/mesh/smooth.h"
@@ -40,7 +41,7 @@ double mucogingival_line(const Arch::Foot& foot) {
 }
 
 Zone zone_at(const Gum& gum, const Arch::Foot& foot, const Vector3d& p) {
-  const double wander = 0.35 * mottle(0.7 * p) + 0.25 * std::sin(1.05 * foot.along);
+  const double wander = 0.35 * mottle(0.7 * p) + 0.25 * math::sin(1.05 * foot.along);
   const double above = p.y() - mucogingival_line(foot) + wander;
   return {.along = foot.along,
           .below = gum.below_margin(p),
@@ -60,9 +61,9 @@ Vector3d stipple(const Zone& zone, const Vector3d& p) {
 // Fine vessels that run up and branch: the lines where slow waves pass through zero.
 double vessels(const Zone& zone, const Vector3d& p) {
   const double a =
-      1.05 * zone.along + 1.1 * std::sin(0.55 * p.y() + 0.3 * zone.along) + 0.7 * std::sin(1.3 * p.y());
-  const double b = 0.7 * zone.along - 0.9 * p.y() + 1.2 * std::sin(0.5 * zone.along + 0.8 * p.y());
-  return std::max(bump(std::sin(a), 0.28), 0.7 * bump(std::sin(b), 0.25)) * (0.6 + 0.4 * mottle(0.6 * p));
+      1.05 * zone.along + 1.1 * math::sin(0.55 * p.y() + 0.3 * zone.along) + 0.7 * math::sin(1.3 * p.y());
+  const double b = 0.7 * zone.along - 0.9 * p.y() + 1.2 * math::sin(0.5 * zone.along + 0.8 * p.y());
+  return std::max(bump(math::sin(a), 0.28), 0.7 * bump(math::sin(b), 0.25)) * (0.6 + 0.4 * mottle(0.6 * p));
 }
 
 Vector3d gum_colour(const Zone& zone, const Vector3d& p) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
@@ -21,8 +22,8 @@ double cusp_height(const Cusp& cusp, double x, double y) {
   const double far2 = dx * dx + dy * dy;
   if (far2 < 1e-12) return cusp.tip.z();
   const double far = std::sqrt(far2);
-  const double cos_in = std::cos(cusp.inward);
-  const double sin_in = std::sin(cusp.inward);
+  const double cos_in = math::cos(cusp.inward);
+  const double sin_in = math::sin(cusp.inward);
   const double in = (dx * cos_in + dy * sin_in) / far;
   const double aside = (dy * cos_in - dx * sin_in) / far;
   const double outward = smooth_step(0.0, 0.75, -in);
@@ -32,7 +33,7 @@ double cusp_height(const Cusp& cusp, double x, double y) {
   if (in > 0.0) slope += power6(in) * (cusp.ridge - slope);
   double height = cusp.tip.z() - slope * (std::sqrt(far2 + cusp.blunt * cusp.blunt) - cusp.blunt);
   if (in > 0.3 && cusp.wrinkles > 0.0) {
-    const double beside = std::abs(std::atan2(aside, in)) - 0.55;
+    const double beside = std::abs(math::atan2(aside, in)) - 0.55;
     height -= cusp.wrinkles * bump(beside, 0.17) * smooth_step(0.5, 1.4, far);
   }
   return height;
@@ -54,10 +55,10 @@ double ridge_height(const Ridge& ridge, double x, double y) {
 }  // namespace
 
 Relief::At Relief::at(double x, double y) const {
-  const double wavy_x =
-      x + waviness * std::sin(1.9 * y + 0.6 + phase) + 0.3 * waviness * std::sin(4.7 * y + 2.0 + 2.0 * phase);
+  const double wavy_x = x + waviness * math::sin(1.9 * y + 0.6 + phase) +
+                        0.3 * waviness * math::sin(4.7 * y + 2.0 + 2.0 * phase);
   const double wavy_y =
-      y + waviness * std::sin(1.7 * x + 1.1 + phase) + 0.3 * waviness * std::sin(4.3 * x + 2.0 * phase);
+      y + waviness * math::sin(1.7 * x + 1.1 + phase) + 0.3 * waviness * math::sin(4.3 * x + 2.0 * phase);
   double first = deep_down;
   double second = deep_down;
   for (const Cusp& cusp : cusps) {

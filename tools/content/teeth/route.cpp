@@ -1,8 +1,8 @@
 #include "tools/content/teeth/route.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "haptics/math/rotation.h"
 #include "tools/content/teeth/explorer.h"
 
 namespace fulcrum::content {
@@ -71,7 +71,7 @@ std::vector<RoutePose> make_route(const std::vector<Stop>& stops) {
   std::vector<RoutePose> route;
   const auto go = [&](const std::string& note, const Vector3d& tip, double yaw, double pace, double dwell) {
     RoutePose pose{.note = note, .X_WT = Eigen::Isometry3d::Identity(), .travel = 0.0, .dwell = dwell};
-    pose.X_WT.linear() = Eigen::AngleAxisd(yaw, Vector3d::UnitY()).toRotationMatrix();
+    pose.X_WT.linear() = turn_by(yaw, Vector3d::UnitY()).toRotationMatrix();
     pose.X_WT.translation() = tip;
     if (!route.empty()) pose.travel = std::max(0.3, (tip - route.back().X_WT.translation()).norm() / pace);
     route.push_back(pose);
