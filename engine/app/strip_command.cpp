@@ -2,7 +2,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "engine/app/exit_code.h"
 #include "engine/app/named_device.h"
 #include "engine/app/terminal.h"
+#include "engine/files/line_reader.h"
 #include "haptics/math/number_text.h"
 
 namespace fulcrum::app {
@@ -33,20 +33,21 @@ std::optional<StripPress> press_of(std::string_view line) {
 }
 
 std::optional<std::vector<StripPress>> read_presses(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    complain("'" + path +
-             "' cannot be read: give a file with a line for each press, its place in m and ohm.");
+  const auto unread = [&path](const Error& why) {
+    complain("'" + path + "' cannot be read (" + why.sentence +
+             "): give a file with a line for each press, its place in m and ohm.");
     return std::nullopt;
-  }
+  };
+  Result<RegularFile> file = RegularFile::open(path);
+  if (!file) return unread(file.error());
+  LineReader lines(std::move(*file));
   std::vector<StripPress> presses;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (line.empty() || (number == 1 && line == "place_m,ohm")) continue;
-    const std::optional<StripPress> press = press_of(line);
+  while (std::optional<std::string_view> line = lines.next()) {
+    if (line->ends_with('\r')) line->remove_suffix(1);
+    if (line->empty() || (lines.line() == 1 && *line == "place_m,ohm")) continue;
+    const std::optional<StripPress> press = press_of(*line);
     if (!press) {
-      complain(path + ", line " + std::to_string(number) +
+      complain(path + ", line " + std::to_string(lines.line()) +
                ": this is not a press. Write its place along the stick in m and what the strip said in ohm, "
                "such as "
                "0.05,1514.");
@@ -54,6 +55,7 @@ std::optional<std::vector<StripPress>> read_presses(const std::string& path) {
     }
     presses.push_back(*press);
   }
+  if (lines.fault()) return unread(*lines.fault());
   return presses;
 }
 

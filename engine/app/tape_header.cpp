@@ -4,12 +4,25 @@
 
 #include "engine/app/version.h"
 #include "engine/assets/sha256.h"
+#include "engine/files/regular_file.h"
+#include "engine/record/file_error.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
 #include "haptics/actuation/actuators.h"
 #include "haptics/contact/shell_walk.h"
 
 namespace fulcrum::app {
+
+namespace {
+
+Result<std::string> hash_of(const scenario::Scenario& scenario, const scenario::ModelEntry& model) {
+  Result<RegularFile> file = RegularFile::open_within(scenario.folder, model.file.path);
+  Result<std::string> hash = file ? sha256_hex(std::move(*file)) : file.error();
+  if (!hash) return record::read_error(model.file.path, hash.error());
+  return hash;
+}
+
+}  // namespace
 
 Result<record::TapeHeader> tape_header(const Prepared& prepared, const std::string& device,
                                        const std::string& hand) {
@@ -26,7 +39,7 @@ Result<record::TapeHeader> tape_header(const Prepared& prepared, const std::stri
   header.device = device;
   header.tick_s = prepared.haptic.scene.tick_s;
   for (const scenario::ModelEntry& model : scenario.models) {
-    Result<std::string> hash = sha256_hex_of_file(model.file.path);
+    Result<std::string> hash = hash_of(scenario, model);
     if (!hash) return hash.error();
     header.hashes[model.file.name] = std::move(*hash);
   }
@@ -45,7 +58,7 @@ Result<Prepared> prepare_from_tape(const record::Tape& tape) {
   if (!loaded)
     return Error{"The scenario in the tape cannot be used:\n" + scenario::to_text(loaded.faults())};
   for (const scenario::ModelEntry& model : loaded->models) {
-    const Result<std::string> hash = sha256_hex_of_file(model.file.path);
+    const Result<std::string> hash = hash_of(*loaded, model);
     if (!hash) return hash.error();
     const auto recorded = header.hashes.find(model.file.name);
     if (recorded == header.hashes.end() || recorded->second != *hash)

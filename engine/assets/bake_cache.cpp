@@ -1,19 +1,16 @@
 #include "engine/assets/bake_cache.h"
 
-#include <unistd.h>
-
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <future>
 #include <optional>
 #include <span>
-#include <system_error>
 #include <vector>
 
 #include "engine/assets/baked_bytes.h"
 #include "engine/assets/mapped_file.h"
 #include "engine/assets/sha256.h"
+#include "engine/files/put_file.h"
 
 namespace fulcrum {
 namespace {
@@ -55,7 +52,7 @@ struct Read {
   std::optional<T> value;  // where whole
 };
 
-// Other processes only ever move a file into place whole, so what is mapped does not change.
+// Other processes only ever put a whole file in its place, so what is mapped does not change.
 template <class T, class Parse>
 Read<T> read_checked(const fs::path& path, const Parse& parse) {
   constexpr std::size_t checksum_size = 64;
@@ -70,27 +67,9 @@ Read<T> read_checked(const fs::path& path, const Parse& parse) {
   return {good && value ? Found::whole : Found::damaged, std::move(value)};
 }
 
-// Written beside its place and moved there: other processes see the old file or the new one, never half of
-// one.
 bool write_checked(const fs::path& path, std::span<const std::byte> content) {
-  std::error_code fault;
-  fs::create_directories(path.parent_path(), fault);
-  fs::path beside = path;
-  beside += "." + std::to_string(::getpid()) + ".part";
-  {
-    std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-    file << sha256_hex(content);
-    file.write(reinterpret_cast<const char*>(content.data()), static_cast<std::streamsize>(content.size()));
-    file.close();
-    if (!file) {
-      fs::remove(beside, fault);
-      return false;
-    }
-  }
-  fs::rename(beside, path, fault);
-  if (!fault) return true;
-  fs::remove(beside, fault);
-  return false;
+  const std::string sum = sha256_hex(content);
+  return put_file(path, {std::as_bytes(std::span(sum)), content});
 }
 
 template <class T, class Parse, class Bake>

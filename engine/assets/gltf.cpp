@@ -2,23 +2,23 @@
 
 #include <tiny_gltf.h>
 
-#include <cerrno>
-#include <cstring>
 #include <exception>
-#include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_model.h"
+#include "engine/files/regular_file.h"
 
 namespace fulcrum {
 namespace {
 
 constexpr std::size_t kGlbHeader = 20;  // magic, version, length, and the first chunk's length and type
-constexpr std::size_t kDeepest = 200;   // nested brackets; tinygltf reads "extras" by recursion
+constexpr std::size_t kDeepest = 200;   // nested brackets
+constexpr std::uint64_t kLargest = std::numeric_limits<unsigned>::max();  // bytes, tinygltf's measure
 
 std::uint32_t word(std::span<const std::byte> bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -26,20 +26,46 @@ std::uint32_t word(std::span<const std::byte> bytes, std::size_t at) {
   return value;
 }
 
-void check_depth(std::string_view json) {
-  std::size_t depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    if (in_string) {
-      if (json[i] == '\\') ++i;
-      if (i < json.size() && json[i] == '"') in_string = json[i - 1] == '\\';
-      continue;
-    }
-    if (json[i] == '"') in_string = true;
-    if (json[i] == '[' || json[i] == '{') ++depth;
-    if ((json[i] == ']' || json[i] == '}') && depth > 0) --depth;
-    if (depth > kDeepest) throw GltfFault("its description is nested absurdly deep; the file is damaged");
+// tinygltf reads some values by recursion, as deep as they are nested. How deep that is, the same parser says
+// that tinygltf uses, without building anything.
+class DepthCheck final : public nlohmann::json_sax<nlohmann::json> {
+public:
+  bool too_deep() const { return depth_ > kDeepest; }
+
+  bool start_object(std::size_t) override { return enter(); }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool number_float(double, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(nlohmann::json::binary_t&) override { return true; }
+  bool key(std::string&) override { return true; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
   }
+
+private:
+  bool enter() {
+    ++depth_;
+    return !too_deep();
+  }
+  bool leave() {
+    --depth_;
+    return true;
+  }
+
+  std::size_t depth_ = 0;
+};
+
+// What is wrong with the text otherwise, tinygltf says.
+void check_depth(std::string_view json) {
+  DepthCheck check;
+  nlohmann::json::sax_parse(json, &check);
+  if (check.too_deep()) throw GltfFault("its description is nested absurdly deep; the file is damaged");
 }
 
 void check_glb(std::span<const std::byte> bytes) {
@@ -76,18 +102,37 @@ bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, con
   return true;
 }
 
-// Bytes that come without a folder have no files beside them.
-tinygltf::FsCallbacks no_files() {
-  tinygltf::FsCallbacks callbacks{};
-  callbacks.FileExists = [](const std::string&, void*) { return false; };
-  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
-  callbacks.ReadWholeFile = [](std::vector<unsigned char>*, std::string* error, const std::string&, void*) {
-    *error = "no file beside it";
+// The files that a .gltf names. Without a folder it may name none.
+struct Beside {
+  std::optional<std::filesystem::path> folder;  // all of them lie in it
+  std::string refused;                          // a clause about the last one that could not be read
+};
+
+bool read_beside(std::vector<unsigned char>* bytes, std::string*, const std::string& path, void* beside) {
+  Beside& files = *static_cast<Beside*>(beside);
+  const auto refuse = [&](const std::string& why) {
+    files.refused = "it names the file " + path + ", which cannot be read: " + why;
     return false;
   };
+  if (!files.folder) return refuse("there is no folder beside it");
+  const Result<RegularFile> file = RegularFile::open_within(*files.folder, path);
+  if (!file) return refuse(file.error().sentence);
+  const Result<std::string> content = file->first_bytes(kLargest + 1);
+  if (!content) return refuse(content.error().sentence);
+  if (content->size() > kLargest) return refuse("it is larger than 4 GB");
+  bytes->assign(content->begin(), content->end());
+  return true;
+}
+
+tinygltf::FsCallbacks callbacks_for(Beside& beside) {
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.FileExists = [](const std::string&, void*) { return true; };  // reading says why there is none
+  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  callbacks.ReadWholeFile = read_beside;
   callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
     return false;
   };
+  callbacks.user_data = &beside;
   return callbacks;
 }
 
@@ -99,29 +144,26 @@ std::string one_line(std::string text) {
   return text.substr(0, 300);
 }
 
-// folder: where the files lie that the file names; none if it may not name any.
-Model parse(std::span<const std::byte> bytes, bool binary,
-            const std::optional<std::filesystem::path>& folder) {
-  if (bytes.size() > std::numeric_limits<unsigned>::max())
-    throw GltfFault("it is larger than 4 GB; simplify it");
-  const auto size = static_cast<unsigned>(bytes.size());
-  const auto* text = reinterpret_cast<const char*>(bytes.data());
+// `place`: the folder of the file, where the names begin that it holds.
+Model parse(std::string_view text, bool binary, Beside beside, const std::filesystem::path& place) {
+  if (text.size() > kLargest) throw GltfFault("it is larger than 4 GB; simplify it");
+  const auto size = static_cast<unsigned>(text.size());
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(skip_image, nullptr);
-  if (!folder) loader.SetFsCallbacks(no_files());
-  const std::string base = folder ? folder->string() : std::string();
+  loader.SetFsCallbacks(callbacks_for(beside));
   tinygltf::Model file;
   std::string fault, warning;
   bool read = false;
   if (binary) {
-    check_glb(bytes);
-    read = loader.LoadBinaryFromMemory(&file, &fault, &warning, reinterpret_cast<const unsigned char*>(text),
-                                       size, base);
+    check_glb(std::as_bytes(std::span(text)));
+    read = loader.LoadBinaryFromMemory(
+        &file, &fault, &warning, reinterpret_cast<const unsigned char*>(text.data()), size, place.string());
   } else {
-    check_depth({text, size});
-    read = loader.LoadASCIIFromString(&file, &fault, &warning, text, size, base);
+    check_depth(text);
+    read = loader.LoadASCIIFromString(&file, &fault, &warning, text.data(), size, place.string());
   }
   check_extensions(file);
+  if (!read && !beside.refused.empty()) throw GltfFault(beside.refused);
   if (!read)
     throw GltfFault("it cannot be read as glTF (" + one_line(fault) +
                     "); export it again as glTF 2.0 (.glb)");
@@ -129,11 +171,11 @@ Model parse(std::span<const std::byte> bytes, bool binary,
 }
 
 // tinygltf and the JSON parser below it throw on some damaged files.
-Result<Model> parse_guarded(std::span<const std::byte> bytes, bool binary,
-                            const std::optional<std::filesystem::path>& folder, std::string_view name) {
+Result<Model> parse_guarded(std::string_view text, bool binary, Beside beside,
+                            const std::filesystem::path& place, std::string_view name) {
   std::string sentence(name);
   try {
-    return parse(bytes, binary, folder);
+    return parse(text, binary, std::move(beside), place);
   } catch (const GltfFault& fault) {
     sentence.append(": ").append(fault.what()).append(".");
   } catch (const std::exception& fault) {
@@ -147,32 +189,20 @@ Result<Model> parse_guarded(std::span<const std::byte> bytes, bool binary,
 }  // namespace
 
 Result<Model> parse_glb(std::span<const std::byte> bytes, std::string_view name) {
-  return parse_guarded(bytes, true, std::nullopt, name);
+  return parse_guarded({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, true, {}, {}, name);
 }
 
-Result<Model> load_gltf(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
-    return Error{name +
-                 ": there is no such file; check the path, or build the models (the build generates them)."};
-  }
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    return Error{name + ": it is a folder or a device, not a file; name a .glb or .gltf file."};
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  std::vector<char> content;
-  if (file) {
-    content.resize(static_cast<std::size_t>(file.tellg()));
-    file.seekg(0);
-    file.read(content.data(), static_cast<std::streamsize>(content.size()));
-  }
-  if (!file) {
-    return Error{name + ": it cannot be read (" + std::strerror(errno) + "); check its permissions."};
-  }
-  return parse_guarded(std::as_bytes(std::span(content)), path.extension() != ".gltf", path.parent_path(),
-                       name);
+Result<Model> load_gltf(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  const auto unread = [&](const Error& why) {
+    return Error{file.string() + ": " + why.sentence +
+                 "; name a .glb or .gltf file that can be read, or build the models (the build makes them)."};
+  };
+  const Result<RegularFile> opened = RegularFile::open_within(folder, file);
+  if (!opened) return unread(opened.error());
+  const Result<std::string> content = opened->first_bytes(kLargest + 1);
+  if (!content) return unread(content.error());
+  return parse_guarded(*content, file.extension() != ".gltf", {folder, {}}, file.parent_path(),
+                       file.string());
 }
 
 }  // namespace fulcrum

@@ -11,10 +11,11 @@
 
 namespace fulcrum {
 
-// .glb, or .gltf with its buffers beside it. Every fault is a sentence that names the file, what is wrong and
-// what to do: missing, unreadable, truncated, not glTF, no triangles, indices or accessors out of range,
-// numbers that are not finite, and what is not supported (sparse accessors, quantised or compressed meshes).
-Result<Model> load_gltf(const std::filesystem::path& path);
+// .glb, or .gltf with its buffers beside it. The file and all that it names lie in `folder`. Every fault is a
+// sentence that names the file, what is wrong and what to do: missing, unreadable, truncated, not glTF, no
+// triangles, indices or accessors out of range, numbers that are not finite, and what is not supported
+// (sparse accessors, quantised or compressed meshes).
+Result<Model> load_gltf(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 // The same from the bytes of a .glb. `name` stands in sentences for the file.
 Result<Model> parse_glb(std::span<const std::byte> bytes, std::string_view name);

@@ -1,27 +1,22 @@
 #include "engine/assets/mapped_file.h"
 
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <utility>
+
+#include "engine/files/regular_file.h"
 
 namespace fulcrum {
 
 std::optional<MappedFile> MappedFile::open(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return std::nullopt;
-  struct stat status {};
-  std::optional<MappedFile> mapped;
-  if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode)) {
-    const auto size = static_cast<std::size_t>(status.st_size);
-    void* const at =
-        size > 0 ? ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0) : nullptr;
-    if (at != MAP_FAILED) mapped.emplace(MappedFile({static_cast<const std::byte*>(at), size}));
-  }
-  ::close(file);
-  return mapped;
+  const Result<RegularFile> file = RegularFile::open(path);
+  if (!file) return std::nullopt;
+  const auto size = static_cast<std::size_t>(file->size());
+  void* const at = size > 0
+                       ? ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file->descriptor(), 0)
+                       : nullptr;
+  if (at == MAP_FAILED) return std::nullopt;
+  return MappedFile({static_cast<const std::byte*>(at), size});
 }
 
 MappedFile::~MappedFile() {

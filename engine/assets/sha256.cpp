@@ -3,9 +3,6 @@
 #include <openssl/evp.h>
 
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <new>
 #include <vector>
 
@@ -56,21 +53,15 @@ std::string sha256_hex(std::span<const std::byte> bytes) {
   return hasher.finish_hex();
 }
 
-Result<std::string> sha256_hex_of_file(const std::filesystem::path& path) {
-  const auto unreadable = [&path] {
-    return Error{"Cannot read " + path.string() + " (" + std::strerror(errno) +
-                 "): check the path and its permissions."};
-  };
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) return unreadable();
+Result<std::string> sha256_hex(RegularFile file) {
   Sha256 hasher;
   std::vector<char> buffer(1 << 16);
-  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || file.gcount() > 0) {
-    hasher.update(std::as_bytes(std::span(buffer).first(static_cast<std::size_t>(file.gcount()))));
+  for (;;) {
+    const Result<std::size_t> got = file.read_on(buffer.data(), buffer.size());
+    if (!got) return got.error();
+    if (*got == 0) return hasher.finish_hex();
+    hasher.update(std::as_bytes(std::span(buffer).first(*got)));
   }
-  if (file.bad()) return unreadable();
-  return hasher.finish_hex();
 }
 
 }  // namespace fulcrum

@@ -2,12 +2,12 @@
 // SHA-256 (FIPS 180-4): names content by what it is.
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "engine/files/regular_file.h"
 #include "haptics/math/result.h"
 
 namespace fulcrum {
@@ -29,6 +29,6 @@ private:
 };
 
 std::string sha256_hex(std::span<const std::byte> bytes);
-Result<std::string> sha256_hex_of_file(const std::filesystem::path& path);
+Result<std::string> sha256_hex(RegularFile file);
 
 }  // namespace fulcrum

@@ -46,4 +46,8 @@ Error file_error(std::string_view doing, const std::filesystem::path& path, int 
   return {"Cannot " + std::string(doing) + ' ' + path.string() + ": " + reason_and_remedy(error_number)};
 }
 
+Error read_error(const std::filesystem::path& path, const Error& why) {
+  return {"Cannot read " + path.string() + ": " + why.sentence + ". Check the path and its permissions."};
+}
+
 }  // namespace fulcrum::record

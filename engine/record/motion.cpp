@@ -4,10 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <string>
 
+#include "engine/files/regular_file.h"
+#include "engine/record/file_error.h"
 #include "engine/record/tape_reader.h"
 #include "engine/record/trace_reader.h"
 #include "engine/record/whole_rate.h"
@@ -143,6 +144,9 @@ Result<std::vector<TimedSample>> rows_of_trace(const std::filesystem::path& path
     }
     rows.push_back(*row);
   }
+  if (const std::optional<Error> fault = trace.fault()) {
+    return *fault;
+  }
   if (rows.size() < 2) {
     return Error{path.string() + ": a motion needs two ticks at least. Record a longer run."};
   }
@@ -178,9 +182,12 @@ Result<HandleMotion> motion_of_trace(const std::filesystem::path& path) {
 }  // namespace
 
 Result<HandleMotion> read_motion(const std::filesystem::path& path) {
-  std::string start(kTapeMagic.size(), '\0');
-  std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start == kTapeMagic ? motion_of_tape(path) : motion_of_trace(path);
+  const Result<RegularFile> file = RegularFile::open(path);
+  if (!file) {
+    return read_error(path, file.error());
+  }
+  const Result<std::string> start = file->first_bytes(kTapeMagic.size());
+  return start && *start == kTapeMagic ? motion_of_tape(path) : motion_of_trace(path);
 }
 
 }  // namespace fulcrum::record

@@ -1,13 +1,12 @@
 #include "engine/record/tape_reader.h"
 
-#include <cerrno>
-#include <fstream>
+#include <limits>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "engine/files/regular_file.h"
 #include "engine/record/file_error.h"
 #include "engine/record/tape_bytes.h"
 #include "engine/record/tape_header.h"
@@ -186,17 +185,15 @@ Result<Tape> parse_tape(std::span<const std::byte> bytes) {
 }
 
 Result<Tape> read_tape(const std::filesystem::path& path) {
-  std::error_code failure;
-  const std::uintmax_t size = std::filesystem::file_size(path, failure);
-  if (failure) {
-    return file_error("read", path, failure.value());
+  const Result<RegularFile> file = RegularFile::open(path);
+  if (!file) {
+    return read_error(path, file.error());
   }
-  std::vector<std::byte> bytes(size);
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
-    return file_error("read", path, errno);
+  const Result<std::string> bytes = file->first_bytes(std::numeric_limits<std::uint64_t>::max());
+  if (!bytes) {
+    return read_error(path, bytes.error());
   }
-  Result<Tape> tape = parse_tape(bytes);
+  Result<Tape> tape = parse_tape(std::as_bytes(std::span(*bytes)));
   if (!tape) {
     return Error{path.string() + ": " + tape.error().sentence};
   }

@@ -1,9 +1,6 @@
 #include "engine/record/trace_reader.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdint>
-#include <system_error>
 
 #include "engine/record/file_error.h"
 
@@ -23,20 +20,18 @@ std::vector<std::string_view> split_cells(std::string_view line) {
 }
 
 Result<TraceReader> TraceReader::open(const std::filesystem::path& path) {
-  std::error_code failure;
-  // What has no size, a device, would be read without end.
-  if (std::filesystem::file_size(path, failure) == static_cast<std::uintmax_t>(-1)) {
-    return file_error("read", path, failure.value());
+  Result<RegularFile> file = RegularFile::open(path);
+  if (!file) {
+    return read_error(path, file.error());
   }
-  TraceReader reader;
-  reader.file_.open(path, std::ios::binary);
-  if (!reader.file_) {
-    return file_error("read", path, errno);
-  }
-  if (reader.read_line()) {
-    for (const std::string_view name : split_cells(reader.text_)) {
+  TraceReader reader(std::move(*file), path);
+  if (const std::optional<std::string_view> header = reader.next_line()) {
+    for (const std::string_view name : split_cells(*header)) {
       reader.names_.emplace_back(name);
     }
+  }
+  if (const std::optional<Error> fault = reader.fault()) {
+    return *fault;
   }
   return reader;
 }
@@ -48,23 +43,25 @@ std::optional<std::size_t> TraceReader::column(std::string_view name) const {
 }
 
 bool TraceReader::next() {
-  if (!read_line()) {
-    return false;
+  const std::optional<std::string_view> line = next_line();
+  if (line) {
+    cells_ = split_cells(*line);
   }
-  cells_ = split_cells(text_);
-  return true;
+  return line.has_value();
 }
 
-bool TraceReader::read_line() {
-  if (!std::getline(file_, text_)) {
-    return false;
+std::optional<Error> TraceReader::fault() const {
+  if (!lines_.fault()) {
+    return std::nullopt;
   }
-  if (file_.eof()) {
-    complete_ = false;
-    return false;
-  }
-  ++line_;
-  return true;
+  return Error{path_.string() + ": " + lines_.fault()->sentence +
+               ". Name a trace.csv as a run writes it, or cut the file off before that line."};
+}
+
+std::optional<std::string_view> TraceReader::next_line() {
+  const std::optional<std::string_view> line = lines_.next();
+  complete_ = complete_ && !lines_.fault() && lines_.ended();
+  return complete_ ? line : std::nullopt;
 }
 
 }  // namespace fulcrum::record

@@ -2,13 +2,13 @@
 // Reads a trace.csv line by line.
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/files/line_reader.h"
 #include "haptics/math/result.h"
 
 namespace fulcrum::record {
@@ -23,20 +23,22 @@ public:
   std::optional<std::size_t> column(std::string_view name) const;
 
   // The next row. False: there is none. A last line without its end was cut off, and is not a row. The cells
-  // are valid until the next call.
+  // are valid until the next call. Or it cannot be read, and fault() says why.
   bool next();
   std::span<const std::string_view> cells() const { return cells_; }  // may be more or fewer than names()
-  std::size_t line() const { return line_; }                          // in the file, from 1
+  std::size_t line() const { return lines_.line(); }                  // in the file, from 1
   bool complete() const { return complete_; }  // after the last row: the file ended with a whole line
+  std::optional<Error> fault() const;
 
 private:
-  bool read_line();
+  TraceReader(RegularFile file, std::filesystem::path path)
+      : lines_(std::move(file)), path_(std::move(path)) {}
+  std::optional<std::string_view> next_line();
 
-  std::ifstream file_;
-  std::string text_;
+  LineReader lines_;
+  std::filesystem::path path_;
   std::vector<std::string> names_;
   std::vector<std::string_view> cells_;
-  std::size_t line_ = 0;
   bool complete_ = true;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/scenario/content.h"
+#include "engine/scenario/content_file.h"
 #include "engine/scenario/describe.h"
 #include "engine/scenario/nearby.h"
 #include "engine/scenario/overrides.h"
@@ -22,7 +23,7 @@ void append(Faults& to, Faults from) {
   std::ranges::move(from, std::back_inserter(to));
 }
 
-Faults read_text(const std::string& text, std::string_view source, const std::filesystem::path& folder,
+Faults read_keys(const std::string& text, std::string_view source, const std::filesystem::path& folder,
                  const Describe& describe) {
   const auto root = parse_yaml(text, source);
   if (!root) return root.faults();
@@ -42,39 +43,46 @@ Mark mark_of(const Node& root, std::initializer_list<std::string_view> path) {
 
 Faults read_hand(HandEntry& hand, const Node& root, const std::filesystem::path& folder, TextStore& texts) {
   if (hand.path.name.empty()) return {};  // its key was refused already
-  const auto text = texts.get(hand.path.name, {hand.path.path});
+  const auto text =
+      texts.get(hand.path.name, [&] { return RegularFile::open_within(folder, hand.path.path); });
   if (!text) {
     const Mark mark = mark_of(root, {"hands", hand.name, "path"});
     return {mark.fault("cannot read " + in_quotes(hand.path.name) + ": " + text.error().sentence +
                        nearby_files(hand.path.name, folder))};
   }
-  return read_text(*text, hand.path.name, folder,
+  return read_keys(*text, hand.path.name, folder,
                    [&](KeyVisitor& visitor) { describe_hand_path(visitor, hand.waypoints); });
 }
 
-// A file of content that a scenario names without its folder and end: content/KIND/NAME.yaml. `at`: the path
-// of the key that names it.
-Faults read_content(std::string_view kind, const std::string& named, const Node& root,
-                    std::initializer_list<std::string_view> at, const std::filesystem::path& folder,
-                    TextStore& texts, const Describe& describe) {
-  const std::string file = named + ".yaml";
-  std::vector<std::filesystem::path> folders{(folder / ".." / ".." / kind).lexically_normal()};
-  for (const auto& content : content_roots()) folders.push_back(content / kind);
-  std::vector<std::filesystem::path> places;
-  for (const auto& each : folders) places.push_back(each / file);
-  const std::string name = std::string(kind) + "/" + file;
-  const auto text = texts.get(name, places);
+// `key`: what the text is called among those that are kept. `at`: the path of the key that names the file.
+Faults read_content(const ContentFile& file, const std::string& key, const std::string& named,
+                    const Node& root, std::initializer_list<std::string_view> at,
+                    const std::filesystem::path& folder, TextStore& texts, const Describe& describe) {
+  const auto text = texts.get(key, [&] { return file.open(); });
   if (!text) {
-    return {mark_of(root, at).fault("cannot read " + in_quotes(name) + ": " + text.error().sentence +
-                                    nearby_names(named, folders))};
+    return {mark_of(root, at).fault("cannot read " + in_quotes(file.name()) + ": " + text.error().sentence +
+                                    nearby_names(named, file.folders()))};
   }
-  return read_text(*text, name, folder, describe);
+  return read_keys(*text, file.name(), folder, describe);
 }
 
+// Installed files say what real devices can bear. A scenario may bring a device that is to be simulated,
+// under a name of its own.
 Faults read_device(DeviceEntry& device, const Node& root, const std::filesystem::path& folder,
                    TextStore& texts) {
   if (device.model.empty()) return {};
-  return read_content("devices", device.model, root, {"device", "model"}, folder, texts,
+  const ContentFile file(folder, "devices", device.model);
+  const std::string own_key = "scenario:" + file.name();
+  device.own = texts.reads_files() ? file.is_own() : texts.has(own_key);
+  if (texts.reads_files() && device.own && file.is_installed()) {
+    return {mark_of(root, {"device", "model"})
+                .fault(in_quotes(device.model) + " is an installed device, and the scenario's folder has a " +
+                       in_quotes(file.name()) +
+                       " too: a scenario cannot change an installed device's figures; give its own device "
+                       "another name")};
+  }
+  return read_content(file, device.own ? own_key : file.name(), device.model, root, {"device", "model"},
+                      folder, texts,
                       [&](KeyVisitor& visitor) { describe_device_file(visitor, device.desc); });
 }
 
@@ -84,7 +92,8 @@ Faults read_materials(Scenario& scenario, const Node& root, TextStore& texts) {
   const auto read = [&](const std::string& name, std::initializer_list<std::string_view> at) {
     if (name.empty() || scenario.impact_materials.contains(name)) return;
     ImpactMaterial& material = scenario.impact_materials[name];
-    append(faults, read_content("materials", name, root, at, scenario.folder, texts,
+    const ContentFile file(scenario.folder, "materials", name);
+    append(faults, read_content(file, file.name(), name, root, at, scenario.folder, texts,
                                 [&](KeyVisitor& visitor) { describe_material_file(visitor, material); }));
   };
   for (const ModelEntry& model : scenario.models) read(model.material, {"models", model.name, "material"});
@@ -128,17 +137,17 @@ Checked<Scenario> load(const std::string& text, const std::string& source, const
 }  // namespace
 
 Checked<Scenario> load_scenario(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  const auto text = read_text_file(file);
+  const auto text = read_text(RegularFile::open_within(file.parent_path(), file.filename()));
   if (!text) return Faults{{file.string(), 0, 0, "cannot read the scenario: " + text.error().sentence}};
   TextStore texts;
   return load(*text, file.string(), file.filename().string(), file.parent_path(), overrides, texts);
 }
 
 Checked<DeviceDesc> load_device(const std::filesystem::path& file) {
-  const auto text = read_text_file(file);
+  const auto text = read_text(RegularFile::open(file));
   if (!text) return Faults{{file.string(), 0, 0, "cannot read the device: " + text.error().sentence}};
   DeviceDesc device;
-  Faults faults = read_text(*text, file.string(), file.parent_path(),
+  Faults faults = read_keys(*text, file.string(), file.parent_path(),
                             [&](KeyVisitor& visitor) { describe_device_file(visitor, device); });
   if (!faults.empty()) return faults;
   return device;

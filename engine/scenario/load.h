@@ -16,7 +16,8 @@ namespace fulcrum::scenario {
 // `overrides`: KEY=VALUE, as --set takes them. KEY is a full dotted path (contact.stiffness,
 // checkpoints.0.radius, hands.expert.tremor) or its last component where only one key ends so (response).
 //
-// Device files are looked for in FOLDER/../../devices and in the content roots (content.h).
+// Everything that a scenario names lies in its folder. Devices and materials are looked for there, in
+// devices/ and materials/, and in the content roots (content.h).
 Checked<Scenario> load_scenario(const std::filesystem::path& file,
                                 std::span<const std::string> overrides = {});
 

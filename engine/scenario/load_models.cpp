@@ -32,7 +32,7 @@ Result<Solid> solid_of(const ModelEntry& entry, TriangleMesh mesh) {
 Result<LoadedModels> load_models(const Scenario& scenario) {
   LoadedModels loaded;
   for (const ModelEntry& entry : scenario.models) {
-    auto model = load_gltf(entry.file.path);
+    auto model = load_gltf(scenario.folder, entry.file.path);
     if (!model) return at(entry, model.error().sentence);
     loaded.models.push_back(std::move(*model));
     if (entry.role != ModelRole::tool) continue;

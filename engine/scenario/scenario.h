@@ -59,7 +59,8 @@ struct ToolEntry {
 };
 
 struct DeviceEntry {
-  std::string model;  // content/devices/MODEL.yaml
+  std::string model;  // devices/MODEL.yaml, of the program's content
+  bool own = false;   // of the scenario's folder instead: it is simulated only
   DeviceDesc desc;    // what that file says
   MappingDesc mapping;
   AllocationDesc allocation;

@@ -2,26 +2,28 @@
 // Where the texts of a scenario come from: files, or the memory of an earlier load. Either way what was read
 // is kept.
 
-#include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
-#include <vector>
 
+#include "engine/files/regular_file.h"
 #include "haptics/math/result.h"
 
 namespace fulcrum::scenario {
 
-// At most as much as a text may have and one byte more, so that a device or a huge file cannot fill the
-// memory.
-Result<std::string> read_text_file(const std::filesystem::path& file);
+// At most as much as a text may have and one byte more, so that a huge file cannot fill the memory.
+Result<std::string> read_text(const Result<RegularFile>& file);
 
 class TextStore {
 public:
   TextStore() = default;  // reads files
   explicit TextStore(std::map<std::string, std::string> texts);
 
-  // The text called `name`: from memory, or from the first of `places` that exists.
-  Result<std::string> get(const std::string& name, const std::vector<std::filesystem::path>& places);
+  bool reads_files() const { return !from_memory_; }
+  bool has(const std::string& name) const { return texts_.contains(name); }  // in the memory
+
+  // The text called `name`: from memory, or from the file that is opened.
+  Result<std::string> get(const std::string& name, const std::function<Result<RegularFile>()>& open);
   // A text that is at hand already.
   void put(const std::string& name, std::string text) { used_[name] = std::move(text); }
 

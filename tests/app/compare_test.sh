@@ -64,12 +64,13 @@ expect 2 'excludes' "$FULCRUM" compare piping --tape A/tape --hand yielding
 content=$(dirname "$FULCRUM")/content
 mkdir scenarios
 cp -r "$content/scenarios/piping" scenarios/
-cp -r "$content/devices" devices
+mkdir scenarios/piping/devices
 sed -i '/^torque_substitution/d' scenarios/piping/scenario.yaml
 expect 1 "does not name torque_substitution.*add 'torque_substitution" "$FULCRUM" compare scenarios/piping/scenario.yaml --out X
 cp "$content/scenarios/piping/scenario.yaml" scenarios/piping/
-sed -i 's/^kinematics:.*/kinematics: cartesian/; s/^renders_torque:.*/renders_torque: true/; s/^max_torque:.*/max_torque: 0.5/' \
-  devices/phantom_like.yaml
+sed 's/^kinematics:.*/kinematics: cartesian/; s/^renders_torque:.*/renders_torque: true/; s/^max_torque:.*/max_torque: 0.5/' \
+  "$content/devices/phantom_like.yaml" >scenarios/piping/devices/torque_arm.yaml
+sed -i 's/model: phantom_like/model: torque_arm/' scenarios/piping/scenario.yaml
 expect 1 'nothing to substitute' "$FULCRUM" compare scenarios/piping/scenario.yaml --out X
 
 [ $failures = 0 ] && echo "all good"

@@ -82,7 +82,6 @@ head -c 100000 A/tape >short.tape
 expect 0 'ends early' "$FULCRUM" replay short.tape --out I
 content=$(dirname "$FULCRUM")/content/scenarios/piping
 cp -r "$content" bad
-cp -r "$(dirname "$content")/../devices" devices
 edit() { cp "$content/scenario.yaml" bad/ && sed -i "$1" bad/scenario.yaml; }
 edit 's/^time_limit:.*/time_limt: 90/' && expect 1 'scenario.yaml:[0-9]+:1: .*time_limit' "$FULCRUM" check bad/scenario.yaml
 edit 's/^seed:.*/seed: many/' && expect 1 'scenario.yaml:[0-9]+:[0-9]+: ' "$FULCRUM" check bad/scenario.yaml

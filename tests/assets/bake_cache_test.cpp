@@ -1,6 +1,7 @@
 #include "engine/assets/bake_cache.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -105,6 +106,20 @@ TEST_F(BakeCacheTest, DamageIsNoticedAndRepaired) {
   }
   fs::resize_file(file, size + 4);
   expect_repaired("something appended");
+}
+
+// A pipe would be waited for; what a bake of another time was killed in goes.
+TEST_F(BakeCacheTest, WhatIsNoBakeIsReplaced) {
+  ASSERT_TRUE(cache_.field(solid_, field_desc_));
+  const fs::path file = files().at(0);
+  fs::remove(file);
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  std::ofstream(file.string() + ".123.part") << "half";
+  const auto made = cache_.field(solid_, field_desc_);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->note, "");
+  EXPECT_TRUE(cache_.field(solid_, field_desc_)->from_cache);
+  EXPECT_EQ(files(), std::vector{file});
 }
 
 TEST_F(BakeCacheTest, AFolderThatCannotBeWrittenIsNoError) {

@@ -1,6 +1,8 @@
 #include "engine/assets/gltf.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -144,32 +146,96 @@ TEST(Gltf, NestingCannotExhaustTheStack) {
   EXPECT_MENTIONS(refusal(file), "nested");
 }
 
+// A string may end in a backslash, and brackets in strings are none.
+TEST(Gltf, NestingIsCountedAsTheParserReads) {
+  Tetrahedron file;
+  for (const char* before : {R"("x":"\\",)", R"("x":"\"[",)", R"("x":"[[\\\"[[",)", R"("x":["\\"],)"}) {
+    for (const char* open : {"[", R"({"a":)"}) {
+      const std::string close = *open == '[' ? "]" : "}";
+      std::string deep, end;
+      for (int i = 0; i < 20000; ++i) {
+        deep += open;
+        end += close;
+      }
+      file.more = before + (R"("extras":)" + deep + "1" + end) + ",";
+      EXPECT_MENTIONS(refusal(file), "nested") << before << open;
+    }
+  }
+  file.more = R"("x":")" + std::string(1000, '[') + R"(\\","extras":)" + std::string(100, '[') +
+              std::string(100, ']') + ",";
+  EXPECT_EQ(refusal(file), "");
+}
+
 TEST(Gltf, FilesThatCannotBeReadSaySo) {
-  const auto missing = load_gltf("/nonexistent/part.glb");
+  const auto missing = load_gltf("/nonexistent", "/nonexistent/part.glb");
   ASSERT_FALSE(missing);
-  EXPECT_MENTIONS(missing.error().sentence, "/nonexistent/part.glb: there is no such file");
-  const auto folder = load_gltf(std::filesystem::temp_directory_path());
+  EXPECT_MENTIONS(missing.error().sentence, "/nonexistent/part.glb: No such file");
+  const auto folder = load_gltf("/", std::filesystem::temp_directory_path());
   ASSERT_FALSE(folder);
   EXPECT_MENTIONS(folder.error().sentence, "a folder");
 }
 
-TEST(Gltf, ATextFileFindsItsBufferBesideIt) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "fulcrum_gltf_test";
-  std::filesystem::create_directories(folder);
-  const std::vector<std::byte> bytes = Tetrahedron().bytes();
-  const std::size_t json_bytes =
-      std::to_integer<std::size_t>(bytes[12]) + 256 * std::to_integer<std::size_t>(bytes[13]);
-  std::string json(reinterpret_cast<const char*>(bytes.data()) + 20, json_bytes);
-  const std::string embedded = R"("buffers":[{)";
-  json.insert(json.find(embedded) + embedded.size(), R"("uri":"part.bin",)");
-  std::ofstream(folder / "part.gltf") << json;
-  std::ofstream(folder / "part.bin", std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()) + 28 + json_bytes, 72);
-  const auto model = load_gltf(folder / "part.gltf");
-  EXPECT_TRUE(model) << model.error().sentence;
-  std::filesystem::remove(folder / "part.bin");
-  EXPECT_FALSE(load_gltf(folder / "part.gltf"));
-  std::filesystem::remove_all(folder);
+// FOLDER/models/part.gltf, whose buffer is another file.
+class GltfText : public testing::Test {
+protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder_ / "models");
+    std::ofstream(top_ / "secret.bin", std::ios::binary) << buffer_;
+    std::ofstream(folder_ / "near.bin", std::ios::binary) << buffer_;
+    std::ofstream(folder_ / "models" / "part.bin", std::ios::binary) << buffer_;
+  }
+  void TearDown() override { std::filesystem::remove_all(top_); }
+
+  // What is said about a buffer of that URI.
+  std::string refusal_of(const std::string& uri, const std::string& more = "") {
+    std::string json = json_;
+    const std::string embedded = R"("buffers":[{)";
+    json.insert(json.find(embedded) + embedded.size(), R"("uri":")" + uri + R"(",)");
+    json.insert(1, more);
+    std::ofstream(file_) << json;
+    const auto model = load_gltf(folder_, file_);
+    return model ? "" : model.error().sentence;
+  }
+
+  const std::vector<std::byte> bytes_ = Tetrahedron().bytes();
+  const std::size_t json_bytes_ =
+      std::to_integer<std::size_t>(bytes_[12]) + 256 * std::to_integer<std::size_t>(bytes_[13]);
+  const std::string json_{reinterpret_cast<const char*>(bytes_.data()) + 20, json_bytes_};
+  const std::string buffer_{reinterpret_cast<const char*>(bytes_.data()) + 28 + json_bytes_, 72};
+  const std::filesystem::path top_ =
+      std::filesystem::path(testing::TempDir()) / ("fulcrum_gltf_test_" + std::to_string(::getpid()));
+  const std::filesystem::path folder_ = top_ / "scenario";
+  const std::filesystem::path file_ = folder_ / "models" / "part.gltf";
+};
+
+TEST_F(GltfText, FindsItsBufferInItsFolder) {
+  EXPECT_EQ(refusal_of("part.bin"), "");
+  EXPECT_EQ(refusal_of("../near.bin"), "");
+  std::filesystem::create_symlink("../near.bin", folder_ / "models" / "link.bin");
+  EXPECT_EQ(refusal_of("link.bin"), "");
+  EXPECT_MENTIONS(refusal_of("none.bin"), "it names the file " + (folder_ / "models/none.bin").string());
+  EXPECT_MENTIONS(refusal_of("near.bin"), "No such file");  // not where the scenario or the program is
+}
+
+TEST_F(GltfText, ReadsNothingOutsideItsFolder) {
+  std::filesystem::create_symlink(top_ / "secret.bin", folder_ / "models" / "out.bin");
+  std::filesystem::create_symlink("..", folder_ / "up");
+  for (const char* uri : {"../../secret.bin", "..%2f..%2Fsecret.bin", "out.bin", "../up/secret.bin"})
+    EXPECT_MENTIONS(refusal_of(uri), "leads out of the folder") << uri;
+  EXPECT_NE(refusal_of((top_ / "secret.bin").string()), "");
+  EXPECT_NE(refusal_of("file://" + (top_ / "secret.bin").string()), "");
+  std::filesystem::rename(file_, top_ / "part.gltf");
+  std::filesystem::create_symlink("../../part.gltf", file_);
+  EXPECT_MENTIONS(load_gltf(folder_, file_).error().sentence, "leads out of the folder");
+}
+
+// A pipe without a writer would be waited for.
+TEST_F(GltfText, ReadsFilesAlone) {
+  ASSERT_EQ(::mkfifo((folder_ / "models" / "pipe").c_str(), 0600), 0);
+  EXPECT_MENTIONS(refusal_of("pipe"), "it is a pipe, not a file");
+  EXPECT_MENTIONS(refusal_of("."), "it is a folder, not a file");
+  EXPECT_EQ(refusal_of("part.bin", R"("images":[{"uri":"pipe"},{"uri":"../../secret.bin"}],)"), "");
+  EXPECT_MENTIONS(load_gltf(folder_, folder_ / "models" / "pipe").error().sentence, "it is a pipe");
 }
 
 }  // namespace

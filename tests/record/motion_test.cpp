@@ -1,6 +1,7 @@
 #include "engine/record/motion.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <limits>
@@ -118,6 +119,11 @@ TEST(Motion, WhatIsWrongIsNamedWithItsLine) {
   write(folder / "m.csv", "");
   EXPECT_FALSE(read_motion(folder / "m.csv"));
   EXPECT_FALSE(read_motion(folder / "gone.csv"));
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_NE(read_motion(folder / "pipe").error().sentence.find("it is a pipe"), std::string::npos);
+  const std::string row = "0,0,0,0,1,0,0,0\n";
+  write(folder / "m.csv", kHeader + row + std::string(1 << 20, ',') + "\n" + row);
+  EXPECT_NE(read_motion(folder / "m.csv").error().sentence.find("line 3 is longer"), std::string::npos);
 }
 
 TEST(Motion, ATapeThatLostForeverIsRefused) {

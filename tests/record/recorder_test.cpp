@@ -70,7 +70,7 @@ TEST(Recorder, LeavesTheWholeRun) {
   EXPECT_EQ(outcome.rows, 1234);
   EXPECT_TRUE(outcome.complete);
   EXPECT_FALSE(recorder->take_error());
-  EXPECT_EQ(outcome.trace_sha256, *sha256_hex_of_file(folder / "trace.csv"));
+  EXPECT_EQ(outcome.trace_sha256, *sha256_hex(std::move(*RegularFile::open(folder / "trace.csv"))));
   EXPECT_EQ(expect_agreement(folder.path()), 1234);
   EXPECT_TRUE(read_tape(folder / "tape")->complete);
   EXPECT_EQ(contents(folder / "trace.json"), columns().json());
@@ -178,7 +178,7 @@ void expect_stop_at_full_disk(const std::filesystem::path& folder, const char* r
   EXPECT_EQ(outcome.rows, expect_agreement(folder));
   EXPECT_GT(outcome.rows, 0);
   EXPECT_TRUE(contents(folder / "trace.csv").ends_with('\n'));
-  EXPECT_EQ(outcome.trace_sha256, *sha256_hex_of_file(folder / "trace.csv"));
+  EXPECT_EQ(outcome.trace_sha256, *sha256_hex(std::move(*RegularFile::open(folder / "trace.csv"))));
   EXPECT_FALSE(read_tape(folder / "tape")->complete);
 }
 

@@ -1,5 +1,6 @@
 // trace.csv, as scripts rely on it: names, times, numbers, and the hash of what was written.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -191,7 +192,7 @@ TEST(Trace, FileIsHeaderAndRowsAndItsHash) {
   ASSERT_FALSE(writer->flush());
   ASSERT_FALSE(writer->close());
   EXPECT_EQ(contents(folder / "trace.csv"), expected);
-  EXPECT_EQ(writer->sha256_hex(), *sha256_hex_of_file(folder / "trace.csv"));
+  EXPECT_EQ(writer->sha256_hex(), *sha256_hex(std::move(*RegularFile::open(folder / "trace.csv"))));
 }
 
 TEST(Trace, WhatIsTakenBackIsNeitherInTheFileNorInTheHash) {
@@ -207,7 +208,7 @@ TEST(Trace, WhatIsTakenBackIsNeitherInTheFileNorInTheHash) {
   ASSERT_FALSE(writer->flush());
   writer->take_back();
   EXPECT_EQ(contents(folder / "trace.csv"), columns.header() + row_text(columns, kept, 0));
-  EXPECT_EQ(writer->sha256_hex(), *sha256_hex_of_file(folder / "trace.csv"));
+  EXPECT_EQ(writer->sha256_hex(), *sha256_hex(std::move(*RegularFile::open(folder / "trace.csv"))));
 }
 
 TEST(Trace, ReaderPassesOverALineThatWasCutOff) {
@@ -227,6 +228,31 @@ TEST(Trace, ReaderPassesOverALineThatWasCutOff) {
 TEST(Trace, ReaderRefusesWhatIsNoFile) {
   EXPECT_FALSE(TraceReader::open("/dev/zero"));
   EXPECT_FALSE(TraceReader::open("/nowhere/trace.csv"));
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(TraceReader::open(folder / "pipe").error().sentence,
+            "Cannot read " + (folder / "pipe").string() +
+                ": it is a pipe, not a file. Check the path and its permissions.");
+}
+
+// Each comma is a cell: a line without bounds would fill the memory.
+TEST(Trace, ReaderRefusesALineWithoutEnd) {
+  const TemporaryFolder folder;
+  const std::string commas(1 << 20, ',');
+  write(folder / "trace.csv", commas);
+  const Result<TraceReader> header = TraceReader::open(folder / "trace.csv");
+  ASSERT_FALSE(header);
+  EXPECT_NE(header.error().sentence.find("trace.csv: line 1 is longer than 65536 bytes. Name a trace.csv"),
+            std::string::npos)
+      << header.error().sentence;
+  write(folder / "trace.csv", "a,b\n1,2\n" + commas + "\n3,4\n");
+  Result<TraceReader> row = TraceReader::open(folder / "trace.csv");
+  ASSERT_TRUE(row);
+  EXPECT_TRUE(row->next());
+  EXPECT_FALSE(row->next());
+  EXPECT_FALSE(row->complete());
+  ASSERT_TRUE(row->fault());
+  EXPECT_NE(row->fault()->sentence.find("line 3"), std::string::npos);
 }
 
 }  // namespace

@@ -204,7 +204,8 @@ TEST_F(Assemble, AGhostIsThereWhereTheSceneShowsOne) {
 
 // Models are numbered as they stand in the file, those of the scene alone.
 TEST_F(Assemble, EachModelOfTheSceneHasItsMaterialAndItsNumber) {
-  folder_.write("materials/wood.yaml", "fulcrum: 1\nname: Wood\nattack: 0.1\ndecay: 9\nfrequency_Hz: 20\n");
+  folder_.write("scenarios/peg/materials/wood.yaml",
+                "fulcrum: 1\nname: Wood\nattack: 0.1\ndecay: 9\nfrequency_Hz: 20\n");
   folder_.write("scenarios/peg/post.glb", box_glb({0.05F, 0.0F, 0.05F}, {0.07F, 0.1F, 0.07F}));
   const std::string text = replaced(
       replaced(kScenario, "  peg: {file",
@@ -253,7 +254,7 @@ TEST(Materials, ThoseOfTheContentAreWithinWhatWasTried) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(FULCRUM_SOURCE_DIR) / "content/materials")) {
     const Folder folder;
-    std::filesystem::copy(entry.path(), folder.root() / "materials",
+    std::filesystem::copy(entry.path(), folder.peg() / "materials",
                           std::filesystem::copy_options::overwrite_existing);
     const std::string name = entry.path().stem().string();
     const auto scenario = load_scenario_text(

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,7 +45,8 @@ inline constexpr const char* kDevice = "fulcrum: 1\nname: Test arm\nmax_force: 3
 
 inline constexpr const char* kMaterial = "fulcrum: 1\nname: Steel\nattack: 0.5\ndecay: 6\nfrequency_Hz: 35\n";
 
-// ROOT/scenarios/peg with kScenario and its files, removed at the end.
+// ROOT/scenarios/peg with kScenario and its files, removed at the end. ROOT is content as a program may come
+// with, too: its devices and materials are the scenario's own.
 class Folder {
 public:
   Folder() {
@@ -52,12 +54,14 @@ public:
     if (!mkdtemp(pattern.data())) throw std::filesystem::filesystem_error("mkdtemp", {});
     root_ = std::filesystem::canonical(pattern);
     std::filesystem::create_directories(peg());
+    std::filesystem::create_directories(peg() / "devices");
+    std::filesystem::create_directories(peg() / "materials");
     std::filesystem::create_directories(root_ / "devices");
     write("scenarios/peg/scenario.yaml", kScenario);
     write("scenarios/peg/sure.yaml", kHandPath);
+    write("scenarios/peg/devices/test_arm.yaml", kDevice);
+    write("scenarios/peg/materials/steel.yaml", kMaterial);
     write("devices/test_arm.yaml", kDevice);
-    std::filesystem::create_directories(root_ / "materials");
-    write("materials/steel.yaml", kMaterial);
   }
   ~Folder() {
     std::error_code ignored;
@@ -74,6 +78,24 @@ public:
 
 private:
   std::filesystem::path root_;
+};
+
+// $FULCRUM_CONTENT for as long as this lives.
+class Installed {
+public:
+  explicit Installed(const std::filesystem::path& root) { ::setenv("FULCRUM_CONTENT", root.c_str(), 1); }
+  ~Installed() {
+    if (before_) {
+      ::setenv("FULCRUM_CONTENT", before_->c_str(), 1);
+    } else {
+      ::unsetenv("FULCRUM_CONTENT");
+    }
+  }
+
+private:
+  std::optional<std::string> before_ = std::getenv("FULCRUM_CONTENT")
+                                           ? std::optional<std::string>(std::getenv("FULCRUM_CONTENT"))
+                                           : std::nullopt;
 };
 
 inline std::string replaced(std::string text, std::string_view what, std::string_view by) {

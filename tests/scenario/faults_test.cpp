@@ -180,7 +180,7 @@ TEST(ScenarioFaultsTogether, AreAllReported) {
   text = replaced(text, "time_limit: 10", "time_limit: -1");
   text = replaced(text, "radius: 0.005", "radios: 0.005");
   folder.write("scenarios/peg/sure.yaml", "fulcrum: 1\nwaypoints: [{travel: 0}]\n");
-  folder.write("devices/test_arm.yaml", "fulcrum: 1\nmax_forse: 3\n");
+  folder.write("scenarios/peg/devices/test_arm.yaml", "fulcrum: 1\nmax_forse: 3\n");
   EXPECT_EQ(faults_of(folder, text),
             "scenario.yaml:4:13: 'time_limit' must be above 0 and at most 86400 s; found '-1'\n"
             "scenario.yaml:11:14: 'contact.stiffness' must be a number in N/m; found 'hard'\n"

@@ -1,6 +1,7 @@
 #include "engine/scenario/load.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <string>
@@ -113,14 +114,15 @@ TEST(Load, RepeatsFromTheTextsItKept) {
   ASSERT_EQ(first->texts.files.size(), 3u);
   EXPECT_EQ(first->texts.files.at("scenario.yaml"), kScenario);
   EXPECT_EQ(first->texts.files.at("sure.yaml"), kHandPath);
-  EXPECT_EQ(first->texts.files.at("devices/test_arm.yaml"), kDevice);
+  EXPECT_EQ(first->texts.files.at("scenario:devices/test_arm.yaml"), kDevice);
 
   folder.write("scenarios/peg/sure.yaml", "broken");
-  folder.write("devices/test_arm.yaml", "broken");
+  folder.write("scenarios/peg/devices/test_arm.yaml", "broken");
   const auto again = load_scenario_texts(first->texts, folder.peg(), overrides);
   ASSERT_TRUE(again) << to_text(again.faults());
   EXPECT_EQ(again->seed, 5);
   EXPECT_EQ(again->device.desc.max_force, 3);
+  EXPECT_TRUE(again->device.own);
   EXPECT_EQ(again->hands[0].waypoints.size(), 2u);
   EXPECT_EQ(again->texts.files, first->texts.files);
 
@@ -175,6 +177,7 @@ TEST(Content, IsListedWithWhatIsWrongWithIt) {
 
 TEST(Content, ThatComesWithTheProgramReads) {
   const std::filesystem::path root = std::filesystem::path(FULCRUM_SOURCE_DIR) / "content";
+  const Installed content(root);
   for (const auto& listing : list_scenarios({root})) EXPECT_EQ(listing.fault, "") << listing.name;
   const auto piping = load_scenario(root / "scenarios" / "piping" / kScenarioFile);
   ASSERT_TRUE(piping) << to_text(piping.faults());
@@ -220,6 +223,62 @@ TEST(Devices, AreFilesOfTheirOwn) {
   EXPECT_EQ(device->name, "Test arm");
   EXPECT_EQ(device->max_force, 3);
   EXPECT_EQ(device->handle_mass, DeviceDesc{}.handle_mass);
+}
+
+TEST(Devices, OfAScenarioDoNotReplaceInstalledOnes) {
+  const Folder folder, installed;
+  const Installed content(installed.root());
+  const auto refused = load_scenario_text(kScenario, folder.peg());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(
+      to_text(refused.faults()),
+      "scenario.yaml:13:10: 'test_arm' is an installed device, and the scenario's folder has a "
+      "'devices/test_arm.yaml' too: a scenario cannot change an installed device's figures; give its own "
+      "device another name");
+  folder.write("scenarios/peg/devices/my_arm.yaml", "fulcrum: 1\nname: My arm\nmax_force: 1000\n");
+  const auto own = load_scenario_text(replaced(kScenario, "test_arm", "my_arm"), folder.peg());
+  ASSERT_TRUE(own) << to_text(own.faults());
+  EXPECT_TRUE(own->device.own);
+  EXPECT_EQ(own->device.desc.max_force, 1000);
+
+  std::filesystem::remove(folder.peg() / "devices" / "test_arm.yaml");
+  folder.write("devices/test_arm.yaml", "fulcrum: 1\nname: Beside\nmax_force: 1000\n");  // outside its folder
+  const auto real = load_scenario_text(kScenario, folder.peg());
+  ASSERT_TRUE(real) << to_text(real.faults());
+  EXPECT_FALSE(real->device.own);
+  EXPECT_EQ(real->device.desc.max_force, 3);
+  EXPECT_TRUE(real->texts.files.contains("devices/test_arm.yaml"));
+}
+
+// Neither a file nor a folder of them may be a link to elsewhere: what is read is quoted in sentences.
+TEST(Devices, OfAScenarioLieInItsFolder) {
+  const Folder folder, elsewhere;
+  const auto fault = [&](const std::string& text) {
+    const auto scenario = load_scenario_text(text, folder.peg());
+    return scenario ? "" : to_text(scenario.faults());
+  };
+  elsewhere.write("secret.yaml", "password: 1234\n");
+  std::filesystem::create_symlink(elsewhere.root() / "secret.yaml", folder.peg() / "devices" / "linked.yaml");
+  const std::string outside = "leads out of the folder " + folder.peg().string() + "; copy the file there";
+  const std::string linked = fault(replaced(kScenario, "test_arm", "linked"));
+  EXPECT_NE(linked.find("cannot read 'devices/linked.yaml': it " + outside), std::string::npos) << linked;
+  ASSERT_EQ(::mkfifo((folder.peg() / "devices" / "pipe.yaml").c_str(), 0600), 0);
+  const std::string pipe = fault(replaced(kScenario, "test_arm", "pipe"));
+  EXPECT_NE(pipe.find("cannot read 'devices/pipe.yaml': it is a pipe, not a file"), std::string::npos)
+      << pipe;
+
+  std::filesystem::remove_all(folder.peg() / "devices");
+  std::filesystem::create_symlink(elsewhere.root(), folder.peg() / "devices");
+  const std::string through = fault(replaced(kScenario, "test_arm", "secret"));
+  EXPECT_NE(through.find(outside), std::string::npos) << through;
+  const std::string near = fault(replaced(kScenario, "test_arm", "secre"));
+  EXPECT_EQ(near.find("secret"), std::string::npos) << near;
+
+  std::filesystem::remove(folder.peg() / kScenarioFile);
+  std::filesystem::create_symlink(elsewhere.root() / "secret.yaml", folder.peg() / kScenarioFile);
+  const auto scenario = load_scenario(folder.peg() / kScenarioFile);
+  ASSERT_FALSE(scenario);
+  EXPECT_NE(to_text(scenario.faults()).find("cannot read the scenario: it " + outside), std::string::npos);
 }
 
 TEST(Devices, SayWhatIsWrong) {

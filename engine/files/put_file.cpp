@@ -1,0 +1,91 @@
+#include "engine/files/put_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "engine/files/descriptor.h"
+
+namespace fulcrum {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPart = ".part";
+
+bool write_all(int descriptor, Pieces pieces) {
+  for (std::span<const std::byte> piece : pieces) {
+    while (!piece.empty()) {
+      const ssize_t written = ::write(descriptor, piece.data(), piece.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) return false;
+      piece = piece.subspan(static_cast<std::size_t>(written));
+    }
+  }
+  return true;
+}
+
+// A part that is being written is locked by who writes it, and the lock goes with the process.
+void remove_abandoned(const fs::path& folder) {
+  std::vector<fs::path> parts;
+  std::error_code fault;
+  fs::directory_iterator entry(folder, fault);
+  while (!fault && entry != fs::directory_iterator()) {
+    std::error_code gone;
+    if (entry->path().native().ends_with(kPart) && fs::is_regular_file(entry->symlink_status(gone)))
+      parts.push_back(entry->path());
+    entry.increment(fault);
+  }
+  for (const fs::path& part : parts) {
+    const Descriptor file(::open(part.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
+    if (file && ::flock(file.number(), LOCK_EX | LOCK_NB) == 0) fs::remove(part, fault);
+  }
+}
+
+// Gives a file without a name this one.
+bool name_file(int descriptor, const fs::path& path) {
+  ::unlink(path.c_str());  // a link does not replace what is there
+  const std::string unnamed = "/proc/self/fd/" + std::to_string(descriptor);
+  if (::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+  // Another process has put the same file there meanwhile.
+  std::error_code fault;
+  return errno == EEXIST && fs::is_regular_file(fs::symlink_status(path, fault));
+}
+
+}  // namespace
+
+bool put_file(const fs::path& path, Pieces pieces) {
+  std::error_code fault;
+  fs::create_directories(path.parent_path(), fault);
+  {
+    const Descriptor file(::open(path.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+    if (file && write_all(file.number(), pieces) && name_file(file.number(), path)) {
+      remove_abandoned(path.parent_path());
+      return true;
+    }
+  }
+  return put_file_by_part(path, pieces);
+}
+
+bool put_file_by_part(const fs::path& path, Pieces pieces) {
+  std::error_code fault;
+  fs::create_directories(path.parent_path(), fault);
+  remove_abandoned(path.parent_path());
+  fs::path part = path;
+  part += "." + std::to_string(::getpid());
+  part += kPart;
+  const Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (!file) return false;
+  const bool written = ::flock(file.number(), LOCK_EX | LOCK_NB) == 0 && write_all(file.number(), pieces) &&
+                       ::rename(part.c_str(), path.c_str()) == 0;
+  if (!written) fs::remove(part, fault);
+  return written;
+}
+
+}  // namespace fulcrum
