@@ -64,6 +64,16 @@ on "$run"
 expect "no network: a sentence, and exit 1" "$code:$err" "1:*E: no network*Is there a network*"
 
 fresh
+touch "$tree/build"
+on "$run" --build
+expect "a folder that cannot be built in: a sentence, and exit 1" "$code:$out:$err" "1::*build cannot be made or written into*chown*"
+expect "and no message of mkdir's" "$err" "!(*mkdir:*)"
+fresh
+mkdir -p "$tree/build/.lock"
+on "$run" --build
+expect "a lock that cannot be written" "$code:$out:$err" "1::Fulcrum: *build cannot be made or written into*"
+
+fresh
 printf 'ID=ubuntu\nVERSION_ID="24.04"\n' >"$box/os-release"
 on "$run" --build
 expect "another system with the tools: goes on and says what is expected" "$code:$err" "0:*Debian 12 is expected*"

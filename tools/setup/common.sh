@@ -69,8 +69,9 @@ check_commands() {
 # tools/test share one build folder.
 build() {
   local preset=$1 tests=$2 folder=$top/build/$1 lock
-  mkdir -p "$folder"
-  exec {lock}>"$top/build/.lock"
+  if ! mkdir -p "$folder" 2>/dev/null || ! { exec {lock}>"$top/build/.lock"; } 2>/dev/null; then
+    fail "$top/build cannot be made or written into, and that is where Fulcrum is built. Make $top yours (chown -R $(id -un) '$top'), or copy it to a folder of yours and run this there."
+  fi
   flock "$lock" # a second call waits for the first
   if [ -e "$folder/build.ninja" ] && grep -q '^FULCRUM_TESTS:[A-Z]*=ON$' "$folder/CMakeCache.txt"; then tests=ON; fi
   if [ ! -e "$folder/build.ninja" ] || [ "$top/CMakePresets.json" -nt "$folder/build.ninja" ] ||
