@@ -186,7 +186,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   ui::OverlayState state;
   state.time_s = static_cast<double>(record.tick) * scene.tick_s;
   state.scenario = prepared.scenario.title;
-  state.device = scene.device.name;
+  state.device = device_on_screen(prepared, scene);
   if (scene.device.renders_force) {
     state.force_N = {record.device_F_H_D.force.norm(), scene.device.max_force};
   } else {

@@ -93,7 +93,7 @@ analysis::Comparison described(const Prepared& prepared, const CompareOptions& o
   analysis::Comparison comparison;
   comparison.scenario = prepared.name;
   comparison.title = prepared.scenario.title;
-  comparison.device = prepared.haptic.scene.device.name;
+  comparison.device = device_on_screen(prepared, prepared.haptic.scene);
   comparison.time_limit_s = prepared.scenario.time_limit;
   comparison.bad_above_Nm = world.substitution()->bounds().torque;
   comparison.tape = options.tape;

@@ -85,8 +85,10 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
     if (cost != costs->end() && item.kind == "haptics") item.tick_us = cost->second;
   }
   const double tick_us = costs->at("tick");
+  const scenario::DeviceEntry& device = prepared->scenario.device;
   if (json) {
     std::printf("%s\n", nlohmann::ordered_json{{"scenario", name},
+                                               {"device", (device.own ? "scenario:" : "") + device.model},
                                                {"tick_us", tick_us},
                                                {"measured_with_hand", hand},
                                                {"built", to_json(list.built)},
@@ -96,7 +98,9 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
                             .c_str());
     return kCompleted;
   }
-  std::printf("%s\n\n%s\n", bold(prepared->scenario.title).c_str(), bold("Built").c_str());
+  std::printf("%s\n", bold(prepared->scenario.title).c_str());
+  std::printf("On %s, %s.\n\n%s\n", world->desc().device.name.c_str(),
+              device.own ? "the scenario's own device" : "an installed device", bold("Built").c_str());
   print_table(list.built, true);
   std::printf(
       "  A whole tick takes %.1f us of the processor, in the mean over the '%s' hand's motion.\n\n%s\n",

@@ -7,10 +7,12 @@
 #include "drivers/mouse/mouse_device.h"
 #include "engine/app/terminal.h"
 #include "engine/record/motion.h"
+#include "engine/record/number_text.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
 #include "engine/scenario/words.h"
 #include "haptics/math/functions.h"
+#include "haptics/math/number_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -24,6 +26,18 @@ Error no_hand(const Prepared& prepared, const std::string& hand) {
   }
   return {"The scenario '" + prepared.name + "' has no hand " + scenario::in_quotes(hand) +
           scenario::did_you_mean(hand, known, "it has " + scenario::joined(known) + ".")};
+}
+
+Error another_rate(const std::string& file, double rate_Hz) {
+  const std::string sentence = "'" + file + "' was recorded at another tick rate than this scenario's, " +
+                               number_text(rate_Hz, 6) + " Hz: ";
+  if (!(rate_Hz >= scenario::kSlowestTicks_Hz && rate_Hz <= scenario::kFastestTicks_Hz))
+    return {sentence + "no scenario can have it, only " + number_text(scenario::kSlowestTicks_Hz, 6) +
+            " to " + number_text(scenario::kFastestTicks_Hz, 6) +
+            " Hz. Record the motion anew, or check the times in the file."};
+  std::string exactly;
+  record::append_number(exactly, rate_Hz);
+  return {sentence + "give --set tick_rate_Hz=" + exactly + "."};
 }
 
 // How far the coupling yields under the tool's weight: a person aims so much higher.
@@ -68,6 +82,17 @@ std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scen
   }
   for (const std::string& warning : haptic->warnings) complain(name + ": " + warning);
   return Prepared{name, std::move(scenario), std::move(*models), std::move(*haptic)};
+}
+
+std::string device_in_results(const Prepared& prepared, const std::string& device) {
+  const scenario::DeviceEntry& entry = prepared.scenario.device;
+  return device == "simulated" && entry.own ? "scenario:" + entry.model : device;
+}
+
+std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene) {
+  const std::string& name = scene.device.name;
+  const bool own = prepared.scenario.device.own && name == prepared.haptic.scene.device.name;
+  return own ? "Scenario's own: " + name : name;
 }
 
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) {
@@ -116,10 +141,7 @@ Result<std::unique_ptr<ReplayDevice>> replay_device(const Prepared& prepared, co
   Result<record::HandleMotion> motion = record::read_motion(file);
   if (!motion) return motion.error();
   const SceneDesc& scene = prepared.haptic.scene;
-  if (std::abs(motion->tick_s - scene.tick_s) > 1e-9)
-    return Error{"'" + file +
-                 "' was recorded at another tick rate than this scenario's: give --set tick_rate_Hz=" +
-                 std::to_string(std::lround(1.0 / motion->tick_s)) + "."};
+  if (std::abs(motion->tick_s - scene.tick_s) > 1e-9) return another_rate(file, 1 / motion->tick_s);
   if (motion->space == record::HandleMotion::Space::scene) {
     for (DeviceSample& sample : motion->samples) sample.X_DH = scene.mapping.handle_in_device(sample.X_DH);
   }

@@ -26,6 +26,13 @@ struct Prepared {
 std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides);
 std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario);
 
+// What results call a device that the command line named `device`: the scenario's own is scenario:MODEL.
+std::string device_in_results(const Prepared& prepared, const std::string& device);
+
+// What panels and pages call the device of a scene that is the scenario's, or one that stands in for it: of
+// the scenario's own they say so.
+std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene);
+
 // The scene as this device runs it: a mouse moves the handle itself and renders nothing.
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device);
 

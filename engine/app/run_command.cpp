@@ -58,7 +58,8 @@ public:
     if (!device) return refuse(device.error());
     Result<World> world = World::build(scene);
     if (!world) return refuse(world.error());
-    const Result<record::TapeHeader> header = tape_header(prepared, options.device, options.hand);
+    const Result<record::TapeHeader> header =
+        tape_header(prepared, device_in_results(prepared, options.device), options.hand);
     if (!header) return refuse(header.error());
     Result<OpenResults> results = open_results(prepared.name, options, *header, scene, prepared.haptic.task);
     if (!results) return refuse(results.error());
@@ -77,7 +78,7 @@ public:
   // ended the run.
   int finish(const render::RenderPlan* plan, bool person) {
     RunSink::Outcome outcome = sink_.finish();
-    outcome.summary.device = options_.device;
+    outcome.summary.device = device_in_results(prepared_, options_.device);
     outcome.summary.hand = options_.device == "simulated" ? options_.hand : "";
     const bool written =
         write_results(folder_, outcome, inventory(world_, prepared_, plan, options_.circle)) &&

@@ -81,12 +81,12 @@ Result<Baked<T>> load_or_bake(const fs::path& folder, const std::string& name, c
     Read<T> read = read_checked<T>(path, parse);
     if (read.found == Found::whole) return Baked<T>{std::move(*read.value), true, ""};
     if (read.found == Found::damaged)
-      note = "The cached bake " + path.string() + " was damaged and has been made anew.";
+      note = "the cached bake " + path.string() + " was damaged and has been made anew.";
   }
   Result<T> made = bake();
   if (!made) return made.error();
   if (!folder.empty() && !write_checked(path, to_bytes(*made))) {
-    note = "The bake could not be kept in " + folder.string() +
+    note = "the bake could not be kept in " + folder.string() +
            " and will be made anew next time: make that folder writable, or set XDG_CACHE_HOME.";
   }
   return Baked<T>{std::move(*made), false, std::move(note)};

@@ -41,10 +41,10 @@ struct HapticAssembly {
   std::vector<HandScript> hands;
   Solid scene_W;  // what is touched, in W: for measuring penetration exactly, with tool_T
   Solid tool_T;
-  std::vector<std::string>
-      notes;  // sentences: from the cache or baked in how long; what the cache had to say
-  std::vector<std::string> warnings;  // sentences: what runs, and may not do what its author wants
-  std::vector<std::string> mended;    // sentences: what was wrong with surfaces, and what was guessed
+  std::vector<std::string> notes;  // sentences: from the cache or baked in how long
+  // Sentences: what runs, and may not do what its author wants; what is wrong with the cache.
+  std::vector<std::string> warnings;
+  std::vector<std::string> mended;  // sentences: what was wrong with surfaces, and what was guessed
 };
 
 // `what` is being baked, "distance field"; `fraction` runs from 0 to 1, in whole percents. Called on the

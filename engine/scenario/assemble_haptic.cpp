@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -76,14 +77,16 @@ public:
   }
 
   template <class T>
-  void finish(const Baked<T>& baked, const std::string& size, std::vector<std::string>& notes) {
+  void finish(const Baked<T>& baked, const std::string& size, HapticAssembly& result) {
     tell(1);
     char seconds[32];
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
     std::snprintf(seconds, sizeof seconds, "%.2f s", taken.count());
     const std::string how = baked.from_cache ? "from the cache in " : "baked in ";
-    notes.push_back(std::string(what_) + " (" + size + ") " + how + seconds);
-    if (!baked.note.empty()) notes.push_back(baked.note);
+    result.notes.push_back(std::string(what_) + " (" + size + ") " + how + seconds);
+    std::vector<std::string>& warnings = result.warnings;
+    const bool told = std::ranges::find(warnings, baked.note) != warnings.end();  // by the bake before
+    if (!baked.note.empty() && !told) warnings.push_back(baked.note);
   }
 
 private:
@@ -110,7 +113,7 @@ std::optional<Error> assemble_edges(const Scenario& scenario, const BakeCache& c
   Baking edges_baking("scene's edges", progress);
   auto edges = cache.edges(result.scene_W, {.spacing_m = scenario.edges});
   if (!edges) return Error{"contact.edges: " + edges.error().sentence};
-  edges_baking.finish(*edges, std::to_string(edges->value.size()) + " points", result.notes);
+  edges_baking.finish(*edges, std::to_string(edges->value.size()) + " points", result);
   result.scene.scene_edges = std::make_shared<const Pointshell>(std::move(edges->value));
 
   Baking field_baking("tool's distance field", progress);
@@ -118,7 +121,7 @@ std::optional<Error> assemble_edges(const Scenario& scenario, const BakeCache& c
       cache.field(result.tool_T, {.format = scenario.field.format, .error_m = scenario.field.error_m},
                   [&](double fraction) { field_baking.tell(fraction); });
   if (!field) return Error{"contact.edges: the tool's distance field: " + field.error().sentence};
-  field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result.notes);
+  field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result);
   result.scene.tool_field = std::make_shared<const DistanceField>(std::move(field->value));
   return std::nullopt;
 }
@@ -164,14 +167,14 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   Baking shell_baking("pointshell", progress);
   auto shell = cache.pointshell(result.tool_T, scenario.shell);
   if (!shell) return Error{"the tool's pointshell: " + shell.error().sentence};
-  shell_baking.finish(*shell, std::to_string(shell->value.size()) + " points", result.notes);
+  shell_baking.finish(*shell, std::to_string(shell->value.size()) + " points", result);
   scene.tool_shell = std::make_shared<const Pointshell>(std::move(shell->value));
 
   Baking field_baking("distance field", progress);
   auto field =
       cache.field(result.scene_W, scenario.field, [&](double fraction) { field_baking.tell(fraction); });
   if (!field) return Error{"the scene's distance field: " + field.error().sentence};
-  field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result.notes);
+  field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result);
   scene.scene_field = std::make_shared<const DistanceField>(std::move(field->value));
 
   if (scenario.edges > 0 && scenario.contact.response == ContactResponse::constraint) {

@@ -137,7 +137,8 @@ void describe_scenario(KeyVisitor& visitor, Scenario& scenario) {
                  scenario.time_limit, above_to(0, 86400));
   visitor.integer({"seed", "", "of everything random in a run"}, scenario.seed, 0,
                   std::numeric_limits<std::int64_t>::max());
-  visitor.number({"tick_rate_Hz", "", "of the haptic loop"}, scenario.tick_rate_Hz, from_to(100, 20000));
+  visitor.number({"tick_rate_Hz", "", "of the haptic loop"}, scenario.tick_rate_Hz,
+                 from_to(kSlowestTicks_Hz, kFastestTicks_Hz));
   describe_models(visitor, scenario.models);
   describe_materials(visitor, scenario.materials);
   visitor.mapping({"tool", "", "the tool in the hand; poses are of its model's own frame", true},

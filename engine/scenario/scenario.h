@@ -93,6 +93,9 @@ struct SourceTexts {
       files;  // "scenario.yaml", "expert.yaml", "devices/phantom_like.yaml", ...
 };
 
+// The slowest and the fastest loop that a scenario may ask for.
+inline constexpr double kSlowestTicks_Hz = 100, kFastestTicks_Hz = 20000;
+
 struct Scenario {
   std::string title;
   std::string about;      // one line
