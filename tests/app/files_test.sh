@@ -47,7 +47,7 @@ scenario fingertip
 
 # --- files alone: a pipe would be waited for
 mkfifo pipe own/pipe.yaml own/pipe.glb
-wait_at_most() { timeout 600 "$@"; }
+wait_at_most() { timeout -s KILL 600 "$@"; }
 expect 1 'it is a pipe, not a file' wait_at_most "$FULCRUM" run ./own --headless --device replay:pipe --out X
 expect 1 'it is a pipe, not a file' wait_at_most "$FULCRUM" replay pipe
 expect 1 'it is a pipe, not a file' wait_at_most "$FULCRUM" strip pipe
