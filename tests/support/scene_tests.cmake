@@ -1,10 +1,6 @@
 # fulcrum_scene_tests(NAME): what every shipped scenario with models of its own is asked: make_NAME --check, its route and
 # checkpoints, the bake, its hands (hands_test.sh) and the goldens of its views (picture_test.cpp).
 function(fulcrum_scene_tests name)
-  set(timeout 300)
-  if(FULCRUM_SANITIZE) # ten times slower
-    set(timeout 3000)
-  endif()
   add_executable(${name}_tests picture_test.cpp ../support/scene_picture.cpp $<TARGET_OBJECTS:fulcrum_vulkan_main>)
   target_link_libraries(${name}_tests PRIVATE fulcrum::app fulcrum_image_compare GTest::gtest fulcrum::options)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_SOURCE_DIR})
@@ -18,7 +14,7 @@ function(fulcrum_scene_tests name)
   add_test(NAME ${name}.Hands COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/hands_test.sh)
   add_test(NAME ${name}.Picture COMMAND ${name}_tests)
   foreach(test IN ITEMS Models Route Bake Hands Picture)
-    set_tests_properties(${name}.${test} PROPERTIES TIMEOUT ${timeout} ENVIRONMENT
+    set_tests_properties(${name}.${test} PROPERTIES TIMEOUT ${FULCRUM_TEST_LIMIT} ENVIRONMENT
       "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/tests/cache;FULCRUM_CONTENT=${CMAKE_BINARY_DIR}/content;MESA_SHADER_CACHE_DISABLE=true;MAKE=$<TARGET_FILE:make_${name}>;FULCRUM=$<TARGET_FILE:fulcrum>;SCENARIO=${CMAKE_SOURCE_DIR}/content/scenarios/${name}")
   endforeach()
   set_tests_properties(${name}.Bake PROPERTIES FIXTURES_SETUP ${name}_baked FAIL_REGULAR_EXPRESSION "Mended")
