@@ -109,7 +109,13 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (response != ContactResponse::quasi_static) add("response static", "the scenario names another");
   if (response != ContactResponse::constraint)
     add("response constraint", "the scenario names another: no constraint solver is built");
-  if (response != ContactResponse::direct) add("response direct", "the scenario names another");
+  const bool in_place_of_direct = !coupled(prepared.scenario.contact.response) && coupled(response);
+  if (in_place_of_direct)
+    add("response direct", "the device '" + scene.device.name +
+                               "' cannot push the hand back: the tool stays out by itself, and a coupling as "
+                               "stiff as the contact pulls it");
+  else if (response != ContactResponse::direct)
+    add("response direct", "the scenario names another");
   if (!coupled(response)) add("coupling", "under the response direct the tool is where the hand wants it");
   if (response != ContactResponse::voxel) add("response voxel", "the scenario names another");
   if (response == ContactResponse::constraint && scene.contact.friction == 0)
@@ -124,7 +130,10 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   leave_out_of_braking_pulse(scene, add);
   leave_out_of_vibrotactile_motion(scene, add);
   leave_out_of_holding(world, add);
-  if (scene.contact.levels.empty()) add("stiffness levels", "contact.levels is not named");
+  if (in_place_of_direct && !prepared.scenario.contact.levels.empty())
+    add("stiffness levels", "a constraint has no stiffness to choose");
+  else if (scene.contact.levels.empty())
+    add("stiffness levels", "contact.levels is not named");
   if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
   if (!scene.tool.weight) add("tool weight", "tool.weight is off");
   if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");

@@ -13,6 +13,7 @@
 #include "engine/scenario/words.h"
 #include "haptics/math/functions.h"
 #include "haptics/math/number_text.h"
+#include "haptics/world/couple_without_motors.h"
 
 namespace fulcrum::app {
 namespace {
@@ -104,6 +105,7 @@ SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) 
     scene.device = MouseDevice::mouse_desc();
     scene.device.vibrotactile = std::move(shown);
     scene.mapping = MappingDesc{};
+    couple_without_motors(scene);
   }
   return scene;
 }

@@ -6,6 +6,7 @@
 
 #include "engine/scenario/assemble.h"
 #include "haptics/bake/surface_samples.h"
+#include "haptics/world/couple_without_motors.h"
 
 namespace fulcrum::scenario {
 
@@ -169,6 +170,7 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   if (!shell) return Error{"the tool's pointshell: " + shell.error().sentence};
   shell_baking.finish(*shell, std::to_string(shell->value.size()) + " points", result);
   scene.tool_shell = std::make_shared<const Pointshell>(std::move(shell->value));
+  couple_without_motors(scene);
 
   Baking field_baking("distance field", progress);
   auto field =

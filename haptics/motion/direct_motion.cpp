@@ -66,7 +66,7 @@ std::vector<BuiltPart> DirectMotion::parts() const {
        "direct: the tool is where the hand wants it, " + number_text(stiffness_) +
            " N/m from the deepest point of each region to the surface, at most " +
            std::to_string(kMaxRegions) + " regions; the device renders " + number_text(scale_ * stiffness_) +
-           " N/m",
+           " N/m; one without motors gets a constraint and a coupling as stiff instead",
        sizeof(DirectMotion)},
   };
 }

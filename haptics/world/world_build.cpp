@@ -145,6 +145,9 @@ Result<World> World::build(SceneDesc desc) {
     return Error{
         "contact.friction is there for the response constraint alone: name that response, or leave friction "
         "out."};
+  if (!coupled(desc.contact.response) && !desc.device.renders_force)
+    return Error{"Under the response direct the device's force alone keeps the tool out, and '" +
+                 desc.device.name + "' has none: name another response."};
   if (auto error = refuse_mechanism(desc.device)) return *error;
   if (desc.device.strip) {
     if (auto error = refuse_strip(*desc.device.strip)) return *error;

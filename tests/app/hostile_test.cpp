@@ -18,6 +18,7 @@
 #include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
 #include "haptics/safety/faults.h"
+#include "haptics/world/couple_without_motors.h"
 #include "haptics/world/coupling_gains.h"
 #include "haptics/world/world.h"
 
@@ -285,6 +286,7 @@ SceneDesc changed(SceneDesc scene, const DeviceDesc& device, ContactResponse res
     scene.braking_pulse->p_HG = Vec3(0.02, 0.08, 0.05);
   }
   scene.coupling = suit_coupling({}, scene);
+  couple_without_motors(scene);
   return scene;
 }
 
