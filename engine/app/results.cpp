@@ -1,14 +1,39 @@
 #include "engine/app/results.h"
 
+#include <cctype>
 #include <chrono>
 #include <cstdio>
+#include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "engine/app/tape_header.h"
 #include "engine/app/terminal.h"
 #include "engine/record/run_folder.h"
 
 namespace fulcrum::app {
+namespace {
+
+// "Picture, trace and summary lie in", of those that were written; empty: none was.
+std::string what_lies_in(const std::filesystem::path& folder) {
+  std::vector<std::string> files;
+  const auto add = [&](const char* name, std::string_view file) {
+    std::error_code unknown;
+    if (std::filesystem::file_size(folder / file, unknown) > 0 && !unknown) files.emplace_back(name);
+  };
+  add("picture", record::kPictureName);
+  add("trace", record::kTraceName);
+  add("summary", record::kSummaryName);
+  std::string text;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == files.size() ? " and " : ", ") + files[i];
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + (files.size() == 1 ? " lies in" : " lie in");
+}
+
+}  // namespace
 
 Result<OpenResults> open_results(const std::string& scenario, const RunOptions& options,
                                  const record::TapeHeader& header, const SceneDesc& scene,
@@ -64,7 +89,8 @@ void print_outcome(const std::filesystem::path& folder, const record::Summary& s
     std::printf("  %lld hard touches, %.1f s in all\n", static_cast<long long>(summary.hard_touches->count),
                 summary.hard_touches->time_s);
   for (const record::FaultCount& fault : summary.faults) std::printf("  %s\n", fault.sentence.c_str());
-  std::printf("Picture, trace and summary lie in %s\n", bold(folder.string()).c_str());
+  if (const std::string files = what_lies_in(folder); !files.empty())
+    std::printf("%s %s\n", files.c_str(), bold(folder.string()).c_str());
 }
 
 }  // namespace fulcrum::app

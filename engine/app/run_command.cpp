@@ -161,6 +161,9 @@ int run_in_window(const Prepared& prepared, const RunOptions& options) {
     if (!attempt) return kError;
     const TrainingWindow::Leave leave = (*window)->run(
         attempt->world(), attempt->device(), dynamic_cast<MouseDevice*>(&attempt->device()), attempt->sink());
+    const auto picture =
+        (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
+    if (!picture) complain("there is no picture: " + picture.error().sentence);
     const int code = attempt->finish(&(*window)->plan(), true);
     if (leave == TrainingWindow::Leave::restart) continue;
     for (const std::string& message : (*window)->validation_messages()) complain(message);

@@ -145,7 +145,12 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   }
   loop.stop();
   window_->set_events({});
-  if (!error_.empty()) complain(error_);
+  if (window_->lost())
+    complain(
+        "the window is gone, for its X server ended or another program closed it: the run ends here, and what "
+        "it recorded is kept.");
+  else if (!error_.empty())
+    complain(error_);
   if (!loop.grant().scheduling.empty()) complain(loop.grant().scheduling);
   if (!loop.grant().memory.empty()) complain(loop.grant().memory);
   return restart_ ? Leave::restart : Leave::closed;
@@ -306,6 +311,24 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   return state;
 }
 
+render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {
+  render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
+                                           sink.task(), camera_.camera(), shown_.time_s);
+  frame.overlay = overlay_.get();
+  return frame;
+}
+
+Result<std::filesystem::path> TrainingWindow::save_picture(const RunSink& sink,
+                                                           const std::filesystem::path& file) {
+  if (const auto laid_out = overlay_->prepare(shown_, renderer_->plan().picture); !laid_out)
+    return Error{laid_out.error()};
+  if (const auto drawn = renderer_->frame(frame_of(sink.last(), sink)); !drawn) return Error{drawn.error()};
+  const auto picture = renderer_->read_back();
+  if (!picture) return Error{picture.error()};
+  if (const auto written = render::write_png(file, picture.value()); !written) return Error{written.error()};
+  return file;
+}
+
 void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   const render::Extent size = window_->pixels();
   if (size.width == 0 || size.height == 0) return;
@@ -315,10 +338,7 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
     error_ = laid_out.error();
     return;
   }
-  render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
-                                           sink.task(), camera_.camera(), shown_.time_s);
-  frame.overlay = overlay_.get();
-  const auto drawn = renderer_->frame(frame, *swapchain_, size);
+  const auto drawn = renderer_->frame(frame_of(record, sink), *swapchain_, size);
   if (!drawn) {
     error_ = drawn.error();
     return;

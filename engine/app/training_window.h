@@ -1,6 +1,7 @@
 #pragma once
 // The window a trainee works in: the scene, the overlay, the keys, and the mouse as a device.
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,6 +32,8 @@ public:
   enum class Leave { closed, restart };
   // One attempt. mouse: the device, if it is the mouse.
   Leave run(World& world, Device& device, MouseDevice* mouse, RunSink& sink);
+  // The attempt's last moment, as it was seen, into a PNG. After run().
+  Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 
   const render::RenderPlan& plan() const { return renderer_->plan(); }
   // What Vulkan's validation layers have said so far, if options asked for them.
@@ -49,6 +52,7 @@ private:
   ui::OverlayState overlay_of(const TickRecord& record, const RunSink& sink, const LiveLoop& loop) const;
   std::string message(const RunSink& sink) const;
   void draw(const RunSink& sink, LiveLoop& loop);
+  render::FrameState frame_of(const TickRecord& record, const RunSink& sink);
 
   const Prepared& prepared_;
   const scenario::VisualAssembly& visual_;

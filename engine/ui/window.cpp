@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/ui/window_loss.h"
+
 namespace fulcrum::ui {
 namespace {
 
@@ -53,6 +55,7 @@ vulkan::Result<std::unique_ptr<Window>> Window::create(const std::string& title,
 }
 
 Window::Window(GLFWwindow* window) : window_(window) {
+  watch_for_loss(window_);
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, [](GLFWwindow* from, int key, int, int action, int modifiers) {
     if (const auto& handler = window_of(from)->events_.key) {
@@ -100,6 +103,7 @@ vulkan::Result<vulkan::Surface> Window::surface(const vulkan::Instance& instance
 }
 
 void Window::poll() {
+  if (lost()) return;
   const render::Extent now = pixels();
   if (now.width == 0 || now.height == 0 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) {
     glfwWaitEventsTimeout(0.1);
@@ -109,16 +113,22 @@ void Window::poll() {
 }
 
 bool Window::closing() const {
-  return glfwWindowShouldClose(window_) == GLFW_TRUE;
+  return lost() || glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+bool Window::lost() const {
+  return window_lost();
 }
 
 render::Extent Window::pixels() const {
+  if (lost()) return {0, 0};
   if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) {
     return {0, 0};  // X11 leaves a hidden window its size
   }
   int width = 0;
   int height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
+  if (lost()) return {0, 0};  // noticed only now, and the size is no number
   return {static_cast<std::uint32_t>(std::max(width, 0)), static_cast<std::uint32_t>(std::max(height, 0))};
 }
 

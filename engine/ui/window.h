@@ -43,7 +43,8 @@ public:
   /// Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
   void poll();
 
-  bool closing() const;           // its close button was pressed
+  bool closing() const;           // its close button was pressed, or it is lost
+  bool lost() const;              // it went without being closed, see window_loss.h
   render::Extent pixels() const;  // of what is drawn; zero while minimised
 
 private:
