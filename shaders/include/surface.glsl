@@ -115,7 +115,8 @@ void main() {
 #endif
     vec3 h = normalize(v + l);
     float n_dot_h = max(dot(n, h), 0.0);
-    vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(v, h), 0.0), 5.0);
+    // Clamped on both sides: seen along the light, rounding takes the product above 1, and no power is defined there.
+    vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
     // Intensity is irradiance / pi, so pi stands before the specular lobe and not under the diffuse one.
     vec3 specular = fresnel * (kPi * ggx(n_dot_h, alpha) * visibility(n_dot_l, n_dot_v, alpha));
     radiance += arriving * n_dot_l * (diffuse * (1.0 - fresnel) + specular);

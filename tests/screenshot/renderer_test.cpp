@@ -65,6 +65,22 @@ TEST_F(RendererTest, TheBoxIsRedAndStandsAtTheLeft) {
   EXPECT_GT(box.r, 2.0F * box.g);
 }
 
+// There the half vector is the view itself, and its product with it rounds to more than 1.
+TEST_F(RendererTest, SeenAlongTheLightNoPixelIsBlack) {
+  VisualDesc desc = test::make_scene();
+  desc.instances.resize(1);  // the floor
+  desc.ghost.reset();
+  desc.markers.clear();
+  for (const glm::vec3& direction : {glm::vec3(-0.75F, -0.7F, -0.4F), glm::vec3(0.3F, -1.0F, 0.2F)}) {
+    desc.key_light->direction = direction;
+    desc.camera = {-0.5F * direction, glm::vec3(0.0F), 0.02F};
+    const Picture picture = draw(*make(desc, small_), desc);
+    int black = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) black += picture.rgba[i] < 20 ? 1 : 0;
+    EXPECT_EQ(black, 0);
+  }
+}
+
 TEST_F(RendererTest, TheBallThrowsAShadowThatMovesWithIt) {
   VisualDesc desc = test::make_scene();
   const std::unique_ptr<Renderer> renderer = make(desc, small_);
