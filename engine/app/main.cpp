@@ -1,12 +1,17 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/app/commands.h"
 #include "engine/app/exit_code.h"
 #include "engine/app/terminal.h"
 #include "engine/app/version.h"
+#include "engine/scenario/words.h"
 
 namespace fulcrum::app {
 namespace {
@@ -124,6 +129,18 @@ CLI::App* add_hardness(CLI::App& program, HardnessOptions& options) {
   return hardness;
 }
 
+// What is wrong with the word that should be a subcommand; nothing, where it is one or an option.
+std::optional<std::string> refuse_subcommand(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  const std::string word = argv[1];
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : program.get_subcommands({})) names.push_back(subcommand->get_name());
+  if (std::ranges::find(names, word) != names.end()) return std::nullopt;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return "there is no subcommand " + scenario::in_quotes(word) +
+         scenario::did_you_mean(word, known, "`fulcrum --help` lists them");
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App program("Fulcrum, a haptic training simulator.", "fulcrum");
   program.set_version_flag("--version", std::string("fulcrum ") + kVersion);
@@ -181,6 +198,14 @@ int dispatch(int argc, char** argv) {
   schema->add_option("of", schema_of, "scenario (default), hand, device or material")
       ->check(CLI::IsMember({"scenario", "hand", "device", "material"}));
 
+  if (argc < 2) {
+    std::fputs(program.help().c_str(), stdout);
+    return kUsage;
+  }
+  if (const auto refused = refuse_subcommand(program, argc, argv)) {
+    complain(*refused);
+    return kUsage;
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
