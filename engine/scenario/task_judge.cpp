@@ -32,6 +32,10 @@ void TaskJudge::judge_touch(const TickRecord& record) {
 }
 
 void TaskJudge::judge(const TickRecord& record) {
+  if (record.stopped) {
+    ++rested_;
+    return;
+  }
   if (desc_.hard_touch) judge_touch(record);
   if (state_.completed) return;
   const Checkpoint& next = desc_.checkpoints[state_.step];
@@ -46,7 +50,7 @@ void TaskJudge::judge(const TickRecord& record) {
     state_.dwell_progress = static_cast<double>(ticks_inside_) / static_cast<double>(dwell_ticks_);
     return;
   }
-  state_.reached[state_.step] = static_cast<double>(record.tick) * tick_s_;
+  state_.reached[state_.step] = static_cast<double>(record.tick - rested_) * tick_s_;
   ++state_.step;
   ticks_inside_ = -1;
   state_.inside = false;

@@ -15,7 +15,7 @@ struct TaskState {
   std::size_t step = 0;       // the checkpoint that is next; the number of them once completed
   double dwell_progress = 0;  // 0 to 1, of the time to be spent at it
   bool inside = false;        // the touch point was at it in the newest record
-  std::vector<std::optional<double>> reached;  // (checkpoints) s of simulated time at which each one counted
+  std::vector<std::optional<double>> reached;  // (checkpoints) s of the trial at which each one counted
   bool completed = false;
   std::int64_t hard_touches = 0;  // so far, with one that lasts
   double hard_touch_time = 0;     // s that they lasted
@@ -24,6 +24,7 @@ struct TaskState {
 // Checkpoints count in order. One is reached when the touch point has been within its radius in every record
 // for the dwell time: that many ticks after the one in which it came in. Leaving starts the count anew; ticks
 // that an overrun lost neither count nor break it. Counted in ticks, so that no sum of small times can drift.
+// A stop is a pause: until it is acknowledged the trial's time rests and nothing is judged.
 class TaskJudge {
 public:
   TaskJudge(TaskDesc desc, double tick_s);
@@ -43,6 +44,7 @@ private:
   double tick_s_;
   std::int64_t dwell_ticks_;
   std::int64_t ticks_inside_ = -1;  // since the touch point came in; -1: it is not inside
+  std::int64_t rested_ = 0;         // ticks so far in which the force was stopped
   bool touches_hard_ = false;
   std::int64_t hard_ticks_ = 0;
   TaskState state_;

@@ -52,6 +52,26 @@ TEST(TaskJudge, LeavingStartsTheCountAnew) {
   EXPECT_EQ(task.state().step, 1u);
 }
 
+// A stop is a pause: its ticks are no time of the trial, at a checkpoint or on the way to one.
+TEST(TaskJudge, RestsWhileTheForceIsStopped) {
+  TaskJudge task(kTask, kTick);
+  const auto stopped = [&task](std::int64_t first, std::int64_t last, const Vec3& p_WC) {
+    for (std::int64_t tick = first; tick <= last; ++tick) {
+      TickRecord still = record(tick, p_WC);
+      still.stopped = true;
+      task.judge(still);
+    }
+  };
+  judge(task, 0, 9, kAway);
+  stopped(10, 109, kAtA);  // nothing is reached in a pause
+  EXPECT_FALSE(task.state().inside);
+  judge(task, 110, 112, kAtA);
+  stopped(113, 200, kAway);  // nor left
+  judge(task, 201, 201, kAtA);
+  EXPECT_EQ(task.state().step, 1u);
+  EXPECT_DOUBLE_EQ(task.state().reached[0].value(), 0.013);
+}
+
 TEST(TaskJudge, TakesTheCheckpointsInOrder) {
   TaskJudge task(kTask, kTick);
   judge(task, 0, 99, kAtB);  // the second one first: counts for nothing
