@@ -10,6 +10,7 @@
 #include "engine/scenario/to_glm.h"
 #include "haptics/math/functions.h"
 #include "haptics/safety/faults.h"
+#include "haptics/safety/guard.h"
 
 namespace fulcrum::app {
 namespace {
@@ -207,7 +208,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
   if (record.stopped)
     state.force = ui::Force::stopped;
-  else if (record.force_gain < 1)
+  else if (record.force_gain < 1 && state.time_s > kRampIn)  // it was never away when all begins
     state.force = ui::Force::returning;
   state.stop_reason = stop_reason(record.faults);
   return state;

@@ -6,13 +6,14 @@
 
 namespace fulcrum::app {
 
-std::optional<Error> refuse_view(const Prepared& prepared, const std::string& name) {
+std::optional<Error> refuse_view(const scenario::Scenario& scenario, const std::string& scenario_name,
+                                 const std::string& view) {
   std::vector<std::string_view> known;
-  for (const scenario::View& view : prepared.scenario.views) known.push_back(view.name);
-  if (name.empty() || std::ranges::find(known, name) != known.end()) return std::nullopt;
+  for (const scenario::View& one : scenario.views) known.push_back(one.name);
+  if (view.empty() || std::ranges::find(known, view) != known.end()) return std::nullopt;
   const std::string otherwise = known.empty() ? "leave out --view" : "there is: " + scenario::joined(known);
-  return Error{"the scenario '" + prepared.name + "' has no view '" + name + "'" +
-               scenario::did_you_mean(name, known, otherwise)};
+  return Error{"the scenario '" + scenario_name + "' has no view '" + view + "'" +
+               scenario::did_you_mean(view, known, otherwise)};
 }
 
 Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const SceneDesc& scene,

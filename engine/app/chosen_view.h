@@ -9,7 +9,8 @@
 namespace fulcrum::app {
 
 // Why there is no such view; absent: there is, or none was named.
-std::optional<Error> refuse_view(const Prepared& prepared, const std::string& name);
+std::optional<Error> refuse_view(const scenario::Scenario& scenario, const std::string& scenario_name,
+                                 const std::string& view);
 
 // What is drawn, its camera in the view of that name; empty: in the scenario's first.
 Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const SceneDesc& scene,

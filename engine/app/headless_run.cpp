@@ -43,9 +43,17 @@ void run_live(World& world, Device& device, RunSink& sink) {
   report_live(loop);
 }
 
-void report_live(const LiveLoop& loop) {
+void report_grant(const LiveLoop& loop) {
   if (!loop.grant().scheduling.empty()) complain(loop.grant().scheduling);
   if (!loop.grant().memory.empty()) complain(loop.grant().memory);
+  if (loop.unrecorded() > 0)
+    complain(std::to_string(loop.unrecorded()) +
+             " ticks ran but were not recorded, because the disk or the display held the main thread up for "
+             "too long.");
+}
+
+void report_live(const LiveLoop& loop) {
+  report_grant(loop);
   std::fprintf(stderr, "Late ticks: %llu, lost: %llu. Ticks by how late they began:",
                static_cast<unsigned long long>(loop.late_ticks()),
                static_cast<unsigned long long>(loop.lost_ticks()));
@@ -55,10 +63,6 @@ void report_live(const LiveLoop& loop) {
       std::fprintf(stderr, "  <%llu us: %llu", 1ULL << i, static_cast<unsigned long long>(histogram[i]));
   }
   std::fputc('\n', stderr);
-  if (loop.unrecorded() > 0)
-    complain(std::to_string(loop.unrecorded()) +
-             " ticks ran but were not recorded, because the disk or the display held the main thread up for "
-             "too long.");
 }
 
 }  // namespace fulcrum::app

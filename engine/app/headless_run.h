@@ -9,7 +9,9 @@ namespace fulcrum::app {
 void run_offline(World& world, Device& device, RunSink& sink);
 void run_live(World& world, Device& device, RunSink& sink);
 
-// What the operating system refused, how late ticks were, how many were lost: on stderr.
+// What the operating system refused, and ticks that no record is left of: on stderr.
+void report_grant(const LiveLoop& loop);
+// The same; how late ticks were, how many were lost: on stderr.
 void report_live(const LiveLoop& loop);
 
 }  // namespace fulcrum::app

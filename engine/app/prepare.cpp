@@ -51,7 +51,8 @@ double sag(const SceneDesc& scene) {
 
 }  // namespace
 
-std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides) {
+std::optional<scenario::Scenario> load_named(const std::string& name_or_file,
+                                             const std::vector<std::string>& overrides) {
   const Result<std::filesystem::path> file = scenario::find_scenario(name_or_file);
   if (!file) {
     complain(file.error().sentence);
@@ -62,19 +63,27 @@ std::optional<Prepared> prepare(const std::string& name_or_file, const std::vect
     complain("the scenario '" + name_or_file + "' cannot be used:\n" + scenario::to_text(loaded.faults()));
     return std::nullopt;
   }
+  return std::move(*loaded);
+}
+
+std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides) {
+  std::optional<scenario::Scenario> loaded = load_named(name_or_file, overrides);
+  if (!loaded) return std::nullopt;
   return prepare(name_or_file, std::move(*loaded));
 }
 
-std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario) {
+std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario,
+                                const scenario::BakeProgress& progress) {
   Result<scenario::LoadedModels> models = scenario::load_models(scenario);
   if (!models) {
     complain(models.error().sentence);
     return std::nullopt;
   }
   ProgressBar bar;
-  Result<scenario::HapticAssembly> haptic = scenario::assemble_haptic(
-      scenario, *models, BakeCache(), [&bar](std::string_view what, double fraction) {
+  Result<scenario::HapticAssembly> haptic =
+      scenario::assemble_haptic(scenario, *models, BakeCache(), [&](std::string_view what, double fraction) {
         bar.show("Baking the " + std::string(what), fraction);
+        if (progress) progress(what, fraction);
       });
   bar.clear();
   if (!haptic) {

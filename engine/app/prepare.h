@@ -22,9 +22,14 @@ struct Prepared {
   scenario::HapticAssembly haptic;
 };
 
-// Every sentence that is wrong about it is written to stderr; then nothing is returned.
+// Every sentence that is wrong about it is written to stderr; then nothing is returned. load_named() reads
+// the scenario's file alone; prepare() its models, too, and bakes what is not in the cache. progress: told
+// besides the terminal, on the calling thread; what it throws ends the bake and comes out of prepare().
+std::optional<scenario::Scenario> load_named(const std::string& name_or_file,
+                                             const std::vector<std::string>& overrides);
 std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides);
-std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario);
+std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario,
+                                const scenario::BakeProgress& progress = {});
 
 // What results call a device that the command line named `device`: the scenario's own is scenario:MODEL.
 std::string device_in_results(const Prepared& prepared, const std::string& device);

@@ -70,12 +70,12 @@ std::string where_deepest(const record::Summary& summary) {
 
 }  // namespace
 
-void print_outcome(const std::filesystem::path& folder, const record::Summary& summary) {
+void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& outcome) {
+  const record::Summary& summary = outcome.summary;
   if (summary.completed)
     std::printf("%s in %.1f s.\n", bold("Completed").c_str(), summary.completion_time_s.value_or(0));
   else
-    std::printf("%s after %.1f s.\n", bold("Not completed").c_str(),
-                static_cast<double>(summary.ticks) * summary.tick_s);
+    std::printf("%s after %.1f s.\n", bold("Not completed").c_str(), outcome.time_s);
   for (const record::CheckpointResult& checkpoint : summary.checkpoints) {
     if (checkpoint.reached_s)
       std::printf("  %-24s %6.1f s\n", checkpoint.name.c_str(), *checkpoint.reached_s);

@@ -25,6 +25,6 @@ bool write_results(const std::filesystem::path& folder, RunSink::Outcome& outcom
                    const Inventory& inventory);
 
 // A few lines for a person: what came of the run and where everything lies.
-void print_outcome(const std::filesystem::path& folder, const record::Summary& summary);
+void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& outcome);
 
 }  // namespace fulcrum::app

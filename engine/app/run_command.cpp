@@ -8,6 +8,7 @@
 #include "engine/app/headless_run.h"
 #include "engine/app/interrupt.h"
 #include "engine/app/picture.h"
+#include "engine/app/prepare_in_window.h"
 #include "engine/app/results.h"
 #include "engine/app/tape_header.h"
 #include "engine/app/terminal.h"
@@ -86,7 +87,7 @@ public:
     if (options_.json)
       std::printf("%s\n", record::summary_json(outcome.summary).c_str());
     else
-      print_outcome(folder_, outcome.summary);
+      print_outcome(folder_, outcome);
     if (!written) return kError;
     if (sink_.end() == RunSink::End::completed) return kCompleted;
     return sink_.stopped_by_fault() && !person ? kEndedByFault : kNotCompleted;
@@ -141,14 +142,29 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   return options.validate && !drawn ? static_cast<int>(kError) : code;
 }
 
-int run_in_window(const Prepared& prepared, const RunOptions& options) {
+int run_in_window(const scenario::Scenario& scenario, const RunOptions& options) {
+  const Result<std::unique_ptr<WindowStage>> stage =
+      WindowStage::create("Fulcrum: " + scenario.title, options);
+  if (!stage) {
+    complain(stage.error().sentence);
+    return kError;
+  }
+  const PreparedInWindow ready = prepare_in_window(**stage, options.scenario, scenario);
+  if (ready.closed) {
+    complain("the window was closed before the scenario was ready: nothing was run.");
+    return kNotCompleted;
+  }
+  if (!ready.prepared) return kError;
+  const Prepared& prepared = *ready.prepared;
+  for (const std::string& note : prepared.haptic.mended) complain(note);
   const Result<scenario::VisualAssembly> visual =
       assemble_shown(prepared, scene_for_device(prepared, options.device), options);
   if (!visual) {
     complain(visual.error().sentence);
     return kError;
   }
-  const Result<std::unique_ptr<TrainingWindow>> window = TrainingWindow::create(prepared, *visual, options);
+  const Result<std::unique_ptr<TrainingWindow>> window =
+      TrainingWindow::create(**stage, prepared, *visual, options);
   if (!window) {
     complain(window.error().sentence);
     return kError;
@@ -161,14 +177,21 @@ int run_in_window(const Prepared& prepared, const RunOptions& options) {
     if (!attempt) return kError;
     const TrainingWindow::Leave leave = (*window)->run(
         attempt->world(), attempt->device(), dynamic_cast<MouseDevice*>(&attempt->device()), attempt->sink());
-    const auto picture =
-        (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
+    const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
     if (!picture) complain("there is no picture: " + picture.error().sentence);
     const int code = attempt->finish(&(*window)->plan(), true);
     if (leave == TrainingWindow::Leave::restart) continue;
-    for (const std::string& message : (*window)->validation_messages()) complain(message);
-    return (*window)->validation_messages().empty() ? code : static_cast<int>(kError);
+    for (const std::string& message : (*stage)->validation_messages()) complain(message);
+    return (*stage)->validation_messages().empty() ? code : static_cast<int>(kError);
   }
+}
+
+// Whether there are impacts to draw a circle about: known before anything is baked.
+bool feels_impacts(const scenario::Scenario& scenario, const std::string& device) {
+  SceneDesc scene;
+  scene.device = device == "mouse" ? MouseDevice::mouse_desc() : scenario.device.desc;
+  if (scenario.impact_vibration) scene.impact_vibration = scenario.impact_vibration->desc;
+  return vibrates_at_impacts(scene);
 }
 
 }  // namespace
@@ -185,20 +208,26 @@ int run_command(const RunOptions& given) {
     std::printf("%s\n", describe_gpus().c_str());
     return kCompleted;
   }
-  const std::optional<Prepared> prepared = prepare(options.scenario, options.overrides);
-  if (!prepared) return kError;
-  if (const auto refused = refuse_view(*prepared, options.view)) {
+  std::optional<scenario::Scenario> scenario = load_named(options.scenario, options.overrides);
+  if (!scenario) return kError;
+  if (const auto refused = refuse_view(*scenario, options.scenario, options.view)) {
     complain(refused->sentence);
     return kUsage;
   }
-  if (options.circle && !vibrates_at_impacts(scene_for_device(*prepared, options.device))) {
-    complain("--circle: nothing in '" + prepared->name +
+  if (options.circle && !feels_impacts(*scenario, options.device)) {
+    complain("--circle: nothing in '" + options.scenario +
              "' vibrates at impacts on this device: leave it out, or name impact_vibration in the scenario");
     return kUsage;
   }
+  if (!options.headless) {
+    catch_interrupts();
+    return run_in_window(*scenario, options);
+  }
+  const std::optional<Prepared> prepared = prepare(options.scenario, std::move(*scenario));
+  if (!prepared) return kError;
   for (const std::string& note : prepared->haptic.mended) complain(note);
   catch_interrupts();
-  return options.headless ? run_headless(*prepared, options) : run_in_window(*prepared, options);
+  return run_headless(*prepared, options);
 }
 
 }  // namespace fulcrum::app

@@ -17,6 +17,9 @@ RunSink::RunSink(const Prepared& prepared, std::optional<record::Recorder> recor
       totals_(tick_s_),
       penetration_(tick_s_),
       afterglow_(prepared.haptic.scene.tool.X_HT.inverse().p) {
+  const ToolDesc& tool = prepared.haptic.scene.tool;
+  last_.X_WT = tool.X_WT_start;
+  last_.X_WH = tool.X_WT_start * tool.X_HT.inverse();
   cpu_ns_.reserve(static_cast<std::size_t>(std::ceil(limit_s / tick_s_)) + 1);
 }
 
@@ -39,8 +42,9 @@ void RunSink::take(const TickEvent& event) {
     report_recorder();
   }
   last_ = event.record;
-  afterglow_.add(event.record, time());
+  afterglow_.add(event.record, static_cast<double>(ticks_) * tick_s_);
   ++ticks_;
+  if (event.record.stopped) ++stopped_ticks_;
 }
 
 void RunSink::flush_if_due() {
@@ -59,7 +63,7 @@ void RunSink::report_recorder() {
 RunSink::End RunSink::end() const {
   if (judge_.state().completed) return End::completed;
   // Counted in ticks: a sum of times would end a tick early or late.
-  return ticks_ >= std::llround(limit_s_ / tick_s_) ? End::limit : End::running;
+  return ticks_ - stopped_ticks_ >= std::llround(limit_s_ / tick_s_) ? End::limit : End::running;
 }
 
 RunSink::Outcome RunSink::finish() {
@@ -68,6 +72,7 @@ RunSink::Outcome RunSink::finish() {
   summary.scenario = prepared_.name;
   summary.seed = prepared_.scenario.seed;
   summary.tick_s = tick_s_;
+  outcome.time_s = time();
   summary.take(totals_);
   const scenario::TaskState& task = judge_.state();
   summary.completed = task.completed;

@@ -19,7 +19,7 @@ namespace fulcrum::app {
 
 class RunSink {
 public:
-  // recorder: none, and nothing is written. limit_s: the run ends there.
+  // recorder: none, and nothing is written. limit_s: the trial ends there.
   RunSink(const Prepared& prepared, std::optional<record::Recorder> recorder, double limit_s);
 
   void take(const TickEvent& event);
@@ -31,14 +31,16 @@ public:
   bool stopped_by_fault() const { return last_.stopped; }
 
   const scenario::TaskState& task() const { return judge_.state(); }
-  const TickRecord& last() const { return last_; }
+  const TickRecord& last() const { return last_; }  // before the first: where all begins
   const Afterglow& afterglow() const { return afterglow_; }
-  double time() const { return static_cast<double>(ticks_) * tick_s_; }  // s
+  // s, of the trial: it rests while the force is stopped.
+  double time() const { return static_cast<double>(ticks_ - stopped_ticks_) * tick_s_; }
   double limit() const { return limit_s_; }
 
   // Closes the files and measures the penetration. device, hand, built and left_out are the caller's to add.
   struct Outcome {
     record::Summary summary;
+    double time_s = 0;     // of the trial
     bool recorded = true;  // false: the recording stopped early, and a sentence said so
   };
   Outcome finish();
@@ -49,7 +51,7 @@ private:
   const Prepared& prepared_;
   double tick_s_;
   double limit_s_;
-  std::int64_t ticks_ = 0;
+  std::int64_t ticks_ = 0, stopped_ticks_ = 0;
   std::optional<record::Recorder> recorder_;
   bool recorder_failed_ = false;
   scenario::TaskJudge judge_;

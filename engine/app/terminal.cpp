@@ -39,12 +39,13 @@ void ProgressBar::show(std::string_view what, double fraction) {
     clear();
     what_ = what;
     stage_began_ = now;
-    announced_ = false;
+    told_tenths_ = 0;
   }
   if (isatty(STDERR_FILENO) == 0) {
-    if (!announced_ && now - stage_began_ > std::chrono::seconds(1)) {
-      std::fprintf(stderr, "%s ...\n", what_.c_str());
-      announced_ = true;
+    const int tenths = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 10);
+    if (tenths > told_tenths_ && tenths < 10 && now - stage_began_ > std::chrono::seconds(1)) {
+      std::fprintf(stderr, "%s: %d %%\n", what_.c_str(), 10 * tenths);
+      told_tenths_ = tenths;
     }
     return;
   }

@@ -14,8 +14,8 @@ std::string dim(std::string_view text);
 // "fulcrum: sentence" on stderr.
 void complain(std::string_view sentence);
 
-// A bar on stderr, drawn at most ten times a second; without a terminal one line per stage that takes over a
-// second.
+// A bar on stderr, drawn at most ten times a second; without a terminal a line for each tenth of a stage that
+// takes over a second.
 class ProgressBar {
 public:
   ProgressBar() = default;
@@ -31,7 +31,7 @@ private:
   std::string what_;
   Clock::time_point stage_began_, drawn_;
   bool visible_ = false;
-  bool announced_ = false;
+  int told_tenths_ = 0;
 };
 
 }  // namespace fulcrum::app

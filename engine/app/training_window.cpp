@@ -2,10 +2,12 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <utility>
 
+#include "engine/app/headless_run.h"
 #include "engine/app/holding_controls.h"
 #include "engine/app/interrupt.h"
 #include "engine/app/terminal.h"
@@ -43,10 +45,18 @@ std::optional<HoldingKey> holding_key(int key) {
   }
 }
 
+// m: what the trainee has to hit most exactly; where there is no task, a twentieth of the tool.
+double finest_detail(const Prepared& prepared) {
+  double finest = prepared.haptic.scene.tool_shell->max_radius_m / 20;
+  const std::vector<scenario::Checkpoint>& checkpoints = prepared.haptic.task.checkpoints;
+  if (!checkpoints.empty()) finest = std::ranges::min(checkpoints, {}, &scenario::Checkpoint::radius).radius;
+  return finest;
+}
+
 std::vector<ui::KeyLine> key_lines(const ui::OverlayState& state, bool circle) {
   std::vector<ui::KeyLine> lines = {
-      {"Esc", "stop the force"},  {"Enter", "let the force return"},     {"R", "start again"},
-      {"1 to 9", "go to a view"}, {"Home", "back to this view's start"}, {"F1", "show or hide this list"},
+      {"Esc", "stop force and time"}, {"Enter", "go on; the force returns"}, {"R", "start again"},
+      {"1 to 9", "go to a view"},     {"Home", "back to this view's start"}, {"F1", "show or hide this list"},
   };
   for (const ui::CueLine& cue : state.cues)
     lines.insert(lines.end() - 1, {cue.key, "switch the " + lower(cue.name)});
@@ -60,46 +70,21 @@ std::vector<ui::KeyLine> key_lines(const ui::OverlayState& state, bool circle) {
 
 }  // namespace
 
-TrainingWindow::TrainingWindow(const Prepared& prepared, const scenario::VisualAssembly& visual)
-    : prepared_(prepared),
+TrainingWindow::TrainingWindow(WindowStage& stage, const Prepared& prepared,
+                               const scenario::VisualAssembly& visual)
+    : stage_(stage),
+      prepared_(prepared),
       visual_(visual),
       camera_(visual.desc.camera),
-      bridge_(visual.desc, prepared.scenario, prepared.haptic.scene) {}
+      bridge_(visual.desc, prepared.scenario, prepared.haptic.scene),
+      tool_mouse_(input::mouse_steps(finest_detail(prepared))) {}
 
-Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(const Prepared& prepared,
+Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(WindowStage& stage, const Prepared& prepared,
                                                                const scenario::VisualAssembly& visual,
                                                                const RunOptions& options) {
-  std::unique_ptr<TrainingWindow> self(new TrainingWindow(prepared, visual));
-  auto window = ui::Window::create("Fulcrum: " + prepared.scenario.title, options.size);
-  if (!window) return Error{window.error()};
-  self->window_ = std::move(window.value());
+  std::unique_ptr<TrainingWindow> self(new TrainingWindow(stage, prepared, visual));
   self->circle_ = options.circle;
-  vulkan::InstanceOptions instance_options;
-  instance_options.extensions = self->window_->instance_extensions();
-  instance_options.validation = options.validate;
-  auto instance = vulkan::Instance::create(instance_options);
-  if (!instance) return Error{instance.error()};
-  self->instance_ = std::make_unique<vulkan::Instance>(std::move(instance.value()));
-  auto surface = self->window_->surface(*self->instance_);
-  if (!surface) return Error{surface.error()};
-  self->surface_ = std::make_unique<vulkan::Surface>(std::move(surface.value()));
-  auto gpu = vulkan::Device::create(*self->instance_, options.gpu, self->surface_->get());
-  if (!gpu) return Error{gpu.error()};
-  self->gpu_ = std::move(gpu.value());
-  auto swapchain = vulkan::Swapchain::create(*self->gpu_, self->surface_->get());
-  if (!swapchain) return Error{swapchain.error()};
-  self->swapchain_ = std::move(swapchain.value());
-  auto overlay = ui::Overlay::create(*self->gpu_);
-  if (!overlay) return Error{overlay.error()};
-  self->overlay_ = std::move(overlay.value());
-  if (!self->overlay_->font_note().empty()) complain(self->overlay_->font_note());
-  render::RenderOptions render_options;
-  render_options.extent = options.size;
-  render_options.quality = self->quality_.quality();
-  render_options.shader_folder = render::development_shader_folder();
-  auto renderer = render::Renderer::create(*self->gpu_, visual.desc, render_options);
-  if (!renderer) return Error{renderer.error()};
-  self->renderer_ = std::move(renderer.value());
+  if (auto error = stage.set_scene(visual.desc, self->quality_.quality())) return *error;
   return self;
 }
 
@@ -115,6 +100,8 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   cues_ = CueSwitches(*scene_);
   cpu_ns_.clear();
   cpu_at_ = 0;
+  late_ = lost_ = 0;
+  resting_ = false;
   tool_mouse_.reset(scene_->tool.X_WT_start * scene_->tool.X_HT.inverse());
   ui::WindowEvents events;
   events.key = [this](int key, int action, int modifiers) {
@@ -127,39 +114,49 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
     button_ = action == GLFW_PRESS ? button : -1;
     slides_ = false;
     if (button_ == GLFW_MOUSE_BUTTON_LEFT) on_press();
+    stage_.window().hold_pointer(button_ >= 0);
   };
   events.cursor = [this](double x, double y) { on_cursor(x, y); };
   events.scroll = [this](double, double steps) { on_scroll(steps); };
-  window_->set_events(std::move(events));
+  stage_.window().set_events(std::move(events));
 
+  draw(sink, loop);  // the first frame takes long, and its picture is where all begins: before the clock runs
   loop.start();
-  while (!window_->closing() && !restart_ && !interrupted() && error_.empty()) {
-    window_->poll();
+  while (!stage_.window().closing() && !restart_ && !interrupted() && error_.empty()) {
+    stage_.window().poll();
     TickEvent event;
     while (loop.next(event)) {
+      if (sink.end() != RunSink::End::running) continue;
       note_cost(event);
-      if (sink.end() == RunSink::End::running) sink.take(event);
+      sink.take(event);
     }
     sink.flush_if_due();
+    if (sink.end() != RunSink::End::running) {
+      come_to_rest(loop);
+    } else {
+      late_ = loop.late_ticks();
+      lost_ = loop.lost_ticks();
+    }
     draw(sink, loop);
   }
   loop.stop();
-  window_->set_events({});
-  if (window_->lost())
+  stage_.window().hold_pointer(false);
+  stage_.window().set_events({});
+  if (stage_.window().lost())
     complain(
-        "the window is gone, for its X server ended or another program closed it: the run ends here, and what "
+        "the window is gone, for its X server ended or another program closed it: the run ends here, and "
+        "what "
         "it recorded is kept.");
   else if (!error_.empty())
     complain(error_);
-  if (!loop.grant().scheduling.empty()) complain(loop.grant().scheduling);
-  if (!loop.grant().memory.empty()) complain(loop.grant().memory);
+  report_grant(loop);
   return restart_ ? Leave::restart : Leave::closed;
 }
 
 void TrainingWindow::on_press() {
-  const std::optional<Command> pressed = cues_.press(shown_, window_->pixels(), cursor_x_, cursor_y_);
+  const std::optional<Command> pressed = cues_.press(shown_, stage_.window().pixels(), cursor_x_, cursor_y_);
   send(pressed);
-  const ui::PanelPoint at = ui::panel_point(window_->pixels(), cursor_x_, cursor_y_);
+  const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
   const auto held = ui::pressed_holding(shown_, at.width, at.x, at.y);
   if (held) send(holding_commands(*shown_.holding, *held));
   slides_ = held && held->part == ui::HoldingPress::Part::place;
@@ -230,16 +227,19 @@ void TrainingWindow::send(const std::vector<Command>& commands) {
 void TrainingWindow::on_cursor(double x, double y) {
   const double dx = x - std::exchange(cursor_x_, x), dy = y - std::exchange(cursor_y_, y);
   if (slides_ && shown_.holding) {
-    const ui::PanelPoint at = ui::panel_point(window_->pixels(), cursor_x_, cursor_y_);
+    const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
     send(holding_commands(*shown_.holding,
                           {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at.width, at.x)}));
   }
   if (button_ < 0) return;
   const bool moves_tool = mouse_ != nullptr && button_ != GLFW_MOUSE_BUTTON_MIDDLE;
+  if (moves_tool && tool_rests()) return;
   if (moves_tool) {
     const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
     if (button_ == GLFW_MOUSE_BUTTON_LEFT)
       tool_mouse_.slide(view, dx, dy);
+    else if (shift_)
+      tool_mouse_.roll(view, dx);
     else
       tool_mouse_.turn(view, dx, dy);
     mouse_->aim(tool_mouse_.X_WH());
@@ -255,12 +255,16 @@ void TrainingWindow::on_scroll(double steps) {
     camera_.zoom(static_cast<float>(steps));
     return;
   }
+  if (tool_rests()) return;
   const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
-  if (shift_)
-    tool_mouse_.roll(view, steps);
-  else
-    tool_mouse_.reach(view, steps);
+  tool_mouse_.reach(view, steps, shift_ ? input::Step::fine : input::Step::whole);
   mouse_->aim(tool_mouse_.X_WH());
+}
+
+void TrainingWindow::come_to_rest(LiveLoop& loop) {
+  if (!resting_) resting_ = loop.send({Command::Kind::stop});
+  const TickRecord& newest = loop.newest();
+  if (newest.stopped && newest.device_F_H_D.is_zero()) loop.stop();
 }
 
 void TrainingWindow::note_cost(const TickEvent& event) {
@@ -288,12 +292,11 @@ std::string TrainingWindow::message(const RunSink& sink) const {
   return keys_visible_ ? std::string() : "F1: keys and mouse";
 }
 
-ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunSink& sink,
-                                            const LiveLoop& loop) const {
+ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunSink& sink) const {
   ui::OverlayState state = overlay_state(prepared_, *scene_, record, sink.afterglow(), sink.task());
   state.ticks.rate_Hz = 1.0 / scene_->tick_s;
-  state.ticks.late = loop.late_ticks();
-  state.ticks.lost = loop.lost_ticks();
+  state.ticks.late = late_;
+  state.ticks.lost = lost_;
   if (!cpu_ns_.empty()) {
     std::vector<std::int64_t> sorted = cpu_ns_;
     const record::TickCpu cpu = record::tick_cpu_percentiles(sorted);
@@ -314,37 +317,42 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
 render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {
   render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
                                            sink.task(), camera_.camera(), shown_.time_s);
-  frame.overlay = overlay_.get();
+  frame.overlay = &stage_.overlay();
   return frame;
 }
 
 Result<std::filesystem::path> TrainingWindow::save_picture(const RunSink& sink,
                                                            const std::filesystem::path& file) {
-  if (const auto laid_out = overlay_->prepare(shown_, renderer_->plan().picture); !laid_out)
+  if (const auto laid_out = stage_.overlay().prepare(shown_, stage_.renderer().plan().picture); !laid_out)
     return Error{laid_out.error()};
-  if (const auto drawn = renderer_->frame(frame_of(sink.last(), sink)); !drawn) return Error{drawn.error()};
-  const auto picture = renderer_->read_back();
+  if (const auto drawn = stage_.renderer().frame(frame_of(sink.last(), sink)); !drawn)
+    return Error{drawn.error()};
+  const auto picture = stage_.renderer().read_back();
   if (!picture) return Error{picture.error()};
   if (const auto written = render::write_png(file, picture.value()); !written) return Error{written.error()};
   return file;
 }
 
 void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
-  const render::Extent size = window_->pixels();
+  const render::Extent size = stage_.window().pixels();
   if (size.width == 0 || size.height == 0) return;
-  const TickRecord& record = loop.newest();
-  shown_ = overlay_of(record, sink, loop);
-  if (const auto laid_out = overlay_->prepare(shown_, size); !laid_out) {
+  // The newest tick; the sink's where there is none yet, and its last one after the end.
+  const TickRecord& newest = loop.newest();
+  const bool running = sink.end() == RunSink::End::running;
+  const TickRecord& record = running && newest.tick > sink.last().tick ? newest : sink.last();
+  shown_ = overlay_of(record, sink);
+  if (const auto laid_out = stage_.overlay().prepare(shown_, size); !laid_out) {
     error_ = laid_out.error();
     return;
   }
-  const auto drawn = renderer_->frame(frame_of(record, sink), *swapchain_, size);
+  const auto drawn = stage_.renderer().frame(frame_of(record, sink), stage_.swapchain(), size);
   if (!drawn) {
     error_ = drawn.error();
     return;
   }
-  if (drawn.value() && quality_.add(renderer_->last_frame_s())) {
-    if (const auto changed = renderer_->set_quality(quality_.quality()); !changed) error_ = changed.error();
+  if (drawn.value() && quality_.add(stage_.renderer().last_frame_s())) {
+    if (const auto changed = stage_.renderer().set_quality(quality_.quality()); !changed)
+      error_ = changed.error();
   }
 }
 

@@ -12,20 +12,18 @@
 #include "engine/app/cue_switches.h"
 #include "engine/app/run_options.h"
 #include "engine/app/run_sink.h"
+#include "engine/app/window_stage.h"
 #include "engine/input/tool_mouse.h"
 #include "engine/render/orbit_camera.h"
 #include "engine/render/quality.h"
-#include "engine/render/renderer.h"
-#include "engine/ui/overlay.h"
-#include "engine/ui/window.h"
 #include "haptics/loop/live_loop.h"
 
 namespace fulcrum::app {
 
 class TrainingWindow {
 public:
-  // Errors: no display, no Vulkan. prepared and visual must outlive the window.
-  static Result<std::unique_ptr<TrainingWindow>> create(const Prepared& prepared,
+  // All must outlive it. Errors: the scene cannot be drawn.
+  static Result<std::unique_ptr<TrainingWindow>> create(WindowStage& stage, const Prepared& prepared,
                                                         const scenario::VisualAssembly& visual,
                                                         const RunOptions& options);
 
@@ -35,12 +33,10 @@ public:
   // The attempt's last moment, as it was seen, into a PNG. After run().
   Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 
-  const render::RenderPlan& plan() const { return renderer_->plan(); }
-  // What Vulkan's validation layers have said so far, if options asked for them.
-  std::vector<std::string> validation_messages() const { return instance_->messages(); }
+  const render::RenderPlan& plan() const { return stage_.renderer().plan(); }
 
 private:
-  TrainingWindow(const Prepared& prepared, const scenario::VisualAssembly& visual);
+  TrainingWindow(WindowStage& stage, const Prepared& prepared, const scenario::VisualAssembly& visual);
 
   void on_key(int key, int action);
   void on_press();
@@ -49,21 +45,18 @@ private:
   void send(const std::optional<Command>& command);
   void send(const std::vector<Command>& commands);
   void note_cost(const TickEvent& event);
-  ui::OverlayState overlay_of(const TickRecord& record, const RunSink& sink, const LiveLoop& loop) const;
+  // After the end: the force goes as after a stop, then ticks, counters and tool rest.
+  void come_to_rest(LiveLoop& loop);
+  // Whether the tool stays where it is, whatever the mouse does: a stop is a pause.
+  bool tool_rests() const { return shown_.force == ui::Force::stopped; }
+  ui::OverlayState overlay_of(const TickRecord& record, const RunSink& sink) const;
   std::string message(const RunSink& sink) const;
   void draw(const RunSink& sink, LiveLoop& loop);
   render::FrameState frame_of(const TickRecord& record, const RunSink& sink);
 
+  WindowStage& stage_;
   const Prepared& prepared_;
   const scenario::VisualAssembly& visual_;
-  // In the order in which they need each other; destroyed backwards.
-  std::unique_ptr<ui::Window> window_;
-  std::unique_ptr<vulkan::Instance> instance_;
-  std::unique_ptr<vulkan::Surface> surface_;
-  std::unique_ptr<vulkan::Device> gpu_;
-  std::unique_ptr<vulkan::Swapchain> swapchain_;
-  std::unique_ptr<ui::Overlay> overlay_;
-  std::unique_ptr<render::Renderer> renderer_;
 
   render::AutoQuality quality_;
   render::OrbitCamera camera_;
@@ -73,9 +66,11 @@ private:
   LiveLoop* loop_ = nullptr;
   const SceneDesc* scene_ = nullptr;
   MouseDevice* mouse_ = nullptr;
-  input::ToolMouse tool_mouse_{Pose{}};
+  input::ToolMouse tool_mouse_;
   std::vector<std::int64_t> cpu_ns_;  // of the newest ticks, a ring
   std::size_t cpu_at_ = 0;
+  std::uint64_t late_ = 0, lost_ = 0;  // ticks
+  bool resting_ = false;
 
   int button_ = -1;      // that is down, or -1
   bool slides_ = false;  // it holds the slider of the holding point

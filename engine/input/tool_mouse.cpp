@@ -6,10 +6,14 @@ namespace fulcrum::input {
 namespace {
 
 constexpr double kTurnPerHeight = 3.5;  // rad: a drag across the picture is a little more than half a turn
-constexpr double kReachPerStep = 4e-3;  // m
-constexpr double kRollPerStep = 0.08;   // rad
+constexpr double kFine = 0.25;          // of a step: one to look, and a finer one to touch
 
 }  // namespace
+
+// A detail is a radius: from any depth beside it one step ends within.
+MouseSteps mouse_steps(double detail) {
+  return {detail, kFine * detail};
+}
 
 void ToolMouse::slide(const ViewAxes& view, double right, double down) {
   X_WH_.p += view.height * (right * view.right_W - down * view.up_W);
@@ -19,12 +23,12 @@ void ToolMouse::turn(const ViewAxes& view, double right, double down) {
   rotate(kTurnPerHeight * (right * view.up_W + down * view.right_W));
 }
 
-void ToolMouse::reach(const ViewAxes& view, double steps) {
-  X_WH_.p += kReachPerStep * steps * view.forward_W;
+void ToolMouse::roll(const ViewAxes& view, double right) {
+  rotate(kTurnPerHeight * right * view.forward_W);
 }
 
-void ToolMouse::roll(const ViewAxes& view, double steps) {
-  rotate(kRollPerStep * steps * view.forward_W);
+void ToolMouse::reach(const ViewAxes& view, double steps, Step step) {
+  X_WH_.p += (step == Step::fine ? steps_.fine : steps_.whole) * steps * view.forward_W;
 }
 
 void ToolMouse::rotate(const Vec3& rotation_W) {
@@ -33,13 +37,10 @@ void ToolMouse::rotate(const Vec3& rotation_W) {
 
 std::span<const char* const> mouse_help() {
   static constexpr const char* lines[] = {
-      "Left drag: tool left, right, up, down",
-      "Wheel: tool away and nearer",
-      "Right drag: tool turns left, right, up, down",
-      "Shift + wheel: tool rolls",
-      "Middle drag: look around",
-      "Shift + middle drag: move the view",
-      "Ctrl + wheel: zoom",
+      "Left drag: tool left, right, up, down", "Wheel: tool away and nearer",
+      "Shift + wheel: the same, finer",        "Right drag: tool turns left, right, up, down",
+      "Shift + right drag: tool rolls",        "Middle drag: look around",
+      "Shift + middle drag: move the view",    "Ctrl + wheel: zoom",
   };
   return lines;
 }

@@ -16,16 +16,26 @@ struct ViewAxes {
   double height = 1;                // m, of the picture at the tool's distance
 };
 
+// How far a wheel step takes the tool.
+enum class Step { whole, fine };
+struct MouseSteps {
+  double whole = 4e-3;  // m
+  double fine = 1e-3;   // m
+};
+
+// So that the wheel can stop within `detail` (m) of any depth: the finest that there is to hit in a scene.
+MouseSteps mouse_steps(double detail);
+
 class ToolMouse {
 public:
-  explicit ToolMouse(const Pose& X_WH) : X_WH_(X_WH) {}
+  explicit ToolMouse(const MouseSteps& steps) : steps_(steps) {}
 
   // Fractions of the picture's height.
   void slide(const ViewAxes& view, double right, double down);
   void turn(const ViewAxes& view, double right, double down);
+  void roll(const ViewAxes& view, double right);
   // wheel steps, away from the person positive.
-  void reach(const ViewAxes& view, double steps);
-  void roll(const ViewAxes& view, double steps);
+  void reach(const ViewAxes& view, double steps, Step step);
 
   void reset(const Pose& X_WH) { X_WH_ = X_WH; }
   const Pose& X_WH() const { return X_WH_; }
@@ -33,6 +43,7 @@ public:
 private:
   void rotate(const Vec3& rotation_W);
 
+  MouseSteps steps_;
   Pose X_WH_;
 };
 

@@ -1,10 +1,17 @@
 #include "engine/render/renderer.h"
 
+#include <atomic>
 #include <cstdio>
 #include <cstring>
 
 namespace fulcrum::render {
 namespace {
+
+// No two of any renderers are alike: an overlay may be shown by one and then by another.
+std::uint64_t next_generation() {
+  static std::atomic<std::uint64_t> newest{0};
+  return ++newest;
+}
 
 vulkan::SamplerHandle make_scene_sampler(vulkan::Device& device) {
   VkSamplerCreateInfo info{};
@@ -87,7 +94,7 @@ void Renderer::build(const RenderPlan& plan) {
   plan_ = plan;
   targets_ = {};  // the old ones go before the new ones come: both might not fit
   targets_ = make_targets(device_, plan);
-  ++generation_;
+  generation_ = next_generation();
   tone_set_ = vulkan::DescriptorSet(
       device_, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE,
                  targets_.scene.view(), scene_sampler_.get()}});

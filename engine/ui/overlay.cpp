@@ -124,6 +124,10 @@ public:
 
 private:
   void draw(const Canvas& canvas, const OverlayState& state) {
+    if (state.busy) {
+      draw_busy(canvas, *state.busy);
+      return;
+    }
     const Peaks peaks{force_peak_.add(state.force_N.value, state.time_s),
                       torque_peak_.add(state.torque_Nm.value, state.time_s)};
     draw_dials(canvas, state, peaks);

@@ -69,11 +69,20 @@ struct HoldingPanel {
   bool faded = false;      // it would add energy
 };
 
+/// Something that takes long, before there is a scene to show.
+struct Busy {
+  std::string title;      // "A spanner behind the pipes"
+  std::string what;       // "Baking the distance field"
+  double fraction = 0.0;  // 0..1 done
+  std::string note;       // why it takes so long, or what is next; empty: none
+};
+
 enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength
 
 struct OverlayState {
-  double time_s = 0.0;   // simulated time, for peaks that are held and banners that pulse
-  std::string scenario;  // heading of the checkpoints
+  std::optional<Busy> busy;  // if there, it is all that is shown
+  double time_s = 0.0;       // simulated time, for peaks that are held and banners that pulse
+  std::string scenario;      // heading of the checkpoints
   Dial force_N;
   Dial torque_Nm;
   std::vector<CheckpointLine> checkpoints;   // empty: no list

@@ -30,7 +30,9 @@ std::vector<Fact> facts_of(const TickHealth& ticks) {
   if (ticks.rate_Hz <= 0) return {};  // not by the clock: there is nothing to tell
   return {
       {"Haptic rate", format("%.0f Hz", ticks.rate_Hz)},
-      {"CPU per tick", format("%.0f", ticks.cpu_p50_us) + " / " + format("%.0f \u00B5s", ticks.cpu_p99_us)},
+      {"CPU per tick", ticks.cpu_p99_us > 0 ? format("%.0f", ticks.cpu_p50_us) + " / " +
+                                                  format("%.0f \u00B5s", ticks.cpu_p99_us)
+                                            : "-"},
       {"Late ticks", std::to_string(ticks.late), trouble(ticks.late)},
       {"Lost ticks", std::to_string(ticks.lost), ticks.lost > 0 ? theme::kBad : theme::kText},
   };

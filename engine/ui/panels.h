@@ -31,5 +31,6 @@ void draw_motors(const Canvas& canvas, const OverlayState& state);   // bottom r
 void draw_message(const Canvas& canvas, const OverlayState& state);  // bottom middle
 void draw_keys(const Canvas& canvas, const OverlayState& state);     // middle, when visible
 void draw_banner(const Canvas& canvas, const OverlayState& state);   // across, when force is off
+void draw_busy(const Canvas& canvas, const Busy& busy);              // middle, alone
 
 }  // namespace fulcrum::ui

@@ -32,6 +32,25 @@ std::string start_glfw() {
          "mesa-vulkan-drivers, or run Fulcrum with --headless.";
 }
 
+// All monitors together, in the window's own coordinates.
+ScreenArea screens_of(GLFWwindow* window) {
+  ScreenArea area;
+  int window_x = 0;
+  int window_y = 0;
+  glfwGetWindowPos(window, &window_x, &window_y);
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    int x = 0;
+    int y = 0;
+    glfwGetMonitorPos(monitors[i], &x, &y);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    if (mode == nullptr) continue;
+    area.add(x - window_x, y - window_y, mode->width, mode->height);
+  }
+  return area;
+}
+
 }  // namespace
 
 std::string why_no_window() {
@@ -43,6 +62,7 @@ std::string why_no_window() {
 vulkan::Result<std::unique_ptr<Window>> Window::create(const std::string& title, render::Extent size) {
   if (std::string reason = start_glfw(); !reason.empty()) return vulkan::Error{std::move(reason)};
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   GLFWwindow* window = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height),
                                         title.c_str(), nullptr, nullptr);
   if (window == nullptr) {
@@ -67,14 +87,8 @@ Window::Window(GLFWwindow* window) : window_(window) {
       handler(button, action, modifiers);
     }
   });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* from, double x, double y) {
-    int width = 0;
-    int height = 0;
-    glfwGetWindowSize(from, &width, &height);
-    if (const auto& handler = window_of(from)->events_.cursor; handler && height > 0) {
-      handler(x / height, y / height);
-    }
-  });
+  glfwSetCursorPosCallback(window_,
+                           [](GLFWwindow* from, double x, double y) { window_of(from)->on_cursor(x, y); });
   glfwSetScrollCallback(window_, [](GLFWwindow* from, double dx, double dy) {
     if (const auto& handler = window_of(from)->events_.scroll) {
       handler(dx, dy);
@@ -82,9 +96,51 @@ Window::Window(GLFWwindow* window) : window_(window) {
   });
 }
 
+void Window::show() {
+  ask_display([this] { glfwShowWindow(window_); });
+}
+
+void Window::on_cursor(double x, double y) {
+  if (pointer_) pointer_->move(x, y);
+  int width = 0;
+  int height = 0;
+  if (!ask_display([&] { glfwGetWindowSize(window_, &width, &height); })) return;
+  if (events_.cursor && height > 0) {
+    events_.cursor((pointer_ ? pointer_->x() : x) / height, (pointer_ ? pointer_->y() : y) / height);
+  }
+}
+
+void Window::hold_pointer(bool held) {
+  if (held == pointer_.has_value()) return;
+  double x = 0;
+  double y = 0;
+  ScreenArea screens;
+  const bool answered = ask_display([&] {
+    glfwGetCursorPos(window_, &x, &y);
+    screens = screens_of(window_);
+  });
+  if (!answered) return;
+  pointer_.reset();
+  if (held) {
+    pointer_.emplace(x, y, screens);
+  } else {
+    on_cursor(x, y);  // where it is seen
+  }
+}
+
+// After all that has been told: an event that is still on its way comes from either side of the jump, and
+// WrappedPointer knows both.
+void Window::wrap_pointer() {
+  if (!pointer_) return;
+  if (const auto to = pointer_->jump()) ask_display([&] { glfwSetCursorPos(window_, to->x, to->y); });
+}
+
 Window::~Window() {
-  glfwDestroyWindow(window_);
-  glfwTerminate();
+  // The system takes back what a lost display leaves.
+  ask_display([this] {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+  });
 }
 
 std::vector<std::string> Window::instance_extensions() const {
@@ -103,13 +159,14 @@ vulkan::Result<vulkan::Surface> Window::surface(const vulkan::Instance& instance
 }
 
 void Window::poll() {
-  if (lost()) return;
   const render::Extent now = pixels();
-  if (now.width == 0 || now.height == 0 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) {
-    glfwWaitEventsTimeout(0.1);
-  } else {
-    glfwPollEvents();
-  }
+  ask_display([&] {
+    if (now.width == 0 || now.height == 0)
+      glfwWaitEventsTimeout(0.1);
+    else
+      glfwPollEvents();
+  });
+  wrap_pointer();
 }
 
 bool Window::closing() const {
@@ -121,14 +178,14 @@ bool Window::lost() const {
 }
 
 render::Extent Window::pixels() const {
-  if (lost()) return {0, 0};
-  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) {
-    return {0, 0};  // X11 leaves a hidden window its size
-  }
   int width = 0;
   int height = 0;
-  glfwGetFramebufferSize(window_, &width, &height);
-  if (lost()) return {0, 0};  // noticed only now, and the size is no number
+  const bool answered = ask_display([&] {
+    // X11 leaves a hidden window its size.
+    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != GLFW_TRUE)
+      glfwGetFramebufferSize(window_, &width, &height);
+  });
+  if (!answered) return {0, 0};
   return {static_cast<std::uint32_t>(std::max(width, 0)), static_cast<std::uint32_t>(std::max(height, 0))};
 }
 

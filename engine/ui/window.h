@@ -3,10 +3,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/render/plan.h"
+#include "engine/ui/wrapped_pointer.h"
 #include "engine/vulkan/swapchain.h"
 
 struct GLFWwindow;
@@ -17,7 +19,8 @@ namespace fulcrum::ui {
 struct WindowEvents {
   std::function<void(int key, int action, int modifiers)> key;
   std::function<void(int button, int action, int modifiers)> button;
-  std::function<void(double x, double y)> cursor;    // fractions of the window's height, from its top left
+  // Fractions of the window's height, from its top left.
+  std::function<void(double x, double y)> cursor;
   std::function<void(double dx, double dy)> scroll;  // wheel steps
 };
 
@@ -26,11 +29,13 @@ std::string why_no_window();
 
 class Window {
 public:
-  /// Fails with a sentence where there is no display. `size` in screen units.
+  /// Hidden until show(). Fails with a sentence where there is no display. `size` in screen units.
   static vulkan::Result<std::unique_ptr<Window>> create(const std::string& title, render::Extent size);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
+
+  void show();
 
   void set_events(WindowEvents events) { events_ = std::move(events); }
 
@@ -39,6 +44,10 @@ public:
 
   /// Destroyed before the window and the instance.
   vulkan::Result<vulkan::Surface> surface(const vulkan::Instance& instance) const;
+
+  /// While held, the pointer goes on at the other edge of the screen when it comes to one, and cursor events
+  /// go on counting: a drag may be as long as it likes.
+  void hold_pointer(bool held);
 
   /// Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
   void poll();
@@ -49,9 +58,12 @@ public:
 
 private:
   explicit Window(GLFWwindow* window);
+  void on_cursor(double x, double y);
+  void wrap_pointer();
 
   GLFWwindow* window_;
   WindowEvents events_;
+  std::optional<WrappedPointer> pointer_;  // while it is held
 };
 
 }  // namespace fulcrum::ui

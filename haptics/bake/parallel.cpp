@@ -21,7 +21,12 @@ void for_each_piece(std::size_t count, unsigned threads, const std::function<voi
   for (std::size_t i = 1; i < std::min<std::size_t>(wanted, count); ++i) {
     helpers.emplace_back([&] { take_all(false); });
   }
-  take_all(true);
+  try {
+    take_all(true);
+  } catch (...) {
+    taken = count;  // nobody waits for the rest
+    throw;
+  }
 }
 
 }  // namespace fulcrum

@@ -10,7 +10,9 @@ cd "$work" || exit 1
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
 for command in list run replay check explain devices stability compare ambiguity schema; do expect 0 '.' "$FULCRUM" $command --help; done
-expect 2 '.' "$FULCRUM"
+expect 2 'run .*Run a scenario' "$FULCRUM"
+expect 2 "no subcommand 'rum'; did you mean 'run'" "$FULCRUM" rum piping
+expect 2 "no subcommand 'bogus'; .*--help" "$FULCRUM" bogus
 expect 2 '.' "$FULCRUM" run
 expect 2 'no size' "$FULCRUM" run piping --size big
 expect 0 '^piping ' "$FULCRUM" list
@@ -56,6 +58,8 @@ cmp -s V/overview/frame.png V/slot/frame.png && fail "--view slot draws the over
 cmp -s V/overview/trace.csv V/slot/trace.csv || fail "--view changes the run"
 expect 2 "no view 'slott'; did you mean 'slot'" "$FULCRUM" run piping --headless --view slott --out W
 [ -e W ] && fail "a run with an unknown view left a folder"
+expect 2 "no view 'slott'" env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --view slott --out W
+[ -e cold ] && fail "an unknown view was refused after a bake"
 expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H
 
 # --- reports

@@ -1,89 +1,85 @@
 #!/usr/bin/env bash
-# The window under a display without a screen: it shows a picture, a drag moves the tool, a push shows force, Esc stops,
-# it survives being resized and minimised, and it closes. $FULCRUM is the program.
+# The window under a display without a screen: it shows a picture, a drag moves the tool, a push shows force, Esc stops
+# and is a pause, it survives being resized and minimised, and it closes. $FULCRUM is the program.
 set -uo pipefail
-for command in Xvfb openbox xdotool import; do command -v $command >/dev/null || { echo "skipped: no $command"; exit 77; }; done
-work=$(mktemp -d)
-exec {pipe}<> <(:)
-Xvfb -displayfd $pipe -screen 0 1280x800x24 >/dev/null 2>&1 &
-xvfb=$!
-read -r -u $pipe number || exit 1
-export DISPLAY=:$number
-openbox >/dev/null 2>&1 &
-trap 'kill $xvfb 2>/dev/null; rm -rf "$work"' EXIT
-failures=0
-fail() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$(readlink -f "$0")")/../support/display.sh"
+start_display
 
-"$FULCRUM" run piping --validate --size 640x360 --set time_limit=600 --out "$work/W" >"$work/said" 2>&1 &
-program=$!
-window=
-for _ in $(seq 120); do
-  window=$(xdotool search --onlyvisible --name '^Fulcrum' 2>/dev/null | head -n 1)
-  [ -n "$window" ] && break
-  sleep 0.5
-done
-[ -n "$window" ] || { cat "$work/said"; echo "FAILED: no window"; exit 1; }
+open_window piping --validate --size 640x360 --set time_limit=3600 --out "$work/W"
 xdotool windowactivate --sync "$window"
-sleep 4
+runs "$work/W" || fail "it does not run: $(cat "$work/said")"
 
 # A picture: more than a few colours.
-import -window "$window" "$work/before.png"
-[ "$(identify -format %k "$work/before.png")" -gt 200 ] || fail "the window shows no picture"
+colours() { import -window "$window" "$work/$1.png" && identify -format %k "$work/$1.png"; }
+coloured() { [ "$(colours "$1")" -gt 200 ]; }
+until_seen coloured before || fail "the window shows no picture"
 
+# The tool's x, first and now; how hard the coupling pulls, now.
+newest() { column "$work/W" "$1" | tail -n 2 | head -n 1; }
+started=$(column "$work/W" tool/p/x | head -n 1)
+moved() { awk -v a="$started" -v b="$(newest tool/p/x)" -v d="$1" 'BEGIN { exit !((b - a) ^ 2 > d ^ 2) }'; }
+# The tool's weight is 1.5 N; a push is far more.
+pushes() {
+  paste <(newest coupling/force/x) <(newest coupling/force/y) <(newest coupling/force/z) |
+    awk '{ exit !(sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2) > 4) }'
+}
 press() { # BUTTON FROM_X FROM_Y TO_X TO_Y: a drag whose button stays down
-  xdotool mousemove --window "$window" "$2" "$3" mousedown "$1"
+  xdotool mousemove --sync --window "$window" "$2" "$3" mousedown "$1"
   for step in 1 2 3 4 5 6 7 8; do
     xdotool mousemove --window "$window" $(($2 + ($4 - $2) * step / 8)) $(($3 + ($5 - $3) * step / 8))
-    sleep 0.1
   done
 }
+
 press 1 300 150 340 150
+until_seen moved 0.01 || fail "the drag did not move the tool"
 xdotool mouseup 1
-for _ in $(seq 80); do xdotool click 4; sleep 0.05; done
+for _ in $(seq 32); do xdotool click 4; done # a step is a checkpoint's radius, 10 mm
+runs "$work/W"
 press 1 340 150 460 150 # against the pipe beside it, and held there
-sleep 2
+until_seen pushes || fail "the push showed no force"
 import -window "$window" "$work/pushed.png"
 xdotool mouseup 1
-xdotool key --window "$window" F1
-sleep 1
+
 # The mouse as a device has no motors, so the ghost is the one cue: by its key, then by its switch.
+ghost() { [ "$(newest cue/ghost_gain)" = "$1" ]; }
+xdotool key --window "$window" F1
 xdotool key --window "$window" g
-sleep 1
-xdotool mousemove --window "$window" 488 149 click 1
-sleep 1
-xdotool windowsize --sync "$window" 800 500
-sleep 1
-xdotool windowminimize --sync "$window"
-sleep 1
-xdotool windowmap --sync "$window"
+until_seen ghost 0 || fail "G does not switch the ghost off"
+# The switch listens once the panel shows that it is off.
+switched() { xdotool mousemove --window "$window" 488 149 click 1 && runs "$work/W" 300 && ghost 1; }
+until_seen switched || fail "the ghost's switch does not switch it on"
+
+# size_is W H: the window's, as its manager has it.
+size_is() { xdotool getwindowgeometry "$window" | grep -q "Geometry: $1x$2"; }
+xdotool windowsize "$window" 800 500
+until_seen size_is 800 500 || fail "it cannot be resized"
+until_seen coloured resized || fail "no picture after it was resized"
+hidden() { ! xdotool search --onlyvisible --pid $program --name '^Fulcrum' >/dev/null 2>&1; }
+xdotool windowminimize "$window"
+until_seen hidden || fail "it cannot be minimised"
+runs "$work/W" || fail "it rests while it is minimised"
+xdotool windowmap "$window"
 xdotool windowactivate --sync "$window"
-sleep 1
+until_seen coloured mapped || fail "no picture after it was minimised"
 kill -0 $program 2>/dev/null || fail "the program ended: $(cat "$work/said")"
+
+stopped() { [ $(($(newest fault) % 2)) = 1 ] || column "$work/W" fault | awk '$1 % 2 == 1 { found = 1 } END { exit !found }'; }
 xdotool key Escape
-sleep 2
+until_seen stopped || fail "Esc did not stop"
+red() { # the banner across
+  import -window "$window" -crop 60x40+20+130 +repage "$work/banner.png"
+  [ "$(convert "$work/banner.png" -scale 1x1 -format '%[fx:r > 0.5 && g < 0.35]' info:)" = 1 ]
+}
+until_seen red || fail "no banner says that it stopped"
 import -window "$window" "$work/stopped.png"
 [ -z "${FULCRUM_PICTURES-}" ] || cp "$work"/*.png "$FULCRUM_PICTURES"
 xdotool key --clearmodifiers alt+F4
-for _ in $(seq 60); do
-  kill -0 $program 2>/dev/null || break
-  sleep 0.5
-done
-kill -0 $program 2>/dev/null && fail "the window did not close" && kill -9 $program
-wait $program
-code=$?
+wait_for_end
 [ $code = 3 ] || fail "exit $code, not 3: $(cat "$work/said")"
+column "$work/W" contact/depth_max | awk '$1 > m { m = $1 } END { exit !(m > 0) }' || fail "the push touched nothing"
+column "$work/W" cue/ghost_gain | uniq | head -n 3 | tr '\n' ' ' | grep -q '^1 0 1 $' || fail "the ghost was not switched off and on"
+[ -s "$work/W/frame.png" ] || fail "no frame.png"
+grep -q 'Picture, trace and summary lie in' "$work/said" || fail "it does not say where the results lie"
 
-# column NAME: its values.
-column() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next } { print $c }' "$work/W/trace.csv"; }
-column tool/p/x | awk 'NR == 1 { a = b = $1 } { if ($1 < a) a = $1; if ($1 > b) b = $1 } END { exit !(b - a > 0.01) }' || fail "the drag did not move the tool"
-column contact/depth_max | awk '$1 > m { m = $1 } END { exit !(m > 0) }' || fail "the push touched nothing"
-# The tool's weight is 1.5 N; a push is far more, until Esc.
-paste <(column coupling/force/x) <(column coupling/force/y) <(column coupling/force/z) |
-  awk '{ f = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2); if (f > m) m = f } END { exit !(m > 4) }' || fail "the push showed no force"
-column cue/ghost_gain | uniq | tr '\n' ' ' | grep -q '^1 0 1 $' || fail "the ghost was not switched off and on: $(column cue/ghost_gain | uniq | tr '\n' ' ')"
-column fault | awk '$1 % 2 == 1 { found = 1 } END { exit !found }' || fail "Esc did not stop"
 [ $failures = 0 ] && echo "all good"
 exit $((failures > 0))

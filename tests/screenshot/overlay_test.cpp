@@ -58,6 +58,14 @@ TEST_F(OverlayTest, DrawsTheSameTwice) {
   EXPECT_TRUE(test::compare(first, second, {.max_lsb = 0, .max_pixels = 0, .failure_folder = {}}).passed);
 }
 
+// As a window does: a card first, and the scene's own renderer afterwards.
+TEST_F(OverlayTest, IsShownByOneRendererAfterAnother) {
+  const render::Picture first = draw(full_state());
+  renderer_ = std::move(render::Renderer::create(*gpu_.device, {}, options_).value());
+  const render::Picture second = draw(full_state());
+  EXPECT_TRUE(test::compare(first, second, {.max_lsb = 0, .max_pixels = 0, .failure_folder = {}}).passed);
+}
+
 TEST_F(OverlayTest, AStopIsARedBandFromEdgeToEdge) {
   OverlayState state = full_state();
   state.force = Force::stopped;
@@ -68,6 +76,24 @@ TEST_F(OverlayTest, AStopIsARedBandFromEdgeToEdge) {
     EXPECT_GT(band.r, 150.0F);
     EXPECT_LT(band.g, 70.0F);
   }
+}
+
+TEST_F(OverlayTest, ABusyCardShowsHowFarItIsAndNothingElse) {
+  const auto busy = [](double fraction) {
+    OverlayState state = full_state();
+    state.busy = Busy{"Piping", "Baking the distance field", fraction, "Once only."};
+    return state;
+  };
+  const auto blue = [this](const OverlayState& state, float x) {  // of the bar, there
+    const glm::vec3 at = test::mean(draw(state), x, 0.508F, x + 0.02F, 0.514F);
+    return at.b - at.r;
+  };
+  EXPECT_GT(blue(busy(0.5), 0.35F), 100.0F);
+  EXPECT_LT(blue(busy(0.5), 0.6F), 40.0F);
+  EXPECT_GT(blue(busy(0.9), 0.6F), 100.0F);
+  const glm::vec3 dials = test::mean(draw(busy(0.5)), 0.05F, 0.85F, 0.15F, 0.95F);
+  const glm::vec3 nothing = test::mean(draw({}), 0.05F, 0.85F, 0.15F, 0.95F);
+  EXPECT_NEAR(glm::length(dials - nothing), 0.0F, 1.0F);
 }
 
 TEST_F(OverlayTest, TheKeyListShowsOnlyWhenAskedFor) {

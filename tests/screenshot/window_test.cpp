@@ -19,6 +19,7 @@ TEST(WindowTest, IsDrawnIntoAtEverySize) {
   }
   auto window = Window::create("Fulcrum test", {320, 180});
   ASSERT_TRUE(window) << window.error();
+  window.value()->show();
   auto instance = vulkan::Instance::create({true, window.value()->instance_extensions()});
   ASSERT_TRUE(instance) << instance.error();
   {
