@@ -60,7 +60,7 @@ percent() { grep -qE 'Baking the .*: [0-9]+ %' "$work/said"; }
 until_seen percent || fail "the bake does not say how far it is: $(cat "$work/said")"
 card() { # the bar's colour somewhere in the middle of the window
   import -window "$window" "$work/card.png"
-  [ "$(convert "$work/card.png" -crop 440x8+100+182 +repage -fuzz 8% -fill white -opaque 'rgb(84,164,255)' -format '%[fx:maxima]' info:)" = 1 ]
+  [ "$(convert "$work/card.png" -crop 440x80+100+150 +repage -fuzz 8% -fill black +opaque 'rgb(84,164,255)' -format '%[fx:maxima > 0.3]' info:)" = 1 ]
 }
 until_seen card || fail "no card shows how far the bake is"
 [ -z "${FULCRUM_PICTURES-}" ] || cp "$work"/*.png "$FULCRUM_PICTURES"

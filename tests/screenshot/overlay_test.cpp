@@ -85,7 +85,7 @@ TEST_F(OverlayTest, ABusyCardShowsHowFarItIsAndNothingElse) {
     return state;
   };
   const auto blue = [this](const OverlayState& state, float x) {  // of the bar, there
-    const glm::vec3 at = test::mean(draw(state), x, 0.508F, x + 0.02F, 0.514F);
+    const glm::vec3 at = test::mean(draw(state), x, 0.535F, x + 0.02F, 0.543F);
     return at.b - at.r;
   };
   EXPECT_GT(blue(busy(0.5), 0.35F), 100.0F);
