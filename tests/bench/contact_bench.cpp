@@ -1,11 +1,15 @@
-// bench_contact [--json]: what a contact query costs. CPU time of this thread, every pose once, warm; ratios
-// to the gather floor and to other libraries, all in the same run, hold on a busy machine and on another one.
+// bench_contact [--json] [--smoke]: what a contact query costs. CPU time of this thread, every pose once,
+// warm; ratios to the gather floor and to other libraries, all in the same run, hold on a busy machine and on
+// another one.
+// --smoke: one pose in coarse fields of the pipes, which shows that the benchmark works and measures nothing.
 
 #include <sys/mman.h>
 
 #include <fstream>
 #include <iostream>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/pointshell_bake.h"
@@ -16,8 +20,13 @@
 namespace fulcrum::bench {
 namespace {
 
-constexpr std::size_t kPoses = 2000;
-constexpr std::size_t kComparedEvery = 4;
+struct Effort {
+  std::size_t poses, compared_every;
+  double coarser;  // times as large are voxels
+};
+constexpr Effort kWhole{.poses = 2000, .compared_every = 4, .coarser = 1};
+constexpr Effort kSmoke{.poses = 1, .compared_every = 1, .coarser = 4};
+
 constexpr unsigned kSeed = 11;
 constexpr double kVoxel = 1e-3;  // m: 512 cells and the band on both sides
 constexpr double kFiner = 1.5;   // times as many cells
@@ -50,11 +59,12 @@ std::string processor() {
   return "unknown";
 }
 
-Report measure() {
+Report measure(const Effort& effort) {
+  const double voxel = kVoxel * effort.coarser;
   const Workload workload = make_workload();
-  const std::vector<Pose> poses = touching_poses(workload, kPoses, kSeed);
+  const std::vector<Pose> poses = touching_poses(workload, effort.poses, kSeed);
   std::vector<Pose> compared;
-  for (std::size_t i = 0; i < poses.size(); i += kComparedEvery) compared.push_back(poses[i]);
+  for (std::size_t i = 0; i < poses.size(); i += effort.compared_every) compared.push_back(poses[i]);
 
   Report report;
   report.machine = processor();
@@ -65,9 +75,9 @@ Report measure() {
   report.compared_poses = compared.size();
 
   const double before = cpu_s(CLOCK_PROCESS_CPUTIME_ID);
-  const Field field = baked_field(workload.scene, kVoxel);
+  const Field field = baked_field(workload.scene, voxel);
   report.bake_cpu_s = cpu_s(CLOCK_PROCESS_CPUTIME_ID) - before;
-  report.voxel_m = kVoxel;
+  report.voxel_m = voxel;
   report.field_MB = 1e-6 * static_cast<double>(field->bytes());
   report.field_error_m = field->error_bound_m();
 
@@ -80,7 +90,7 @@ Report measure() {
   report.at_100k = cost(100000);
   report.at_1m = cost(1000000);
   report.finer_by = kFiner;
-  report.at_10k_finer = cost_of_queries(baked_field(workload.scene, kVoxel / kFiner), shell, poses);
+  report.at_10k_finer = cost_of_queries(baked_field(workload.scene, voxel / kFiner), shell, poses);
   report.all_touching = cost_of_all_touching(workload, field, 1000000);
 
   report.compared = cost_of_queries(field, shell, compared);
@@ -101,16 +111,20 @@ Report measure() {
 }  // namespace fulcrum::bench
 
 int main(int argc, char** argv) {
-  const bool json = argc == 2 && std::string_view(argv[1]) == "--json";
-  if (argc > 1 && !json) {
-    std::cerr << "bench_contact [--json]\n";
-    return 2;
+  bool json = false, smoke = false;
+  for (const std::string_view argument : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
+    if (argument != "--json" && argument != "--smoke") {
+      std::cerr << "bench_contact [--json] [--smoke]\n";
+      return 2;
+    }
+    (argument == "--json" ? json : smoke) = true;
   }
   // As a haptic loop would: a page that the system takes back in between costs a hundred microseconds.
   if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
     std::cerr << "Memory could not be locked: times at p99 may hold page faults (see ulimit -l).\n";
   try {
-    const fulcrum::bench::Report report = fulcrum::bench::measure();
+    const fulcrum::bench::Report report =
+        fulcrum::bench::measure(smoke ? fulcrum::bench::kSmoke : fulcrum::bench::kWhole);
     for (const auto& peer : report.peers) {
       if (!peer.cost)
         std::cerr << peer.name << " is not compared with: " << peer.package

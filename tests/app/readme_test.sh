@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# readme_test.sh README [long]: every command in README's blocks works as it stands there, in a cheap form where it would
+# open a window or take minutes; `long` runs those in full. A line that nothing here knows fails. $FULCRUM, $FULCRUM_CONTENT.
+set -uo pipefail
+. "$(dirname "$(readlink -f "$0")")/../support/expect.sh"
+readme=$(readlink -f "$1")
+long=${2-}
+top=$(dirname "$readme")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+fulcrum() { "$FULCRUM" "$@"; }
+export -f fulcrum
+seen=0
+
+# Two columns: the command ends where two spaces follow it.
+while IFS= read -r line; do
+  command=${line#    }
+  case $command in
+    python3*) ;;
+    *) command=${command%%  *} ;;
+  esac
+  seen=$((seen + 1))
+  read -r -a word <<<"$command"
+  case $command in
+    "tools/run" | "tools/test" | "tools/bench contact")
+      [ -x "$top/${word[0]}" ] || fail "$command: there is no such program" ;; # tests/tools, and bench.ContactLong, run them
+    "fulcrum run "*--headless*) expect 0 'Completed' "${word[@]}" ;;
+    "fulcrum run "*) expect 3 'Not completed' "${word[@]}" --headless --seconds 0.1 --out "run_${word[2]}" ;;
+    "fulcrum check FILE") expect 0 'good' fulcrum check "$FULCRUM_CONTENT/scenarios/piping/scenario.yaml" ;;
+    "fulcrum strip PRESSES.csv")
+      printf '0.03,120\n0.1,4910\n0.17,9700\n' >PRESSES.csv
+      expect 0 'low_ohm' "${word[@]}" ;;
+    "fulcrum compare "* | "fulcrum hardness "* | "fulcrum uniformity" | "fulcrum stability" | "fulcrum ambiguity "*)
+      if [ -n "$long" ]; then
+        expect 0 '.' "${word[@]}" --out "report_${word[1]}"
+      else # app.compare, app.hardness and app.uniformity run them with fewer trials
+        expect 0 'Usage|OPTIONS|Options' "${word[@]}" --help
+      fi ;;
+    "fulcrum list" | "fulcrum replay "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
+    python3*) command -v python3 >/dev/null && expect 0 '^[0-9.e-]+$' bash -c "$command" ;;
+    *) fail "README names '$command', and tests/app/readme_test.sh does not know what it is to do" ;;
+  esac
+done < <(grep -E '^    [a-z]' "$readme")
+[ "$seen" -ge 20 ] || fail "only $seen commands were found in $readme"
+
+# Commands within sentences are commands of the program.
+for named in $(grep -oE '`(fulcrum|tools/bench) [a-z]+' "$readme" | sed 's/.* //' | sort -u); do
+  [ "$named" = contact ] || expect 0 '.' fulcrum "$named" --help
+done
+
+[ $failures = 0 ] && echo "all good: $seen commands"
+exit $((failures > 0))
