@@ -16,6 +16,7 @@ namespace {
 constexpr double speed = 40 * mm;          // m/s
 constexpr double turning = 40.0 * degree;  // rad/s
 constexpr double least_travel = 0.25;      // s
+constexpr double rounding = 1e-9;          // of a twentieth of a second: what is one but for it stays one
 constexpr double rest = 0.5;               // s
 constexpr double at_checkpoint = 3.5;      // s, a little longer than the scenario asks for
 
@@ -52,7 +53,7 @@ double travel(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
   const double way = (to.translation() - from.translation()).norm();
   const double turn = angle_of(Eigen::Quaterniond(from.linear().transpose() * to.linear()));
   const double time = std::max({least_travel, way / speed, turn / turning});
-  return std::ceil(20 * time) / 20;
+  return std::ceil(20 * time - rounding) / 20;
 }
 
 std::string seconds(double value) {
