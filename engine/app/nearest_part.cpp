@@ -1,6 +1,5 @@
 #include "engine/app/nearest_part.h"
 
-#include <filesystem>
 #include <limits>
 
 #include "haptics/bake/point_triangle.h"
@@ -31,7 +30,7 @@ std::string nearest_part(const scenario::Scenario& scenario, const scenario::Loa
       const double squared = squared_distance(part, p_W);
       if (squared >= least) continue;
       least = squared;
-      name = std::filesystem::path(scenario.models[i].file.where).filename().string();
+      name = scenario.models[i].file.path.filename().string();
       if (!part.name.empty()) name += ": " + part.name;
     }
   }
