@@ -1,6 +1,7 @@
 #include "engine/app/penetration.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <queue>
 
@@ -11,7 +12,9 @@ constexpr std::size_t kMoments = std::size_t{1} << 19;  // kept at most: 9 minut
 constexpr std::size_t kSeeds = 128;                     // measured first, spread over the run
 constexpr double kTolerance = 1e-6;                     // m
 // The work that is done at most: a few seconds.
-constexpr std::int64_t kPoses = 4000, kDistances = 200'000, kDistancesAPose = 50'000;
+constexpr std::int64_t kPoses = 10'000, kDistances = 500'000, kDistancesAPose = 50'000;
+
+constexpr double kUnmeasured = std::numeric_limits<double>::infinity();
 
 // What bounds the way of a point at distance 1 from T between two poses.
 double turn_between(const Quat& a, const Quat& b) {
@@ -57,14 +60,14 @@ template <class Moment>
 class DeepestTick {
 public:
   DeepestTick(const std::vector<Moment>& moments, const OverlapDepth& overlap)
-      : moments_(moments), overlap_(overlap), bound_(moments.size(), -1.0) {}
+      : moments_(moments), overlap_(overlap), bound_(moments.size(), kUnmeasured) {}
 
   void run(bool every_tick) {
     every_tick_ = every_tick;
     for (const std::size_t seed : seeds()) measure(seed);
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < moments_.size(); ++i) {
-      if (bound_[i] < 0) continue;
+      if (bound_[i] == kUnmeasured) continue;
       if (before) push(*before, i);
       before = i;
     }
@@ -115,12 +118,12 @@ private:
   }
 
   void measure(std::size_t i) {
-    if (bound_[i] >= 0) return;
+    if (bound_[i] != kUnmeasured) return;
     const DeepestOverlap overlap = overlap_.at(
         moments_[i].X_WT, {.above = found_.depth, .tolerance = kTolerance, .distances = kDistancesAPose});
     ++poses_;
     distances_ += overlap.distances;
-    bound_[i] = overlap.bound;
+    bound_[i] = overlap.bound - overlap.clearance;
     left_over(overlap.bound);
     if (!(overlap.depth > found_.depth)) return;
     found_ = overlap;
@@ -154,7 +157,7 @@ private:
 
   const std::vector<Moment>& moments_;
   const OverlapDepth& overlap_;
-  std::vector<double> bound_;  // m, of the ticks that were measured; -1: of the others
+  std::vector<double> bound_;  // m, of the ticks that were measured: below 0 where the tool was clear
   std::priority_queue<Interval> waiting_;
   DeepestOverlap found_;
   std::size_t place_ = 0;

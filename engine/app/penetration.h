@@ -3,9 +3,9 @@
 // it was worst.
 //
 // The pose of every tick is kept. Between two ticks that were measured the depth is at most half of their
-// depths and of the way that the tool's farthest point went, together; the tick in the middle of the way that
-// could hide most is measured next, until no tick can be deeper than what was found, or a stated amount of
-// work is done.
+// depths and of the way that the tool's farthest point went, together; where the tool was clear of the scene
+// its clearance counts as a depth below nothing. The tick in the middle of the way that could hide most is
+// measured next, until no tick can be deeper than what was found, or a stated amount of work is done.
 
 #include <cstdint>
 #include <vector>

@@ -20,15 +20,6 @@ namespace {
 
 constexpr double kGravity = 9.80665;  // m/s^2
 
-Error no_hand(const Prepared& prepared, const std::string& hand) {
-  std::vector<std::string_view> known{"still"};
-  for (const scenario::HandScript& script : prepared.haptic.hands) {
-    if (script.name != "still") known.push_back(script.name);
-  }
-  return {"The scenario '" + prepared.name + "' has no hand " + scenario::in_quotes(hand) +
-          scenario::did_you_mean(hand, known, "it has " + scenario::joined(known) + ".")};
-}
-
 Error another_rate(const std::string& file, double rate_Hz) {
   const std::string sentence = "'" + file + "' was recorded at another tick rate than this scenario's, " +
                                number_text(rate_Hz, 6) + " Hz: ";
@@ -119,8 +110,20 @@ SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) 
   return scene;
 }
 
+std::optional<Error> refuse_hand(const scenario::Scenario& scenario, const std::string& scenario_name,
+                                 const std::string& hand) {
+  std::vector<std::string_view> known{"still"};
+  for (const scenario::HandEntry& entry : scenario.hands) {
+    if (entry.name != "still") known.push_back(entry.name);
+  }
+  if (std::ranges::find(known, hand) != known.end()) return std::nullopt;
+  return Error{"The scenario '" + scenario_name + "' has no hand " + scenario::in_quotes(hand) +
+               scenario::did_you_mean(hand, known, "it has " + scenario::joined(known) + ".")};
+}
+
 Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand,
                                                           std::uint64_t trial) {
+  if (auto refused = refuse_hand(prepared.scenario, prepared.name, hand)) return *refused;
   const SceneDesc& scene = prepared.haptic.scene;
   const auto found =
       std::find_if(prepared.haptic.hands.begin(), prepared.haptic.hands.end(),
@@ -132,8 +135,6 @@ Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepar
   if (found != prepared.haptic.hands.end()) {
     task.path = HandPath(found->waypoints);
     task.hand = found->desc;
-  } else if (hand != "still") {
-    return no_hand(prepared, hand);
   }
   task.hand.seed += trial;
   if (scene.holding_point) task.stick_H = scene.holding_point->axis_H;

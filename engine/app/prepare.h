@@ -41,8 +41,12 @@ std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene);
 // The scene as this device runs it: a mouse moves the handle itself and renders nothing.
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device);
 
-// The scenario's hand of that name; `still` is always there. The error names those that are. trial: added to
-// the scenario's seed, for the same hand on another day.
+// Why the scenario has no hand of that name, with those that it has; absent: it has one. `still` is always
+// there. Known before anything is baked.
+std::optional<Error> refuse_hand(const scenario::Scenario& scenario, const std::string& scenario_name,
+                                 const std::string& hand);
+
+// The scenario's hand of that name. trial: added to the scenario's seed, for the same hand on another day.
 Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand,
                                                           std::uint64_t trial = 0);
 

@@ -214,6 +214,12 @@ int run_command(const RunOptions& given) {
     complain(refused->sentence);
     return kUsage;
   }
+  if (options.device == "simulated") {
+    if (const auto refused = refuse_hand(*scenario, options.scenario, options.hand)) {
+      complain(refused->sentence);
+      return kError;
+    }
+  }
   if (options.circle && !feels_impacts(*scenario, options.device)) {
     complain("--circle: nothing in '" + options.scenario +
              "' vibrates at impacts on this device: leave it out, or name impact_vibration in the scenario");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <queue>
 #include <utility>
 
@@ -13,6 +14,9 @@ namespace {
 constexpr double kMeets = 1e-10;  // m, within which triangles count as meeting: well above rounding
 
 constexpr std::size_t kFewPlanes = 4;
+
+constexpr double kClearShare = 0.5;  // of the clearance: what is looked for before a box counts as far
+constexpr int kClearLooks = 1000;    // for one pose, after which its clearance is left unknown
 
 struct Pair {
   std::uint32_t mine, theirs;  // triangles of the surface asked about, of the other solid
@@ -36,6 +40,18 @@ Vec3 centre_of(const Corners3& c) {
 
 double radius_about(const Corners3& c, const Vec3& centre) {
   return std::max({(c[0] - centre).norm(), (c[1] - centre).norm(), (c[2] - centre).norm()});
+}
+
+// Across the longest side.
+std::array<Corners3, 2> halves(const Corners3& corners) {
+  const auto side = [&](std::size_t i) { return (corners[(i + 1) % 3] - corners[i]).squaredNorm(); };
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (side(i) > side(longest)) longest = i;
+  }
+  const Vec3 &a = corners[longest], &b = corners[(longest + 1) % 3], &c = corners[(longest + 2) % 3];
+  const Vec3 middle = (a + b) / 2;
+  return {Corners3{a, middle, c}, Corners3{middle, b, c}};
 }
 
 Box3 box_of(const Corners3& c) {
@@ -257,17 +273,8 @@ private:
   }
 
   void halve(const Piece& piece) {
-    std::size_t longest = 0;
-    for (std::size_t i = 1; i < 3; ++i) {
-      if (side(piece.corners, i) > side(piece.corners, longest)) longest = i;
-    }
-    const Vec3 &a = piece.corners[longest], &b = piece.corners[(longest + 1) % 3],
-               &c = piece.corners[(longest + 2) % 3];
-    const Vec3 middle = (a + b) / 2;
-    consider(part_of(piece, {a, middle, c}));
-    consider(part_of(piece, {middle, b, c}));
+    for (const Corners3& half : halves(piece.corners)) consider(part_of(piece, half));
   }
-  static double side(const Corners3& c, std::size_t i) { return (c[(i + 1) % 3] - c[i]).squaredNorm(); }
   static Piece part_of(const Piece& piece, const Corners3& corners) {
     return {corners, piece.bound, piece.nearest, piece.crossing};
   }
@@ -313,15 +320,22 @@ OverlapDepth::OverlapDepth(const Solid& scene_W, const Solid& tool_T, const Dist
 DeepestOverlap OverlapDepth::at(const Pose& X_WT, const Limits& limits) const {
   DeepestOverlap found;
   const Pose X_TW = X_WT.inverse();
-  if (field_.distance(X_WT.p) - field_.local_error_m(X_WT.p) > reach_) return found;
+  if (field_.distance(X_WT.p) - field_.local_error_m(X_WT.p) > reach_) {
+    found.clearance = clearance(X_WT);
+    return found;
+  }
 
   std::vector<Pair> of_tool, of_scene;
   std::vector<std::uint32_t> near;
-  for (std::uint32_t t = 0; t < tool_T_.mesh.triangles.size(); ++t) {
-    const Corners3 corners = placed(corners_of(tool_T_.mesh, t), X_WT);
-    const Vec3 centre = centre_of(corners);
-    const double radius = radius_about(corners, centre);
-    if (field_.distance(centre) - field_.local_error_m(centre) > radius) continue;
+  const auto is_clear = [&](const Vec3& centre_T, double radius) {
+    const Vec3 centre = X_WT * centre_T;
+    return field_.distance(centre) - field_.local_error_m(centre) > radius;
+  };
+  const auto meet = [&](std::uint32_t t) {
+    const Corners3 corners_T = corners_of(tool_T_.mesh, t);
+    const Vec3 centre_T = centre_of(corners_T);
+    if (is_clear(centre_T, radius_about(corners_T, centre_T))) return;
+    const Corners3 corners = placed(corners_T, X_WT);
     near.clear();
     to_scene_.tree().near_box(to_scene_.tree().whole(), box_of(corners), near);
     for (const std::uint32_t s : near) {
@@ -329,13 +343,52 @@ DeepestOverlap OverlapDepth::at(const Pose& X_WT, const Limits& limits) const {
       of_tool.push_back({t, s});
       of_scene.push_back({s, t});
     }
-  }
+  };
+  to_tool_.tree().visit_unless(to_tool_.tree().whole(), is_clear, meet);
   search(tool_T_, scene_W_, to_scene_, X_WT, std::move(of_tool), limits, found);
   const double depth = found.depth;
   search(scene_W_, tool_T_, to_tool_, X_TW, std::move(of_scene), limits, found);
   if (found.depth > depth) found.p_W = X_WT * found.p_W;
   found.bound = std::max(found.bound, found.depth);
+  if (found.bound == 0) found.clearance = clearance(X_WT);
   return found;
+}
+
+double OverlapDepth::clearance(const Pose& X_WT) const {
+  std::uint32_t hint = TriangleTree::kNone;
+  const auto distance_at = [&](const Vec3& p_W) {
+    const FieldSample seen = field_.sample(p_W);
+    if (seen.in_band || seen.distance < 0) return seen.distance - field_.local_error_m(p_W);
+    const TriangleTree& tree = to_scene_.tree();
+    const auto nearest = tree.nearest(tree.whole(), p_W, std::numeric_limits<double>::infinity(), hint);
+    hint = nearest.triangle;
+    return std::sqrt(nearest.squared);
+  };
+  double nearest = std::numeric_limits<double>::infinity(), least = nearest;
+  int looks = 0;
+  const auto is_far = [&](const Vec3& centre_T, double radius) {
+    const double distance = least > 0 ? distance_at(X_WT * centre_T) : 0;
+    nearest = std::min(nearest, distance);
+    if (nearest <= 0 || ++looks > kClearLooks) {
+      least = 0;
+      return true;
+    }
+    if (distance - radius < kClearShare * nearest) return false;
+    least = std::min(least, distance - radius);
+    return true;
+  };
+  std::vector<Corners3> pieces;
+  to_tool_.tree().visit_unless(to_tool_.tree().whole(), is_far, [&](std::uint32_t triangle) {
+    pieces = {corners_of(tool_T_.mesh, triangle)};
+    while (!pieces.empty()) {
+      const Corners3 piece = pieces.back();
+      pieces.pop_back();
+      const Vec3 centre = centre_of(piece);
+      if (is_far(centre, radius_about(piece, centre))) continue;
+      for (const Corners3& half : halves(piece)) pieces.push_back(half);
+    }
+  });
+  return least;
 }
 
 }  // namespace fulcrum

@@ -8,6 +8,9 @@
 // bound: the depth is 1-Lipschitz, and it is at most the distance to any one triangle of the other surface,
 // which, a triangle being convex, is largest at a corner of the piece. The piece with the largest bound is
 // cut, along the walls over its nearest triangle or in halves, until no bound is above what was found.
+//
+// Of solids that lie clear of each other it is told by how much, at least: from the distances of the centres
+// of the tool's boxes and triangles, less their radii; what that leaves open is cut further.
 
 #include <cstdint>
 #include <limits>
@@ -19,9 +22,10 @@
 namespace fulcrum {
 
 struct DeepestOverlap {
-  double depth = 0;            // m, of the deepest point found; 0: none was deeper than asked for
-  double bound = 0;            // m, no point of either surface is deeper
-  Vec3 p_W = Vec3::Zero();     // (3) m, the deepest point found; without meaning at depth 0
+  double depth = 0;         // m, of the deepest point found; 0: none was deeper than asked for
+  double bound = 0;         // m, no point of either surface is deeper
+  double clearance = 0;     // m, the surfaces are no nearer to each other; 0: they overlap, or it is unknown
+  Vec3 p_W = Vec3::Zero();  // (3) m, the deepest point found; without meaning at depth 0
   std::int64_t distances = 0;  // distances to a solid that were computed: what the answer cost
 };
 
@@ -44,6 +48,8 @@ public:
   double reach() const { return reach_; }
 
 private:
+  double clearance(const Pose& X_WT) const;
+
   const Solid& scene_W_;
   const Solid& tool_T_;
   const DistanceField& field_;

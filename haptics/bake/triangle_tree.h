@@ -46,6 +46,10 @@ public:
   std::optional<Hit> first_hit(Root root, const Vec3& p0, const Vec3& p1) const;
   // Appends every triangle whose leaf's box meets `box`, and maybe a few more.
   void near_box(Root root, const Box3& box, std::vector<std::uint32_t>& found) const;
+  // Calls visit(triangle) for every triangle but those in a box that the caller rules out: the box lies
+  // within `radius` of `centre`, both m, and rules_out(centre, radius) answers whether nothing there matters.
+  template <class RulesOut, class Visit>
+  void visit_unless(Root root, RulesOut&& rules_out, Visit&& visit) const;
 
 private:
   static constexpr Root kLeafBit = 0x80000000u;  // of a reference: a leaf, 3 bits of count, 28 bits of place
@@ -90,5 +94,29 @@ private:
   Vec3 centre_ = Vec3::Zero();
   float slack_ = 0.0f;  // m, how far boxes are grown
 };
+
+template <class RulesOut, class Visit>
+void TriangleTree::visit_unless(Root root, RulesOut&& rules_out, Visit&& visit) const {
+  std::array<Root, kStack> stack;
+  stack[0] = root;
+  std::size_t top = 1;
+  while (top > 0) {
+    const Root next = stack[--top];
+    if (is_leaf(next)) {
+      const std::uint32_t begin = kLeafTriangles * leaf_index(next);
+      for (std::uint32_t i = begin; i < begin + leaf_count(next); ++i) visit(corners_[i].triangle);
+      continue;
+    }
+    const Node& node = nodes_[next];
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (node.child[i] == kNone) continue;
+      const auto child = static_cast<Eigen::Index>(i);
+      const Vec3 low(node.low[0][child], node.low[1][child], node.low[2][child]);
+      const Vec3 high(node.high[0][child], node.high[1][child], node.high[2][child]);
+      const Vec3 middle = (low + high) / 2;
+      if (!rules_out(Vec3(centre_ + middle), (high - middle).norm())) stack[top++] = node.child[i];
+    }
+  }
+}
 
 }  // namespace fulcrum

@@ -353,7 +353,7 @@ TEST(Hostile, NothingPassesALimit) {
 }
 
 TEST(Hostile, NothingPassesALimitLong) {
-  const Tally tally = fight(1, 3600);
+  const Tally tally = fight(1, 4500);
   EXPECT_GE(tally.ticks, 1000000);
   expect_held(tally);
 }

@@ -59,7 +59,8 @@ cmp -s V/overview/trace.csv V/slot/trace.csv || fail "--view changes the run"
 expect 2 "no view 'slott'; did you mean 'slot'" "$FULCRUM" run piping --headless --view slott --out W
 [ -e W ] && fail "a run with an unknown view left a folder"
 expect 2 "no view 'slott'" env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --view slott --out W
-[ -e cold ] && fail "an unknown view was refused after a bake"
+expect 1 'no hand' env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --headless --hand nobody --out W
+[ -e cold ] && fail "an unknown view or hand was refused after a bake"
 expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H
 
 # --- reports

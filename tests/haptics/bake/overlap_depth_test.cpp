@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -46,15 +47,10 @@ private:
   OverlapDepth overlap_;
 };
 
-// How deep the surfaces of `mine` reach into any one of `theirs`, by points `step` apart: short by less than
-// that.
-double sampled(const std::vector<Box>& mine, const std::vector<Box>& theirs, const Pose& X, double step) {
-  double deepest = 0;
-  const auto ask = [&](const Vec3& p) {
-    for (const Box& box : theirs)
-      deepest = std::max(deepest, -shapes::box_distance(X * p, box.low, box.high));
-  };
-  for (const Box& box : mine) {
+// At most `step` apart.
+std::vector<Vec3> surface_points(const std::vector<Box>& boxes, double step) {
+  std::vector<Vec3> points;
+  for (const Box& box : boxes) {
     for (int axis = 0; axis < 3; ++axis) {
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
       const Vec3 size = box.high - box.low;
@@ -65,12 +61,23 @@ double sampled(const std::vector<Box>& mine, const std::vector<Box>& theirs, con
           Vec3 p = box.low;
           p[u] += size[u] * i / n;
           p[v] += size[v] * j / m;
-          ask(p);
+          points.push_back(p);
           p[axis] = box.high[axis];
-          ask(p);
+          points.push_back(p);
         }
       }
     }
+  }
+  return points;
+}
+
+// How deep the surfaces of `mine` reach into any one of `theirs`, by points `step` apart: short by less than
+// that.
+double sampled(const std::vector<Box>& mine, const std::vector<Box>& theirs, const Pose& X, double step) {
+  double deepest = 0;
+  for (const Vec3& p : surface_points(mine, step)) {
+    for (const Box& box : theirs)
+      deepest = std::max(deepest, -shapes::box_distance(X * p, box.low, box.high));
   }
   return deepest;
 }
@@ -170,6 +177,42 @@ TEST(OverlapDepth, BoundsHoldWhateverTheLimits) {
       EXPECT_EQ(above.depth, 0.0);
     }
   }
+}
+
+// How near the surfaces of `mine` come to any one of `theirs`, by points: no less than they do.
+double nearest_sampled(const std::vector<Box>& mine, const std::vector<Box>& theirs, const Pose& X,
+                       double step) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : surface_points(mine, step)) {
+    for (const Box& box : theirs) nearest = std::min(nearest, shapes::box_distance(X * p, box.low, box.high));
+  }
+  return nearest;
+}
+
+// Never more than it is, and not much less: a run is judged by few poses where it says how far the tool is.
+TEST(OverlapDepth, TheClearanceIsNoMoreThanItIs) {
+  const std::vector<Box> bar{{{-0.015, -0.003, -0.003}, {0.015, 0.003, 0.003}}};
+  const Scene scene(mesh_of(bar), mesh_of(bar));
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int clear = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 axis = Vec3(unit(random), unit(random), unit(random)).normalized();
+    const double far = i % 2 == 0 ? 0.02 : 0.2;
+    const Pose X_WT{turned(axis, 180 * unit(random)), far * Vec3(unit(random), unit(random), unit(random))};
+    const DeepestOverlap overlap = scene->at(X_WT, {});
+    if (overlap.depth > 0) {
+      EXPECT_EQ(overlap.clearance, 0.0) << i;
+      continue;
+    }
+    const double truth =
+        std::min(nearest_sampled(bar, bar, X_WT, 5e-4), nearest_sampled(bar, bar, X_WT.inverse(), 5e-4));
+    EXPECT_LE(overlap.clearance, truth) << i;
+    if (truth < 1e-3) continue;
+    EXPECT_GE(overlap.clearance, 0.4 * truth) << i;
+    ++clear;
+  }
+  EXPECT_GT(clear, 100);
 }
 
 }  // namespace
