@@ -27,7 +27,7 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
   if (!usable) faults |= kNotFinite;
   if (sample.age > kStaleSample) faults |= kSampleStale;
   if (!sample.connected) faults |= kDeviceLost;
-  bool acknowledged = false;
+  bool acknowledged = acknowledged_;
   for (const Command& command : commands) {
     switch (command.kind) {
       case Command::Kind::stop:
@@ -55,10 +55,10 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
         break;
     }
   }
-  if (faults != 0) {
-    stop(faults);
-  } else if (acknowledged && stopped_) {
-    stopped_ = false;
+  acknowledged_ = acknowledged && stopped_ && faults == 0;
+  if (faults != 0) stop(faults);
+  if (acknowledged_ && fall_ <= 0) {
+    stopped_ = acknowledged_ = false;
     gain_ = 0;
   }
   return faults;

@@ -67,6 +67,9 @@ private:
   double tick_s_;
   SlewSteps steps_;
   bool stopped_ = false;
+  // It waits until the force has fallen: a stop whose cause is still there, found later in the tick, would
+  // else begin its fall anew with every acknowledgement.
+  bool acknowledged_ = false;
   std::uint32_t reason_ = 0;
   double gain_ = 0;
   double fall_ = 0;  // part of the fall that is left, 1 to 0

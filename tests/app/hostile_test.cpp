@@ -27,6 +27,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 constexpr double kStopFalls = 2e-3;        // s, contracts of a stop
+constexpr int kCalm = 750;                 // ticks, and as many in which stops come
 constexpr double kSlewFromNothing = 5e-3;  // s
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -73,14 +74,15 @@ public:
     DeviceSample sample;
     sample.X_DH = scene_.mapping.handle_in_device(X_WT_ * scene_.tool.X_HT.inverse());
     sample.strip_ohm = random_.uniform() < 0.7 ? 1e4 * random_.uniform() : kNaN;
-    if (random_.uniform() < 1.0 / 400) spoil(sample);
+    if (!calm() && random_.uniform() < 1.0 / 100) spoil(sample);
+    ++ticks_;
     if (scene_.mapping.clutch_button >= 0 && random_.uniform() < 0.02) sample.buttons = ~0u;
     return sample;
   }
 
   std::vector<Command> commands() {
     std::vector<Command> commands;
-    if (random_.uniform() < 1.0 / 300) commands.push_back({Command::Kind::stop});
+    if (!calm() && random_.uniform() < 1.0 / 100) commands.push_back({Command::Kind::stop});
     if (random_.uniform() < 1.0 / 20) commands.push_back({Command::Kind::acknowledge});
     if (random_.uniform() < 1.0 / 30) {
       constexpr double first = static_cast<double>(Command::Kind::vibration_gain);
@@ -94,6 +96,9 @@ public:
   }
 
 private:
+  // Nothing that stops the force, for as long as it needs to ramp in and to be there in full.
+  bool calm() const { return ticks_ / kCalm % 2 == 0; }
+
   enum class Mood { stroke, jitter, press, spin, teleport, still };
 
   void choose() {
@@ -145,7 +150,7 @@ private:
   Pose X_WT_, centre_;
   Mood mood_ = Mood::still;
   Vec3 stroke_ = Vec3::Zero(), spin_ = Vec3::Zero();
-  int left_ = 0;
+  int left_ = 0, ticks_ = 0;
 };
 
 std::vector<double> motor_limits(const DeviceDesc& device) {
@@ -304,7 +309,14 @@ void run(const app::Prepared& prepared, const SceneDesc& scene, const std::strin
   for (int i = 0; i < ticks; ++i) judge.tick(world, step(world, enemy.sample(), enemy.commands()));
 }
 
-// `each`: of how many combinations of device and response one is run.
+// A wrench that is allocated about the holding point, on motors that are weaker than the device's torque
+// limit would need: without that limit in the allocation and after it, one tick in six is beyond it.
+bool tells_most(const std::string& scenario, const std::string& device, ContactResponse response) {
+  return scenario == "stick" && (device == "w6d" || device == "serial6") &&
+         response == ContactResponse::quasi_static;
+}
+
+// `each`: of how many combinations of device and response one is run, besides those that tell most.
 Tally fight(std::size_t each, int ticks) {
   Tally tally;
   const auto all = devices();
@@ -314,7 +326,7 @@ Tally fight(std::size_t each, int ticks) {
     if (!prepared) continue;
     for (const auto& [device_name, device] : all) {
       for (const ContactResponse response : kResponses) {
-        if (combination++ % each != 0) continue;
+        if (combination++ % each != 0 && !tells_most(listing.name, device_name, response)) continue;
         const std::string name = listing.name + " on " + device_name + ", response " +
                                  std::to_string(static_cast<int>(response)) + ", seed " +
                                  std::to_string(combination);
