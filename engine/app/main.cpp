@@ -141,6 +141,25 @@ std::optional<std::string> refuse_subcommand(const CLI::App& program, int argc, 
          scenario::did_you_mean(word, known, "`fulcrum --help` lists them");
 }
 
+// What is wrong with the first option that the parser has left over; nothing, where it was no option.
+std::optional<std::string> refuse_option(const CLI::App& program) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string called = chosen.empty() ? "fulcrum" : "fulcrum " + command.get_name();
+  for (const std::string& left : program.remaining(true)) {
+    if (!left.starts_with("-")) continue;
+    const std::string name = left.substr(0, left.find('='));
+    return "`" + called + "` has no option " + scenario::in_quotes(name) +
+           scenario::did_you_mean(name, known, "`" + called + " --help` lists them");
+  }
+  return std::nullopt;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App program("Fulcrum, a haptic training simulator.", "fulcrum");
   program.set_version_flag("--version", std::string("fulcrum ") + kVersion);
@@ -208,6 +227,10 @@ int dispatch(int argc, char** argv) {
   }
   try {
     program.parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    const auto refused = refuse_option(program);
+    complain(refused ? *refused : error.what());
+    return kUsage;
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kCompleted : kUsage;
   }

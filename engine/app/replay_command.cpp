@@ -29,6 +29,9 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
   if (tape->header.program_version != kVersion)
     complain("the tape was made by version " + tape->header.program_version + ", this is " + kVersion +
              ": ticks may differ.");
+  for (const std::string& name : other_devices(*tape))
+    complain("the tape's file of the device '" + name +
+             "' is not the installed one: its forces may be more than that device has.");
   const Result<Prepared> prepared = prepare_from_tape(*tape);
   if (!prepared) {
     complain(prepared.error().sentence);

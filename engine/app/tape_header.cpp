@@ -71,6 +71,18 @@ Result<Prepared> prepare_from_tape(const record::Tape& tape) {
   return std::move(*prepared);
 }
 
+std::vector<std::string> other_devices(const record::Tape& tape) {
+  std::vector<std::string> names;
+  for (const auto& [name, path] : scenario::device_files(scenario::content_roots())) {
+    const auto in_tape = tape.header.files.find("devices/" + name + ".yaml");
+    if (in_tape == tape.header.files.end()) continue;
+    const Result<RegularFile> file = RegularFile::open(path);
+    const Result<std::string> text = file ? file->first_bytes(in_tape->second.size() + 1) : file.error();
+    if (!text || *text != in_tape->second) names.push_back(name);
+  }
+  return names;
+}
+
 record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskDesc& task) {
   std::vector<std::string> motors;
   for (int motor = 0; motor < Actuators::count(scene.device); ++motor)

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/app/prepare.h"
 #include "engine/record/channel_files.h"
@@ -16,6 +17,10 @@ Result<record::TapeHeader> tape_header(const Prepared& prepared, const std::stri
 
 // The scenario a tape was made with: from its texts, and models that are the same, byte for byte.
 Result<Prepared> prepare_from_tape(const record::Tape& tape);
+
+// Names of the installed devices whose file in the tape is another one. A tape repeats what was, and so it
+// goes by its own.
+std::vector<std::string> other_devices(const record::Tape& tape);
 
 // With a column for each motor of the device that the scene runs on, and for what the task counts.
 record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskDesc& task);

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::size_t kMostIndices = 150'000'000;  // of all parts: a small file may name one mesh very often
 
+constexpr double kFarthest_m =
+    1e5;  // of a vertex: nothing that a hand reaches, in whatever unit it was drawn
+
 bool all_finite(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
@@ -29,6 +32,9 @@ Eigen::Affine3d local_transform(const tinygltf::Node& node) {
   Eigen::Affine3d local = Eigen::Affine3d::Identity();
   if (has(node.matrix, 16)) {
     local.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
+    if (local.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+      throw GltfFault("node '" + node.name +
+                      "' has a matrix whose last row is not 0, 0, 0, 1; export it again");
     return local;
   }
   if (has(node.translation, 3)) local.translate(Vec3(node.translation.data()));
@@ -161,9 +167,10 @@ void place(ModelPart& part, const Eigen::Affine3d& X_MN) {
   const Mat3 for_normals = linear.inverse().transpose();
   for (Vec3& p : part.positions) {
     p = X_MN * p;
-    if (!p.allFinite()) {
-      throw GltfFault("part '" + part.name +
-                      "' is moved or scaled out of all bounds; check its node's transform");
+    if (!(p.cwiseAbs().maxCoeff() <= kFarthest_m)) {
+      throw GltfFault(
+          "part '" + part.name +
+          "' is moved or scaled out of all bounds, farther than 100 km; check its node's transform");
     }
   }
   for (Vec3& n : part.normals) n = for_normals * n;

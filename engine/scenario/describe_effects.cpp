@@ -57,6 +57,12 @@ void describe_torque_substitution(KeyVisitor& visitor, TorqueSubstitutionDesc& e
                   [&](KeyVisitor& inner) { describe_vibration(inner, effect); });
   visitor.mapping({"ghost", "", "of the tool, turned as the hand is, while torque is large"},
                   [&](KeyVisitor& inner) { describe_ghost(inner, effect); });
+  const auto is_left_below = [&effect] {
+    const TorqueThresholds thresholds = torque_thresholds(effect, 0);
+    return thresholds.ghost_below < thresholds.ghost_above;
+  };
+  visitor.rule("ghost", !effect.bad_above || is_left_below(),
+               "needs a 'below' that is smaller than 'above', which is twice bad_above unless it is given");
 }
 
 void describe_impact(KeyVisitor& visitor, ImpactDetectorDesc& impact) {

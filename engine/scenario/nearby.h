@@ -1,5 +1,5 @@
 #pragma once
-// What there is instead of a file that is missing, for the end of a sentence.
+// What there is instead of a file that is missing or cannot be read, for the end of a sentence.
 
 #include <filesystem>
 #include <string>

@@ -7,7 +7,7 @@
 //
 // The continuous wrench may fall towards nothing as fast as it must: motors that are weaker where the handle
 // has come to cannot hold what they held, and a stop has to be quick. It never grows, or turns aside, faster
-// than the limit.
+// than the limit; where it falls and turns aside in one tick, the whole change may be more than a step.
 
 #include "haptics/actuation/actuators.h"
 #include "haptics/math/wrench.h"

@@ -44,6 +44,11 @@ public:
   void at_least(const std::string& name, const Vec3& v) {
     each(name, v, [this](const std::string& n, double x) { at_least(n, x); });
   }
+  void symmetric(const std::string& name, const Mat3& I) {
+    for (Eigen::Index row = 0; row < 3; ++row) finite(name, Vec3(I.row(row)));
+    const double size = I.norm();
+    from_to("the asymmetry of " + name, (I - I.transpose()).norm(), 0, kUnit * size);
+  }
   void direction(const std::string& name, const Vec3& v) {
     finite(name, v);
     above("the length of " + name, v.norm());

@@ -112,7 +112,7 @@ void check(FigureCheck& figures, const MappingDesc& mapping) {
 void check(FigureCheck& figures, const ToolDesc& tool) {
   const auto& [mass, inertia_T, X_HT, X_WT_start, weight] = tool;
   figures.above("tool.mass", mass);
-  for (Eigen::Index row = 0; row < 3; ++row) figures.finite("tool.inertia", Vec3(inertia_T.row(row)));
+  figures.symmetric("tool.inertia", inertia_T);
   figures.pose("tool.grasp", X_HT);
   figures.pose("tool.start", X_WT_start);
 }

@@ -51,6 +51,7 @@ wait_at_most() { timeout -s KILL 600 "$@"; }
 expect 1 'it is a pipe, not a file' wait_at_most "$FULCRUM" run ./own --headless --device replay:pipe --out X
 expect 1 'it is a pipe, not a file' wait_at_most "$FULCRUM" replay pipe
 expect 1 'it is a pipe, not a file' wait_at_most "$FULCRUM" strip pipe
+wait_at_most "$FULCRUM" replay pipe 2>&1 | grep -q 'did you mean' && fail "a pipe's own name is offered instead of it"
 expect 1 'it is a device, not a file' wait_at_most "$FULCRUM" replay /dev/zero
 sed -i 's/finger.glb/pipe.glb/' own/scenario.yaml
 expect 1 'it is a pipe, not a file' wait_at_most "$FULCRUM" check ./own

@@ -13,6 +13,8 @@ for command in list run replay check explain devices stability compare ambiguity
 expect 2 'run .*Run a scenario' "$FULCRUM"
 expect 2 "no subcommand 'rum'; did you mean 'run'" "$FULCRUM" rum piping
 expect 2 "no subcommand 'bogus'; .*--help" "$FULCRUM" bogus
+expect 2 "\`fulcrum run\` has no option '--hedless'; did you mean '--headless'" "$FULCRUM" run piping --hedless
+expect 2 "has no option '--qq'; \`fulcrum check --help\` lists them" "$FULCRUM" check piping --qq=3
 expect 2 '.' "$FULCRUM" run
 expect 2 'no size' "$FULCRUM" run piping --size big
 expect 0 '^piping ' "$FULCRUM" list
@@ -42,6 +44,8 @@ expect 0 'Completed' "$FULCRUM" run piping --headless --hand expert --out B
 grep -q "$(sha256sum <A/trace.csv | cut -d' ' -f1)" A/summary.json || fail "summary.json has another trace_sha256"
 expect 0 'bit for bit' "$FULCRUM" replay A/tape --out C
 cmp -s A/trace.csv C/trace.csv || fail "the replay's trace differs"
+cp -r "$(dirname "$FULCRUM")/content" other && sed -i 's/^max_force: 7.9 /max_force: 2.9 /' other/devices/phantom_like.yaml
+expect 0 "the tape's file of the device 'phantom_like' is not the installed one" env FULCRUM_CONTENT="$work/other" "$FULCRUM" replay A/tape --out other/run
 for file in summary.json trace.csv trace.json timing.csv tape frame.png; do [ -s "A/$file" ] || fail "no A/$file"; done
 expect 1 'holds results.*--force' "$FULCRUM" run piping --headless --out A
 expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --seconds 1 --out D
@@ -93,6 +97,8 @@ edit 's/^seed:.*/seed: many/' && expect 1 'scenario.yaml:[0-9]+:[0-9]+: ' "$FULC
 edit 's#piping.glb#../../../piping.glb#' && expect 1 'folder' "$FULCRUM" check bad/scenario.yaml
 edit 's#piping.glb#missing.glb#' && expect 1 'missing.glb' "$FULCRUM" check bad/scenario.yaml
 edit 's/^seed:.*/&/' && head -c 50000 "$content/piping.glb" >bad/piping.glb && expect 1 'truncated|damaged' "$FULCRUM" check bad/scenario.yaml
+
+edit 's/^torque_substitution:.*/torque_substitution: {bad_above: 0.1, ghost: {below: 0.5}}/' && expect 1 "'below' that is smaller than 'above'" "$FULCRUM" check bad/scenario.yaml
 
 # --- no Vulkan: the run counts, the picture is missing and said to be
 expect 3 'no picture' env VK_ICD_FILENAMES=/nothing VK_DRIVER_FILES=/nothing "$FULCRUM" run piping --headless --seconds 0.2 --out J

@@ -121,6 +121,12 @@ TEST(Gltf, EveryFaultIsASentence) {
   file.nodes = R"([{"name":"flat","mesh":0,"scale":[1,0,1]}])";
   EXPECT_MENTIONS(refusal(file), "part 'flat' is scaled to nothing");
   file = {};
+  file.nodes = R"([{"name":"far","mesh":0,"translation":[0,2e5,0]}])";
+  EXPECT_MENTIONS(refusal(file), "part 'far' is moved or scaled out of all bounds");
+  file = {};
+  file.nodes = R"([{"name":"odd","mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2]}])";
+  EXPECT_MENTIONS(refusal(file), "node 'odd' has a matrix whose last row is not 0, 0, 0, 1");
+  file = {};
   file.nodes = R"([{"mesh":0,"children":[7]}])";
   EXPECT_MENTIONS(refusal(file), "a node that it does not hold");
 }

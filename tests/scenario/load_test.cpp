@@ -131,8 +131,7 @@ TEST(Load, RepeatsFromTheTextsItKept) {
   const auto refused = load_scenario_texts(incomplete, folder.peg(), overrides);
   ASSERT_FALSE(refused);
   EXPECT_EQ(to_text(refused.faults()),
-            "scenario.yaml:17:16: cannot read 'sure.yaml': the texts at hand do not include "
-            "it; did you mean 'sure.yaml'?");
+            "scenario.yaml:17:16: cannot read 'sure.yaml': the texts at hand do not include it");
 }
 
 TEST(Load, OfWhatIsNoFile) {

@@ -187,6 +187,9 @@ TEST(Figures, WhatIsOutOfRangeIsRefusedWithTheRange) {
   desc.coupling.damping_ratio = 1.5;
   EXPECT_EQ(World::build(desc).error().sentence, "coupling.damping_ratio is 1.5; it must be from 0 to 1.");
   desc = full_scene();
+  desc.tool.inertia_T(0, 1) += 1e-3 * desc.tool.inertia_T.norm();
+  EXPECT_NE(World::build(desc).error().sentence.find("the asymmetry of tool.inertia"), std::string::npos);
+  desc = full_scene();
   desc.braking_pulse->ticks = 0;
   EXPECT_EQ(World::build(desc).error().sentence, "braking_pulse.ticks is 0; it must be from 1 to 50.");
 }
