@@ -1,6 +1,7 @@
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include "engine/scenario/describe.h"
 #include "engine/scenario/words.h"
@@ -19,12 +20,12 @@ void describe_degrees(KeyVisitor& visitor, const Key& key, float& radians, const
 }
 
 void describe_views(KeyVisitor& visitor, std::vector<View>& views) {
+  std::set<std::string> names;
   visitor.list(
       {"views", "", "cameras by name; the first is where a window starts", true}, 1, [&](KeyVisitor& each) {
         View& view = views.emplace_back();
         each.word({"name", "", "as --view and panels call it", true}, view.name);
-        each.rule("name", std::ranges::count(views, view.name, &View::name) <= 1,
-                  "is the name of an earlier view; choose another");
+        each.rule("name", names.insert(view.name).second, "is the name of an earlier view; choose another");
         each.vector({"eye", "m", "in the world", true}, view.camera.eye, kPosition);
         each.vector({"target", "m", "in the world", true}, view.camera.target, kPosition);
         each.rule("target", view.camera.eye != view.camera.target,

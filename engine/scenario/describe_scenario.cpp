@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "engine/scenario/describe.h"
 
@@ -7,11 +9,6 @@ namespace fulcrum::scenario {
 namespace {
 
 constexpr std::array<std::string_view, 3> kRoles{"scene", "tool", "decor"};
-
-template <class T>
-bool is_new(const std::vector<T>& entries, const std::string& name) {
-  return std::ranges::count(entries, name, &T::name) <= 1;
-}
 
 void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
   visitor.named(
@@ -60,12 +57,12 @@ void describe_materials(KeyVisitor& visitor, std::vector<MaterialOverride>& mate
 }
 
 void describe_task(KeyVisitor& visitor, Scenario& scenario) {
-  std::vector<Checkpoint>& checkpoints = scenario.checkpoints;
+  std::set<std::string> names;
   visitor.list({"checkpoints", "", "where the tool's touch point has to go, in order", true}, 1,
                [&](KeyVisitor& each) {
-                 Checkpoint& checkpoint = checkpoints.emplace_back();
+                 Checkpoint& checkpoint = scenario.checkpoints.emplace_back();
                  each.text({"name", "", "as results and panels call it", true}, checkpoint.name);
-                 each.rule("name", is_new(checkpoints, checkpoint.name),
+                 each.rule("name", names.insert(checkpoint.name).second,
                            "is the name of an earlier one; choose another");
                  each.vector({"position", "m", "in the world", true}, checkpoint.position, kPosition);
                  each.number({"radius", "m", "how near counts as there"}, checkpoint.radius, above_to(0, 10));

@@ -25,7 +25,7 @@ void for_each_file(const std::filesystem::path& folder, const Use& use) {
 std::string nearby_files(std::string_view name, const std::filesystem::path& folder) {
   std::set<std::string> names;  // sorted: a folder's own order is chance
   for_each_file(folder, [&](const std::filesystem::path& file) { names.insert(file.filename().string()); });
-  names.erase(std::string(name));  // it is there, and no file that can be read
+  if (names.contains(std::string(name))) return {};  // it is there, and no file that can be read
   const std::vector<std::string> list(names.begin(), names.end());
   const auto near = nearest(name, std::span<const std::string>(list));
   return near ? "; did you mean " + in_quotes(*near) + "?" : std::string();
@@ -38,7 +38,7 @@ std::string nearby_names(std::string_view name, const std::vector<std::filesyste
       if (file.extension() == ".yaml") names.insert(file.stem().string());
     });
   }
-  names.erase(std::string(name));
+  if (names.contains(std::string(name))) return {};
   const std::vector<std::string_view> list(names.begin(), names.end());
   return did_you_mean(name, list, names.empty() ? "there is none" : "there is: " + joined(list));
 }

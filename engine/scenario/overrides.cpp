@@ -120,7 +120,7 @@ void set_mark(Node& node, const Mark& mark) {
 }
 
 std::optional<Fault> apply(Node& root, const std::string& text, std::span<const KeyEntry> keys) {
-  const Mark mark{std::make_shared<const std::string>("--set " + text), 0, 0};
+  const Mark mark{std::make_shared<const std::string>("--set " + on_one_line(text)), 0, 0};
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0) {
     return mark.fault("an override is written KEY=VALUE, for instance contact.stiffness=5000");

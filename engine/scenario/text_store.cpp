@@ -16,15 +16,25 @@ TextStore::TextStore(std::map<std::string, std::string> texts)
 
 Result<std::string> TextStore::get(const std::string& name,
                                    const std::function<Result<RegularFile>()>& open) {
-  if (from_memory_) {
-    const auto text = texts_.find(name);
-    if (text == texts_.end()) return Error{"the texts at hand do not include it"};
-    used_[name] = text->second;
-    return text->second;
-  }
-  auto text = read_text(open());
-  if (text) used_[name] = *text;
+  const auto too_much = [&] {
+    return Error{"the files that the scenario names have more than " + std::to_string(kMaxNamedBytes >> 20) +
+                 " MiB of text with it"};
+  };
+  if (bytes_ > kMaxNamedBytes) return too_much();
+  auto text = text_of(name, open);
+  if (!text) return text;
+  bytes_ += text->size();
+  if (bytes_ > kMaxNamedBytes) return too_much();
+  used_[name] = *text;
   return text;
+}
+
+Result<std::string> TextStore::text_of(const std::string& name,
+                                       const std::function<Result<RegularFile>()>& open) const {
+  if (!from_memory_) return read_text(open());
+  const auto text = texts_.find(name);
+  if (text == texts_.end()) return Error{"the texts at hand do not include it"};
+  return text->second;
 }
 
 }  // namespace fulcrum::scenario

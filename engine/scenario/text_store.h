@@ -11,6 +11,10 @@
 
 namespace fulcrum::scenario {
 
+// Of all files that a scenario names together, one that is named twice counted twice: each hand reads its
+// path.
+inline constexpr std::size_t kMaxNamedBytes = std::size_t{4} << 20;
+
 // At most as much as a text may have and one byte more, so that a huge file cannot fill the memory.
 Result<std::string> read_text(const Result<RegularFile>& file);
 
@@ -22,7 +26,8 @@ public:
   bool reads_files() const { return !from_memory_; }
   bool has(const std::string& name) const { return texts_.contains(name); }  // in the memory
 
-  // The text called `name`: from memory, or from the file that is opened.
+  // The text called `name`: from memory, or from the file that is opened. A sentence where that would be more
+  // than kMaxNamedBytes.
   Result<std::string> get(const std::string& name, const std::function<Result<RegularFile>()>& open);
   // A text that is at hand already.
   void put(const std::string& name, std::string text) { used_[name] = std::move(text); }
@@ -30,9 +35,13 @@ public:
   std::map<std::string, std::string> take_used() { return std::move(used_); }
 
 private:
+  Result<std::string> text_of(const std::string& name,
+                              const std::function<Result<RegularFile>()>& open) const;
+
   bool from_memory_ = false;
   std::map<std::string, std::string> texts_;
   std::map<std::string, std::string> used_;
+  std::size_t bytes_ = 0;  // that get() gave
 };
 
 }  // namespace fulcrum::scenario

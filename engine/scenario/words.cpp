@@ -46,17 +46,20 @@ bool has_number_form(std::string_view text) {
 
 }  // namespace
 
+std::string on_one_line(std::string text) {
+  for (char& c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f) c = ' ';
+  }
+  return text;
+}
+
 std::string in_quotes(std::string_view text) {
   // Cut between two characters, not inside one of several bytes (10xxxxxx goes on with the one before).
   std::size_t length = std::min(text.size(), kLongestQuote);
   while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xc0u) == 0x80u)
     --length;
-  std::string result(text.substr(0, length));
-  for (char& c : result) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || code == 0x7f) c = ' ';
-  }
-  return "'" + result + (length < text.size() ? "...'" : "'");
+  return "'" + on_one_line(std::string(text.substr(0, length))) + (length < text.size() ? "...'" : "'");
 }
 
 bool is_word(std::string_view text) {

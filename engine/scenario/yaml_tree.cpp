@@ -205,7 +205,9 @@ Checked<Node> parse_yaml(std::string_view text, std::string_view source) {
   } catch (const Refusal& refusal) {
     return Faults{refusal.fault};
   } catch (const YAML::Exception& exception) {
-    return Faults{builder.mark_of(exception.mark).fault("this is not valid YAML: " + exception.msg)};
+    // The message may repeat what the text has, a line's end or what a terminal obeys.
+    return Faults{
+        builder.mark_of(exception.mark).fault("this is not valid YAML: " + on_one_line(exception.msg))};
   } catch (const std::exception& exception) {
     return Faults{{std::string(source), 0, 0, std::string("the text cannot be read: ") + exception.what()}};
   }

@@ -134,6 +134,29 @@ TEST(Load, RepeatsFromTheTextsItKept) {
             "scenario.yaml:17:16: cannot read 'sure.yaml': the texts at hand do not include it");
 }
 
+// A small scenario may name a large file many times, and each time it is read and kept.
+TEST(Load, BoundsTheFilesThatAScenarioNames) {
+  const Folder folder;
+  folder.write("scenarios/peg/sure.yaml", std::string(kHandPath) + "#" + std::string(1'000'000, ' '));
+  std::string four = kScenario;
+  for (const char* name : {"second", "third", "fourth"})
+    four = replaced(four, "hands:\n", "hands:\n  " + std::string(name) + ": {path: sure.yaml}\n");
+  EXPECT_EQ(faults_of(folder, four), "");
+
+  const std::string five = replaced(four, "hands:\n", "hands:\n  fifth: {path: sure.yaml}\n");
+  const std::string sentence = "the files that the scenario names have more than 4 MiB of text with it";
+  EXPECT_EQ(faults_of(folder, five),
+            "scenario.yaml:21:16: cannot read 'sure.yaml': " + sentence +
+                "\nscenario.yaml:13:10: cannot read 'devices/test_arm.yaml': " + sentence);
+}
+
+TEST(Load, DoesNotOfferAFileThatIsThereInsteadOfItself) {
+  const Folder folder;
+  ASSERT_EQ(::mkfifo((folder.peg() / "pipe.yaml").c_str(), 0600), 0);
+  EXPECT_EQ(faults_of(folder, replaced(kScenario, "path: sure.yaml", "path: pipe.yaml")),
+            "scenario.yaml:17:16: cannot read 'pipe.yaml': it is a pipe, not a file");
+}
+
 TEST(Load, OfWhatIsNoFile) {
   const Folder folder;
   const auto missing = load_scenario(folder.peg() / "none.yaml");

@@ -110,5 +110,11 @@ std::string name_of(const testing::TestParamInfo<Case>& each) {
 
 INSTANTIATE_TEST_SUITE_P(Each, OverrideFaults, testing::ValuesIn(kCases), name_of);
 
+TEST(Overrides, AreNamedOnOneLine) {
+  const Folder folder;
+  const std::string faults = faults_of(folder, kScenario, {"none\n\x1b[2J=1"});
+  EXPECT_TRUE(faults.starts_with("--set none  [2J=1: unknown key 'none  [2J'")) << faults;
+}
+
 }  // namespace
 }  // namespace fulcrum::scenario::test

@@ -82,6 +82,11 @@ TEST(YamlTree, PointsAtBrokenSyntax) {
   EXPECT_TRUE(fault_of("a: 1\n b: 2\n").find("this is not valid YAML: ") != std::string::npos);
 }
 
+// The parser's own messages repeat the character that it does not know.
+TEST(YamlTree, SaysWhatIsBrokenOnOneLine) {
+  EXPECT_EQ(fault_of("a: \"\\\x1b[2J\""), "f:1:7: this is not valid YAML: unknown escape character:  ");
+}
+
 // A file from elsewhere must cost neither the stack, nor the memory, nor minutes.
 TEST(YamlTree, HoldsAgainstHostileFiles) {
   EXPECT_NE(fault_of(repeated("[", 100'000)), "none");
