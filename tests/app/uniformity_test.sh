@@ -50,7 +50,6 @@ grep -q 'fulcrum uniformity' D/uniformity.html || fail "uniformity.html does not
 if grep -qi 'nan\b' D/uniformity.csv D/filter.csv; then fail "a table holds what is not a number"; fi
 
 expect 1 'holds results.*--force' "$FULCRUM" uniformity --out D
-expect 0 'Method 2' "$FULCRUM" uniformity --out D --force
 expect 2 'strikes' "$FULCRUM" uniformity --strikes 3
 
 [ $failures = 0 ] && echo "all good"

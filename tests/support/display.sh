@@ -30,7 +30,8 @@ start_display() { # [SIZE]
   until_seen xdotool getmouselocation >/dev/null 2>&1 || exit 1
 }
 
-trap 'kill $xvfb 2>/dev/null; [ -z "${program-}" ] || kill -9 $program 2>/dev/null; rm -rf "$work"' EXIT
+# A server that goes takes its socket's name along: another one may not have it until that is done.
+trap 'kill $xvfb 2>/dev/null && wait $xvfb; [ -z "${program-}" ] || kill -9 $program 2>/dev/null; rm -rf "$work"' EXIT
 
 find_window() {
   window=$(xdotool search --onlyvisible --pid $program --name '^Fulcrum' 2>/dev/null | head -n 1)
