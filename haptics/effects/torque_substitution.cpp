@@ -5,11 +5,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kBad = 0.1;       // of the coupling's largest torque: T_min
-constexpr double kContact = 0.1;   // of T_min: eps
-constexpr double kGhostOn = 2;     // of T_min: T_on
-constexpr double kGhostOff = 0.6;  // of T_on: T_off
-constexpr double kLeast = 0.1;     // of T_min: to which a limit falls at most
+constexpr double kContact = 0.1;  // of T_min: eps
+constexpr double kLeast = 0.1;    // of T_min: to which a limit falls at most
 
 TorqueBounds bounds_of(const TorqueSubstitutionDesc& desc, const TorqueSurroundings& around) {
   const double torque = torque_thresholds(desc, around.max_torque).bad;
@@ -17,12 +14,6 @@ TorqueBounds bounds_of(const TorqueSubstitutionDesc& desc, const TorqueSurroundi
 }
 
 }  // namespace
-
-TorqueThresholds torque_thresholds(const TorqueSubstitutionDesc& desc, double coupling_torque) {
-  const double bad = desc.bad_above.value_or(kBad * coupling_torque);
-  const double above = desc.ghost_above.value_or(kGhostOn * bad);
-  return {bad, above, desc.ghost_below.value_or(kGhostOff * above)};
-}
 
 TorqueSubstitution::TorqueSubstitution(const TorqueSubstitutionDesc& desc, const TorqueSurroundings& around)
     : bounds_(bounds_of(desc, around)),

@@ -46,9 +46,13 @@ struct TorqueSubstitutionDesc {
 
 // N m: what a Desc says, and where it says nothing what follows from the coupling's largest torque.
 struct TorqueThresholds {
-  double bad, ghost_above, ghost_below;
+  double bad, ghost_above, ghost_below;  // T_min, T_on, T_off
 };
-TorqueThresholds torque_thresholds(const TorqueSubstitutionDesc& desc, double coupling_torque);
+inline TorqueThresholds torque_thresholds(const TorqueSubstitutionDesc& desc, double coupling_torque) {
+  const double bad = desc.bad_above.value_or(0.1 * coupling_torque);
+  const double above = desc.ghost_above.value_or(2 * bad);
+  return {bad, above, desc.ghost_below.value_or(0.6 * above)};
+}
 
 // What the effect needs to know of the scene around it.
 struct TorqueSurroundings {
