@@ -21,7 +21,8 @@ until_seen() {
 start_display() { # [SIZE]
   local pipe number
   exec {pipe}<> <(:)
-  Xvfb -displayfd $pipe -screen 0 "${1:-1280x800}x24" >/dev/null 2>&1 &
+  # Without -noreset it starts anew when its last client leaves, and turns away who comes just then.
+  Xvfb -noreset -displayfd $pipe -screen 0 "${1:-1280x800}x24" >/dev/null 2>&1 &
   xvfb=$!
   read -r -u $pipe number || exit 1
   exec {pipe}>&-
@@ -30,8 +31,7 @@ start_display() { # [SIZE]
   until_seen xdotool getmouselocation >/dev/null 2>&1 || exit 1
 }
 
-# A server that goes takes its socket's name along: another one may not have it until that is done.
-trap 'kill $xvfb 2>/dev/null && wait $xvfb; [ -z "${program-}" ] || kill -9 $program 2>/dev/null; rm -rf "$work"' EXIT
+trap 'kill $xvfb 2>/dev/null; [ -z "${program-}" ] || kill -9 $program 2>/dev/null; rm -rf "$work"' EXIT
 
 find_window() {
   window=$(xdotool search --onlyvisible --pid $program --name '^Fulcrum' 2>/dev/null | head -n 1)
