@@ -63,7 +63,10 @@ void describe_velocity_estimator(KeyVisitor& visitor, VelocityEstimatorDesc& vel
 
 void describe_device(KeyVisitor& visitor, DeviceEntry& device) {
   MappingDesc& mapping = device.mapping;
-  visitor.word({"model", "", "of the simulated device: content/devices/MODEL.yaml, or the scenario's own devices/MODEL.yaml", true}, device.model);
+  visitor.word(
+      {"model", "",
+       "of the simulated device: content/devices/MODEL.yaml, or the scenario's own devices/MODEL.yaml", true},
+      device.model);
   visitor.number({"position_scale", "", "scene movement for device movement"}, mapping.position_scale,
                  above_to(0, 1000));
   visitor.number({"force_scale", "", "device force for scene force"}, mapping.force_scale, above_to(0, 1000));

@@ -23,8 +23,8 @@ namespace fulcrum {
 struct YieldingDesc {
   double reaction = 0.25;  // s. Assumed: a single reaction to touch or sight takes 0.15 to 0.2 s, a choice
                            // more, as remembered from R. Kosinski, "A literature review on reaction time"
-  double gain = 1;                // rad/s, how fast the hand turns back at a full cue
-  double spread = 0.2;            // of reaction and gain from seed to seed: log-normal, those two the medians
+  double gain = 1;         // rad/s, how fast the hand turns back at a full cue
+  double spread = 0.2;     // of reaction and gain from seed to seed: log-normal, those two the medians
   double full_vibration = 0.4;    // N, the amplitude that is a full cue; a ghost is one when it is opaque
   double least_vibration = 0.02;  // N, the amplitude below which nothing is felt
   double felt_error_rad = 0.5;    // rms, of the way under vibration alone

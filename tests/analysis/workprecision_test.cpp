@@ -99,8 +99,8 @@ TEST(WorkPrecision, PegsJamWhereTheyShould) {
   for (const WorkStudy& study : studies) expect_truer_than_voxels(study, 2);
 }
 
-// The observer reads below the truth at every count size; booking whole counts reads above it, and what it is off by
-// grows with the count.
+// The observer reads below the truth at every count size; booking whole counts reads above it, and what it is
+// off by grows with the count.
 TEST(WorkPrecision, ThePortErrsToTheSafeSideAndFinerCountsBringItNearer) {
   const WorkStudy study = study_port(true);
   ASSERT_EQ(study.points.size(), 8u);

@@ -96,7 +96,8 @@ TEST(Allocation, NoTickWithImpactsAllocates) {
 
 TEST(Allocation, NoTickThatVibratesAtTheFingerAllocates) {
   for (const std::string model : {"two_channel", "rumble_pad"}) {
-    const std::optional<app::Prepared> prepared = app::prepare("piping", std::vector{"device.model=" + model});
+    const std::optional<app::Prepared> prepared =
+        app::prepare("piping", std::vector{"device.model=" + model});
     ASSERT_TRUE(prepared);
     EXPECT_EQ(allocations_in(*prepared, "clumsy"), 0) << model;
   }
