@@ -67,8 +67,8 @@ private:
   double tick_s_;
   SlewSteps steps_;
   bool stopped_ = false;
-  // It waits until the force has fallen: a stop whose cause is still there, found later in the tick, would
-  // else begin its fall anew with every acknowledgement.
+  // An acknowledgement waits until the force has fallen. Where the stop's cause is still there and is found
+  // later in the tick, the fall would else begin anew with every acknowledgement.
   bool acknowledged_ = false;
   std::uint32_t reason_ = 0;
   double gain_ = 0;

@@ -21,7 +21,7 @@ until_seen() {
 start_display() { # [SIZE]
   local pipe number
   exec {pipe}<> <(:)
-  # Without -noreset it starts anew when its last client leaves, and turns away who comes just then.
+  # Without -noreset the server starts anew when its last client leaves, and refuses a client that connects just then.
   Xvfb -noreset -displayfd $pipe -screen 0 "${1:-1280x800}x24" >/dev/null 2>&1 &
   xvfb=$!
   read -r -u $pipe number || exit 1
