@@ -29,7 +29,7 @@ std::optional<Vec3> stylus_of(const DeviceDesc& device) {
 
 }  // namespace
 
-Gain gain_over(const Felt& felt, const Felt& force_only, double phi, double lever) {
+Gain gain_over(const PulseOutcome& felt, const PulseOutcome& force_only, double phi, double lever) {
   const double moment = force_only.moment_D.norm(), force = force_only.contact_force(phi, lever);
   return {moment > kNothing ? felt.moment_D.norm() / moment : 1.0,
           force > kNothing ? felt.contact_force(phi, lever) / force : 1.0};

@@ -23,7 +23,7 @@ struct HardnessRow {
   std::string pose;  // of the handle in D: kHome, or its position, "x y z" in m
   Vec3 nhat_D = Vec3::UnitY();
   double phi_deg = 0;  // leaning towards the person
-  Felt felt;
+  PulseOutcome felt;
   double rate_hardness = 0;       // N/m, extended: of the force, as published
   double felt_rate_hardness = 0;  // N/m, of the contact force that would feel as strong
 };
@@ -33,7 +33,7 @@ struct Gain {
   double moment = 1;    // of the felt moment
   double hardness = 1;  // of the contact force that would feel as strong
 };
-Gain gain_over(const Felt& felt, const Felt& force_only, double phi, double lever);
+Gain gain_over(const PulseOutcome& felt, const PulseOutcome& force_only, double phi, double lever);
 
 // Surfaces that face up, seen from above: (kAcross x kAcross) cells of a disc, row by row from the top, which
 // is away from the person; equal areas. Cells outside of it are empty. The lower half is the same: where
@@ -61,7 +61,7 @@ struct AngleCurve {
 // Over the side to which the stylus leans, for a surface that faces up.
 struct LeanAt {
   double lean_deg = 0;
-  Felt force_only, as_printed, algorithm1, exact;
+  PulseOutcome force_only, as_printed, algorithm1, exact;
 };
 
 // Handle positions over the workspace, at its axes at home: means over directions at kPhi.
@@ -79,7 +79,7 @@ struct FrontAt {
 struct Front {
   std::string name;
   std::vector<FrontAt> at;
-  Felt force_only, algorithm1, exact;
+  PulseOutcome force_only, algorithm1, exact;
 };
 
 // The paper's pose: home, the grasp where the stylus is.
@@ -87,7 +87,7 @@ struct PaperAxis {
   std::string name;
   Vec3 nhat_D = Vec3::UnitY();
   double phi = 0, lean = 0;  // rad
-  Felt force_only, as_printed, algorithm1, exact;
+  PulseOutcome force_only, as_printed, algorithm1, exact;
 };
 
 // What the methods that are not used do, beside `exact`: over directions at home, at kPhi.

@@ -136,7 +136,7 @@ Plot front_plot(const HardnessStudy& study) {
   plot.x = {"felt force", "N", Scale::linear, 0.0, {}};
   plot.y = {"felt moment", "N m", Scale::linear, 0.0, {}};
   // Markers in the colour of their direction; what they are, in the legend alone.
-  const std::tuple<const char*, Marker, Felt Front::*> kinds[] = {
+  const std::tuple<const char*, Marker, PulseOutcome Front::*> kinds[] = {
       {"force only", Marker::circle, &Front::force_only},
       {"Algorithm 1", Marker::square, &Front::algorithm1},
       {"exact, weight 1", Marker::diamond, &Front::exact}};
@@ -150,7 +150,7 @@ Plot front_plot(const HardnessStudy& study) {
   for (const auto& [name, marker, felt] : kinds) {
     plot.series.push_back({name, {}, Line::none, marker, report::kInk});
     for (std::size_t i = 0; i < study.fronts.size(); ++i) {
-      const Felt& at = study.fronts[i].*felt;
+      const PulseOutcome& at = study.fronts[i].*felt;
       plot.series.push_back(
           {"", {{at.force, at.moment_D.norm()}}, Line::none, marker, static_cast<int>(i), true});
     }

@@ -65,7 +65,7 @@ HardnessRow HardnessSurvey::row(PulseMethod method, const Pose& X_DH, const std:
 }
 
 Gain HardnessSurvey::gain(PulseMethod method, const Pose& X_DH, const Strike& strike,
-                          const Felt& force_only) {
+                          const PulseOutcome& force_only) {
   return gain_over(striker_.strike(method, X_DH, strike), force_only, strike.phi, setting_.lever);
 }
 
@@ -90,7 +90,7 @@ SkyMap HardnessSurvey::map(PulseMethod method, double phi_deg, bool all_leans) {
     MeanGain mean;
     for (int lean = 0; lean < leans; ++lean) {
       const Strike strike{*nhat_D, rad(phi_deg), 2 * std::numbers::pi * lean / kLeans};
-      const Felt force_only = striker_.strike(PulseMethod::force_only, Pose{}, strike);
+      const PulseOutcome force_only = striker_.strike(PulseMethod::force_only, Pose{}, strike);
       mean.add(gain(method, Pose{}, strike, force_only));
     }
     map.cells.back() = mean.value();
@@ -106,7 +106,7 @@ AngleCurve HardnessSurvey::over_angles(PulseMethod method) {
     MeanGain gains;
     for (const Vec3& nhat_D : directions(kPoseDirections)) {
       const Strike strike{nhat_D, rad(phi_deg), 0};
-      const Felt felt = striker_.strike(method, Pose{}, strike);
+      const PulseOutcome felt = striker_.strike(method, Pose{}, strike);
       moment.add(felt.moment_D.norm());
       gains.add(gain_over(felt, striker_.strike(PulseMethod::force_only, Pose{}, strike), strike.phi,
                           setting_.lever));
@@ -138,7 +138,7 @@ PoseAt HardnessSurvey::pose(const Vec3& p_DH) {
   MeanGain algorithm1, exact, spare;
   for (const Vec3& nhat_D : directions(kPoseDirections)) {
     const Strike strike{nhat_D, rad(kPhi), 0};
-    const Felt force_only = striker_.strike(PulseMethod::force_only, X_DH, strike);
+    const PulseOutcome force_only = striker_.strike(PulseMethod::force_only, X_DH, strike);
     algorithm1.add(gain(PulseMethod::algorithm1, X_DH, strike, force_only));
     exact.add(gain(PulseMethod::exact, X_DH, strike, force_only));
     spare.add(gain(PulseMethod::force_only_spare, X_DH, strike, force_only));
@@ -156,7 +156,7 @@ Front HardnessSurvey::front(const std::string& name, const Vec3& nhat_D) {
   for (int i = -24; i <= 24; ++i) {
     const double weight = math::pow(10.0, i / 12.0);
     Striker weighted(device_, setting_, weight);
-    const Felt felt = weighted.strike(PulseMethod::exact, Pose{}, strike);
+    const PulseOutcome felt = weighted.strike(PulseMethod::exact, Pose{}, strike);
     front.at.push_back({weight, felt.force, felt.moment_D.norm()});
   }
   front.force_only = striker_.strike(PulseMethod::force_only, Pose{}, strike);
@@ -172,8 +172,8 @@ TickMethod HardnessSurvey::in_the_tick(PulseMethod method) {
   MeanGain gain;
   for (const Vec3& nhat_D : directions(kDirections)) {
     const Strike strike{nhat_D, rad(kPhi), 0};
-    const Felt felt = striker_.in_the_tick(method, Pose{}, strike);
-    const Felt able = striker_.strike(method, Pose{}, strike);
+    const PulseOutcome felt = striker_.in_the_tick(method, Pose{}, strike);
+    const PulseOutcome able = striker_.strike(method, Pose{}, strike);
     force.add(felt.force);
     moment.add(felt.moment_D.norm());
     cut.add(felt.missing > able.missing + kNothing ? 1.0 : 0.0);
@@ -193,7 +193,7 @@ DirectionMeans HardnessSurvey::means(PulseMethod method, std::span<const Strike>
   means.largest_gain = 0;
   Mean force, moment, gains, helped, lowered;
   for (const Strike& strike : strikes) {
-    const Felt felt = striker_.strike(method, Pose{}, strike);
+    const PulseOutcome felt = striker_.strike(method, Pose{}, strike);
     const double gain =
         gain_over(felt, striker_.strike(PulseMethod::force_only, Pose{}, strike), strike.phi, setting_.lever)
             .moment;
@@ -232,7 +232,7 @@ ShownMethod HardnessSurvey::shown(PulseMethod method) {
   Mean force, tilt, turned;
   for (const Vec3& nhat_D : directions(kDirections)) {
     const Strike strike{nhat_D, rad(kPhi), 0};
-    const Felt felt = striker_.strike(method, Pose{}, strike);
+    const PulseOutcome felt = striker_.strike(method, Pose{}, strike);
     const Vec3 own = setting_.wanted_force() * strike.p_HG_D(setting_.lever).cross(nhat_D);
     force.add(felt.force);
     tilt.add(felt.tilt);

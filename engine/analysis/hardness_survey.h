@@ -31,7 +31,7 @@ public:
 
 private:
   DirectionMeans means(PulseMethod method, std::span<const Strike> strikes);
-  Gain gain(PulseMethod method, const Pose& X_DH, const Strike& strike, const Felt& force_only);
+  Gain gain(PulseMethod method, const Pose& X_DH, const Strike& strike, const PulseOutcome& force_only);
 
   const DeviceDesc& device_;
   StrikeSetting setting_;

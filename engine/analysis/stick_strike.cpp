@@ -62,8 +62,8 @@ Wrench by_formula(InertiaMethod method, const StickTouch& touch, const Vec3& f, 
 
 }  // namespace
 
-Felt strike(World world, const StickTouch& touch, const StrikePath& path, InertiaMethod method,
-            std::uint64_t seed) {
+StrikeOutcome strike(World world, const StickTouch& touch, const StrikePath& path, InertiaMethod method,
+                     std::uint64_t seed) {
   const SceneDesc& scene = world.desc();
   const double T = scene.tick_s, step_m = scene.device.encoder_step;
   const int rest = method == InertiaMethod::acceleration ? kCompensationIn : kForceIn;

@@ -20,7 +20,7 @@ struct StrikePath {
   double held = 0.105;      // m along the stick, where the hand holds: between two places that are touched
 };
 
-struct Felt {
+struct StrikeOutcome {
   double depth = 0, force = 0, torque = 0;  // m; N, up; N m, about z at G
   double depth_error = 0;                   // m, of the depth that the contact found
   // N, up, of the passivity control: at the stage, as of a damper there. It is counted to the device.
@@ -32,7 +32,7 @@ struct Felt {
 };
 
 // world: a stick_scene. seed: of the tremor, and of the phase of the encoder.
-Felt strike(World world, const StickTouch& touch, const StrikePath& path, InertiaMethod method,
-            std::uint64_t seed);
+StrikeOutcome strike(World world, const StickTouch& touch, const StrikePath& path, InertiaMethod method,
+                     std::uint64_t seed);
 
 }  // namespace fulcrum::analysis

@@ -69,7 +69,7 @@ const char* title_of(PulseMethod method) {
   return "";
 }
 
-double Felt::contact_force(double phi, double lever) const {
+double PulseOutcome::contact_force(double phi, double lever) const {
   const double s = math::sin(phi);
   return std::sqrt((force * force + moment_D.squaredNorm() / (lever * lever)) / (1 + s * s));
 }
@@ -82,10 +82,10 @@ Striker::Methods::Methods(const DeviceDesc& device, double moment_weight)
 Striker::Striker(const DeviceDesc& device, const StrikeSetting& setting, double moment_weight)
     : setting_(setting), motors_(motors_alone(device), moment_weight), device_(device, moment_weight) {}
 
-Felt Striker::felt(const Wrench& F_H_D, const Strike& strike) const {
+PulseOutcome Striker::felt(const Wrench& F_H_D, const Strike& strike) const {
   const double wanted = setting_.wanted_force();
   const Vec3 r = strike.p_HG_D(setting_.lever), f_des = wanted * strike.nhat_D, whole = r.cross(f_des);
-  Felt felt;
+  PulseOutcome felt;
   felt.F_H_D = F_H_D;
   felt.moment_D = r.cross(F_H_D.force) - F_H_D.torque;
   felt.force = F_H_D.force.dot(strike.nhat_D);
@@ -98,7 +98,8 @@ Felt Striker::felt(const Wrench& F_H_D, const Strike& strike) const {
   return felt;
 }
 
-Felt Striker::strike(Methods& methods, PulseMethod method, const Pose& X_DH, const Strike& strike) const {
+PulseOutcome Striker::strike(Methods& methods, PulseMethod method, const Pose& X_DH,
+                             const Strike& strike) const {
   const Vec3 f_D = setting_.wanted_force() * strike.nhat_D, p_HG_D = strike.p_HG_D(setting_.lever);
   const auto by = [&](Allocator& motors) {
     motors.begin(X_DH);
@@ -125,16 +126,16 @@ Felt Striker::strike(Methods& methods, PulseMethod method, const Pose& X_DH, con
   return {};
 }
 
-Felt Striker::strike(PulseMethod method, const Pose& X_DH, const Strike& strike) {
+PulseOutcome Striker::strike(PulseMethod method, const Pose& X_DH, const Strike& strike) {
   return this->strike(motors_, method, X_DH, strike);
 }
 
-Felt Striker::in_the_tick(PulseMethod method, const Pose& X_DH, const Strike& strike) {
+PulseOutcome Striker::in_the_tick(PulseMethod method, const Pose& X_DH, const Strike& strike) {
   return this->strike(device_, method, X_DH, strike);
 }
 
 // Line 9 of it turned round is line 9 for a grasp on the other side.
-Felt Striker::as_printed(const Pose& X_DH, const Strike& strike) {
+PulseOutcome Striker::as_printed(const Pose& X_DH, const Strike& strike) {
   const Vec3 f_D = setting_.wanted_force() * strike.nhat_D;
   motors_.algorithm1.begin(X_DH);
   return felt(

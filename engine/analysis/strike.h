@@ -49,7 +49,7 @@ const char* name_of(PulseMethod method);   // force_only, as in hardness.csv
 const char* title_of(PulseMethod method);  // as people read it
 
 // What came of a strike.
-struct Felt {
+struct PulseOutcome {
   Wrench F_H_D;                  // of the motors
   Vec3 moment_D = Vec3::Zero();  // (3) N m, m_r at the grasp
   double force = 0;              // N, along the normal
@@ -71,12 +71,12 @@ public:
   Striker(const DeviceDesc& device, const StrikeSetting& setting, double moment_weight = 1);
 
   // By what the motors can do; where each axis has its motor, the device's limits are the motors'.
-  Felt strike(PulseMethod method, const Pose& X_DH, const Strike& strike);
+  PulseOutcome strike(PulseMethod method, const Pose& X_DH, const Strike& strike);
   // Of a usable method, as the tick allocates it: within the device's largest force and torque as a whole
   // too.
-  Felt in_the_tick(PulseMethod method, const Pose& X_DH, const Strike& strike);
+  PulseOutcome in_the_tick(PulseMethod method, const Pose& X_DH, const Strike& strike);
   // Algorithm 1 with the sign of its line 9 as it is printed.
-  Felt as_printed(const Pose& X_DH, const Strike& strike);
+  PulseOutcome as_printed(const Pose& X_DH, const Strike& strike);
 
   const StrikeSetting& setting() const { return setting_; }
 
@@ -85,8 +85,8 @@ private:
     Methods(const DeviceDesc& device, double moment_weight);
     Allocator exact, algorithm1, pseudoinverse;
   };
-  Felt strike(Methods& methods, PulseMethod method, const Pose& X_DH, const Strike& strike) const;
-  Felt felt(const Wrench& F_H_D, const Strike& strike) const;
+  PulseOutcome strike(Methods& methods, PulseMethod method, const Pose& X_DH, const Strike& strike) const;
+  PulseOutcome felt(const Wrench& F_H_D, const Strike& strike) const;
 
   StrikeSetting setting_;
   Methods motors_, device_;  // by the motors' limits alone; by the device's as well

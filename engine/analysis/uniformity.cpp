@@ -47,7 +47,7 @@ void strike_often(UniformityRow& row, const StickBodies& bodies, const DeviceDes
   const SceneDesc scene = stick_scene(bodies, device, touch, compensation_by(row.method));
   std::vector<double> stiffnesses, torques;
   for (int s = 0; s < strikes; ++s) {
-    const Felt felt =
+    const StrikeOutcome felt =
         strike(std::move(*World::build(scene)), touch, path, row.method, static_cast<std::uint64_t>(s) + 1);
     const double wanted = (touch.place - touch.held) * touch.stiffness * felt.depth;
     stiffnesses.push_back(felt.force / felt.depth);
@@ -75,8 +75,8 @@ double with_true_acceleration(const StickBodies& bodies, DeviceDesc device, doub
   for (const double stiffness : kStiffnesses) {
     for (int i = 0; i < kPlaces; ++i) {
       const StickTouch touch{place_of(i), held, stiffness};
-      const Felt felt = strike(std::move(*World::build(stick_scene(bodies, device, touch, by))), touch,
-                               kEvenStrike, by.method, 1);
+      const StrikeOutcome felt = strike(std::move(*World::build(stick_scene(bodies, device, touch, by))),
+                                        touch, kEvenStrike, by.method, 1);
       worst = std::max({worst, felt.force_off, felt.torque_off});
     }
   }

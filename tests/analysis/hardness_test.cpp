@@ -63,7 +63,7 @@ TEST(Strike, AMotorForEachAxisGivesAllItsMomentBesideAllItsForce) {
   const double own = 0.12 * 8;
   EXPECT_NEAR(striker.strike(PulseMethod::force_only, {}, strike).moment_D.norm(), own, 1e-12);
   for (const PulseMethod method : {PulseMethod::algorithm1, PulseMethod::exact}) {
-    const Felt felt = striker.strike(method, {}, strike);
+    const PulseOutcome felt = striker.strike(method, {}, strike);
     EXPECT_NEAR(felt.force, 8, 1e-11);  // kept with a part in 10^12 to spare
     EXPECT_NEAR(felt.moment_D.norm(), own + 0.3, 1e-9) << name_of(method);
     EXPECT_NEAR(felt.gamma, 8 / 67.5, 1e-12);
@@ -84,16 +84,16 @@ TEST(Strike, InTheTickTheWholeIsHeldAndExactIsAhead) {
     for (int i = 0; i < 300; ++i) {
       const Strike strike{arms::random_vector(random).normalized(), 1.5 * random.uniform(),
                           6 * random.uniform()};
-      const Felt exact = striker.in_the_tick(PulseMethod::exact, {}, strike);
+      const PulseOutcome exact = striker.in_the_tick(PulseMethod::exact, {}, strike);
       const double wanted = striker.setting().wanted_force();
-      const auto squares = [&](const Felt& felt) {
+      const auto squares = [&](const PulseOutcome& felt) {
         const Vec3 r = strike.p_HG_D(0.12), f = wanted * strike.nhat_D;
         return (f - felt.F_H_D.force).squaredNorm() +
                (r.cross(f) - felt.moment_D).squaredNorm() / (0.12 * 0.12);
       };
       for (const PulseMethod method :
            {PulseMethod::force_only, PulseMethod::algorithm1, PulseMethod::exact}) {
-        const Felt felt = striker.in_the_tick(method, {}, strike);
+        const PulseOutcome felt = striker.in_the_tick(method, {}, strike);
         EXPECT_LE(felt.F_H_D.force.norm(), device.max_force * (1 + 1e-9)) << name_of(method);
         EXPECT_LE(felt.F_H_D.torque.norm(), device.max_torque * (1 + 1e-9)) << name_of(method);
         EXPECT_GE(squares(felt), squares(exact) - 1e-9 * wanted * wanted) << name_of(method);
@@ -109,7 +109,7 @@ TEST(Strike, InTheTickTheWholeIsHeldAndExactIsAhead) {
 TEST(Strike, WithoutAMomentTheContactForceIsTheForce) {
   Striker striker(w6d_in_D(), StrikeSetting{});
   for (const double phi : {0.0, 0.4, 1.2}) {
-    const Felt felt = striker.strike(PulseMethod::force_only, {}, {Vec3(0.6, 0.8, 0), phi, 0.3});
+    const PulseOutcome felt = striker.strike(PulseMethod::force_only, {}, {Vec3(0.6, 0.8, 0), phi, 0.3});
     EXPECT_NEAR(felt.contact_force(phi, 0.12), felt.force, 1e-12);
     EXPECT_NEAR(felt.delta(), 0, 1e-12);
   }
@@ -120,7 +120,7 @@ TEST(Strike, NoGainAtPhi0) {
   for (const Vec3& nhat_D : directions(50)) {
     for (const PulseMethod method : {PulseMethod::force_only, PulseMethod::force_only_spare,
                                      PulseMethod::algorithm1, PulseMethod::exact}) {
-      const Felt felt = striker.strike(method, {}, {nhat_D, 0, 0});
+      const PulseOutcome felt = striker.strike(method, {}, {nhat_D, 0, 0});
       EXPECT_NEAR(felt.moment_D.norm(), 0, 1e-9) << name_of(method);
       EXPECT_NEAR(felt.delta(), 0, 1e-12);
     }
@@ -139,7 +139,7 @@ TEST(Strike, TheFeltMomentIsNeverPastTheContactsOwnAndAlongIt) {
                             6 * random.uniform()};
         const Vec3 own = strike.p_HG_D(setting.lever).cross(setting.wanted_force() * strike.nhat_D);
         for (const PulseMethod method : {PulseMethod::algorithm1, PulseMethod::exact}) {
-          const Felt felt = striker.strike(method, {}, strike);
+          const PulseOutcome felt = striker.strike(method, {}, strike);
           EXPECT_LE(felt.moment_D.norm(), own.norm() * (1 + 1e-9));
           EXPECT_NEAR(felt.moment_D.cross(own).norm(), 0, 1e-9);
           EXPECT_NEAR(felt.tilt, 0, 1e-7);
@@ -176,9 +176,9 @@ TEST(NearestWrench, TiltsTheForceOrLeavesTheContactsMoment) {
   StrikeSetting setting;
   Striker striker(w6d_in_D(), setting);
   const Strike up{Vec3::UnitY(), kRightAngle / 2, 0};
-  const Felt exact = striker.strike(PulseMethod::exact, {}, up);
-  const Felt nearest = striker.strike(PulseMethod::nearest_wrench, {}, up);
-  const Felt free = striker.strike(PulseMethod::free_moment, {}, up);
+  const PulseOutcome exact = striker.strike(PulseMethod::exact, {}, up);
+  const PulseOutcome nearest = striker.strike(PulseMethod::nearest_wrench, {}, up);
+  const PulseOutcome free = striker.strike(PulseMethod::free_moment, {}, up);
   EXPECT_LE(nearest.missing, free.missing + 1e-9);
   EXPECT_LE(free.missing, exact.missing + 1e-9);
   EXPECT_GT(nearest.tilt, 0.1);
@@ -234,8 +234,8 @@ TEST(Hardness, OppositeSurfacesAreTheSame) {
   Striker striker(w6d_in_D(), StrikeSetting{});
   for (const Vec3& nhat_D : directions(40)) {
     for (const PulseMethod method : {PulseMethod::algorithm1, PulseMethod::exact}) {
-      const Felt one = striker.strike(method, {}, {nhat_D, 0.8, 0}),
-                 other = striker.strike(method, {}, {-nhat_D, 0.8, 0});
+      const PulseOutcome one = striker.strike(method, {}, {nhat_D, 0.8, 0}),
+                         other = striker.strike(method, {}, {-nhat_D, 0.8, 0});
       EXPECT_NEAR(one.force, other.force, 1e-9);
       EXPECT_NEAR(one.moment_D.norm(), other.moment_D.norm(), 1e-9);
     }

@@ -22,8 +22,8 @@ constexpr double pinned = 0.3;         // mm, how far a tip may lie from a stop
 constexpr double most_lean = 0.7;      // rad
 constexpr double lean_scale = 0.1;     // rad, that is tried where 1 mm aside is
 
-std::vector<Station> make_stations(const Canal& canal) {
-  std::vector<Station> stations;
+std::vector<PassageStation> make_stations(const Canal& canal) {
+  std::vector<PassageStation> stations;
   const auto pass = [&](double from, double to) {
     for (double depth = from; depth < to - 1e-9; depth += 1.0) stations.push_back({canal.middle(depth)});
   };
@@ -72,7 +72,7 @@ std::vector<Vector4d> directions() {
 
 }  // namespace
 
-Eigen::Isometry3d placed(const Station& station, const NeedlePose& pose) {
+Eigen::Isometry3d placed(const PassageStation& station, const NeedlePose& pose) {
   Eigen::Isometry3d X_WT = Eigen::Isometry3d::Identity();
   const Vector3d lean(pose.lean.x(), pose.lean.y(), 0.0);
   if (lean.norm() > 1e-12) X_WT.linear() = turn_by(lean.norm(), lean.normalized()).toRotationMatrix();
@@ -136,7 +136,7 @@ double Passage::preference(const Cell& cell) {
 // R. Hooke and T. Jeeves, "Direct search solution of numerical and statistical problems", 1961.
 Passage::Cell Passage::improved(std::size_t station, const NeedlePose& from) const {
   static const std::vector<Vector4d> ways = directions();
-  const Station& at = stations_[station];
+  const PassageStation& at = stations_[station];
   const double reach = at.stop.empty() ? 6.0 : pinned;
   const auto allowed = [&](const NeedlePose& pose) {
     return pose.aside.norm() <= reach && pose.lean.norm() <= most_lean;

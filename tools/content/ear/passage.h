@@ -19,12 +19,12 @@ struct NeedlePose {
 };
 
 // A place that the tip has to pass, or, where a stop has a name, reach.
-struct Station {
+struct PassageStation {
   Eigen::Vector3d tip_W;  // mm
   std::string stop{};
 };
 
-Eigen::Isometry3d placed(const Station& station, const NeedlePose& pose);  // X_WT, mm
+Eigen::Isometry3d placed(const PassageStation& station, const NeedlePose& pose);  // X_WT, mm
 
 // The needle on its way from one pose to the next, `part` of it done: as a hand moves it, about its centre of
 // mass. Lengths in mm.
@@ -34,7 +34,7 @@ class Passage {
 public:
   explicit Passage(const Flesh& flesh);
 
-  const std::vector<Station>& stations() const { return stations_; }
+  const std::vector<PassageStation>& stations() const { return stations_; }
   double clearance(std::size_t station, int roll) const;  // mm, of the best pose
 
   // The most room (mm) that any one roll leaves at the narrowest station of its way, and which.
@@ -66,7 +66,7 @@ private:
 
   Room room_;
   std::vector<Ball> needle_;
-  std::vector<Station> stations_;
+  std::vector<PassageStation> stations_;
   std::vector<Cell> cells_;  // (stations x rolls)
 };
 

@@ -85,7 +85,7 @@ std::vector<RoutePose> make_route(const Passage& passage) {
 
 std::string stops_yaml(const Passage& passage) {
   std::string text;
-  for (const Station& station : passage.stations()) {
+  for (const PassageStation& station : passage.stations()) {
     if (!station.stop.empty()) text += checkpoint_yaml(station.stop, mm * station.tip_W, sphere);
   }
   return text;

@@ -28,7 +28,7 @@ Peg peg(const std::string& name, const Vector3d& from, const Vector3d& to) {
   return {name, frame_along(from - foot * direction, direction), (to - from).norm() + foot};
 }
 
-std::vector<Peg> at_station(const Station& station) {
+std::vector<Peg> at_station(const PegStation& station) {
   const double off = station.room + peg_radius;
   const double z = station.z;
   const std::string name = std::string(station.material) + "/";

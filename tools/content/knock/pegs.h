@@ -12,14 +12,14 @@ namespace fulcrum::content {
 
 inline constexpr double peg_radius = 5.0 * mm;
 
-struct Station {
+struct PegStation {
   const char* material;  // of its pegs
   double z = 0.0;        // m
   double room = 0.0;     // m, from the bar's axis to each of its pegs' surfaces
 };
 
 // The middle one is the narrowest, so that a level bar meets it alone; the others are met by a tilted one.
-inline constexpr std::array<Station, 3> stations_of_bar{
+inline constexpr std::array<PegStation, 3> stations_of_bar{
     {{"rubber", -78.0 * mm, 34.0 * mm}, {"wood", -163.0 * mm, 30.0 * mm}, {"steel", -252.0 * mm, 40.0 * mm}}};
 
 inline constexpr double row_x = 76.0 * mm;

@@ -27,7 +27,7 @@ Eigen::Matrix3d turned(const Vector3d& motion_W, double rise) {
 }
 
 Knock at_station(std::size_t i, const std::string& from, const char* peg, const Vector3d& motion_W) {
-  const Station& station = stations_of_bar[i];
+  const PegStation& station = stations_of_bar[i];
   const double rise = (static_cast<double>(i) - 1.0) * slope;  // the near end, neither, the far end
   Knock knock{.name = std::string(station.material) + " from " + from,
               .pegs = std::string(station.material) + "/" + peg,

@@ -41,7 +41,7 @@ bool check_clearance(const Model& piping, const Model& spanner, Near near, const
   const auto nearest = std::min_element(
       all.begin(), all.end(), [](const Clearance& a, const Clearance& b) { return a.distance < b.distance; });
   const bool enough = nearest->distance >= least;
-  const std::vector<RoutePose> poses = route();
+  const std::vector<PlantPose> poses = route();
   std::string after = "start";
   for (std::size_t i = 0; i <= nearest->route_index; ++i) {
     if (!poses[i].name.empty()) after = poses[i].name;

@@ -52,11 +52,11 @@ Vector3d touch_point_T() {
   return Vector3d(SpannerDesign::half_length, 0.0, 0.0) - spanner_centre_of_mass();
 }
 
-std::vector<RoutePose> route() {
+std::vector<PlantPose> route() {
   const double y = Layout::slot_y;
   const double z = Layout::slot_z;
   const double reach = (Layout::slot_y - Layout::nut_y) / math::sin(Layout::dip);
-  std::vector<RoutePose> poses{
+  std::vector<PlantPose> poses{
       {"start",
        pose_of_ring({-30 * mm, y + 40 * mm, z + 160 * mm}, pointing(flat, 10 * degree, -20 * degree))},
       {"approach", pose_of_ring({0.0, y, z + 95 * mm}, pointing(flat, 0.0, 0.0))},
@@ -105,7 +105,7 @@ std::string route_yaml() {
       "be.\n";
   text += "touch_point_T: " + yaml_position(touch_point_T()) + "\n";
   text += "route:\n";
-  for (const RoutePose& pose : route()) {
+  for (const PlantPose& pose : route()) {
     text += "  - p_WT: " + yaml_position(pose.X_WT.translation()) + "\n";
     text += "    q_WT: " + yaml_orientation(pose.X_WT.linear()) + "\n";
     if (pose.name.empty()) continue;

@@ -34,7 +34,7 @@ struct Layout {
   static constexpr double nut_seat_x = bolt_end_x - stub(m12) - m12.nut_height;
 };
 
-struct RoutePose {
+struct PlantPose {
   std::string name;  // of a checkpoint; empty for a waypoint between two
   Eigen::Isometry3d X_WT;
 };
@@ -43,7 +43,7 @@ struct RoutePose {
 Eigen::Vector3d touch_point_T();
 
 // From the start in front of the plant to the nut, to be joined by straight lines and shortest turns.
-std::vector<RoutePose> route();
+std::vector<PlantPose> route();
 
 // The pose between two poses: straight line of T's origin, shortest turn at constant rate; u in 0..1.
 Eigen::Isometry3d between(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, double u);

@@ -75,7 +75,7 @@ std::vector<Clearance> clearances(const Model& piping, const Model& spanner, Nea
   }
   tree.build();
   const std::vector<Vector3d> points_T = edge_points(spanner.parts.front().solid, 1.0);
-  const std::vector<RoutePose> poses = route();
+  const std::vector<PlantPose> poses = route();
   std::vector<Clearance> result;
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     Clearance nearest{far, 0.0, i, Vector3d::Zero()};

@@ -36,7 +36,7 @@ Eigen::Isometry3d turned(const Eigen::Isometry3d& X_WT, double angle) {
 
 std::vector<Stay> way() {
   std::vector<Stay> stays;
-  for (const RoutePose& pose : route()) {
+  for (const PlantPose& pose : route()) {
     const double dwell = pose.name.empty() ? 0.0 : pose.name == "start" ? rest : at_checkpoint;
     stays.push_back({pose.name, pose.X_WT, dwell});
     if (pose.name != "between the pipes") continue;
