@@ -83,7 +83,8 @@ inline Verdict run_closed_loop(SceneDesc scene, HandTask task, double seconds,
   return verdict;
 }
 
-// What holds however a scene answers to touch.
+// What holds however a scene answers to touch. The responses themselves are named in every_response_test.cpp,
+// once for all files of tests: a second instantiation would run each of them again.
 class EveryResponse : public testing::TestWithParam<ContactResponse> {
 public:
   static std::string name(const testing::TestParamInfo<ContactResponse>& info) {
@@ -110,11 +111,6 @@ protected:
 };
 // All but the classic method: its depths come by the voxel, so it never quite rests.
 class EveryResponseThatRests : public EveryResponse {};
-inline const auto kResponsesThatRest =
-    testing::Values(ContactResponse::penalty, ContactResponse::quasi_static, ContactResponse::constraint);
-inline const auto kEveryResponse =
-    testing::Values(ContactResponse::penalty, ContactResponse::voxel, ContactResponse::quasi_static,
-                    ContactResponse::constraint);
 
 // The floor scene, pressed 5 mm deep by the hand.
 inline SceneDesc pressing_scene() {

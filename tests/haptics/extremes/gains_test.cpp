@@ -8,9 +8,6 @@
 namespace fulcrum::test {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponse, kEveryResponse, EveryResponse::name);
-INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponseThatRests, kResponsesThatRest, EveryResponse::name);
-
 constexpr std::uint32_t kSaysSo =  // one of these has to be there when a loop does not come to rest
     kStoppingFaults | kForceClamped | kMotorClamped | kEnergyBound | kPassivityControl;
 

@@ -10,9 +10,6 @@
 namespace fulcrum::test {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponse, kEveryResponse, EveryResponse::name);
-INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponseThatRests, kResponsesThatRest, EveryResponse::name);
-
 TEST_P(EveryResponseThatRests, TenMetresASecondStopAtTheFloor) {
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::implicit_euler}) {
     SceneDesc scene = answering(floor_scene(three_feet(), 1));

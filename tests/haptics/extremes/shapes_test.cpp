@@ -10,9 +10,6 @@
 namespace fulcrum::test {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponse, kEveryResponse, EveryResponse::name);
-INSTANTIATE_TEST_SUITE_P(Extremes, EveryResponseThatRests, kResponsesThatRest, EveryResponse::name);
-
 // A tool of 20 mm between two plates, 1 um of play: it touches one or the other, never both, and rests.
 TEST_P(EveryResponseThatRests, AGapOfAMicrometreComesToRest) {
   const double gap = 1e-6;
