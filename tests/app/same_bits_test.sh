@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# same_bits_test.sh runs|bakes|models native|nehalem SECONDS NAME...: the same bytes whatever the processor has. Each NAME
+# same_bits_test.sh runs|bakes|coarse_bakes|models native|nehalem SECONDS NAME...: the same bytes whatever the processor has. Each NAME
 # is done as this machine does it, and again
 #   native    with glibc told that the processor lacks FMA, and then AVX2 and all that came after it;
 #   nehalem   in qemu, as a processor of 2008: no AVX at all, which Highway's targets see as well.
-# runs: trace.csv of SECONDS of the scene in its expert's hand; bakes: every file that it leaves in the cache; models: what
-# make_NAME writes. Without qemu-x86_64 the second leaves with 77. $FULCRUM, $FULCRUM_CONTENT, $TOOLS (of make_NAME).
+# runs: trace.csv of SECONDS of the scene in its expert's hand; bakes: every file that it leaves in the cache; coarse_bakes:
+# the same with cells and spacings about as wide as its thinnest wall allows, in a tenth of the time; models: what make_NAME
+# writes. Without qemu-x86_64 the second leaves with 77. $FULCRUM, $FULCRUM_CONTENT, $TOOLS (of make_NAME).
 set -euo pipefail
 what=$1 where=$2 seconds=$3
 shift 3
@@ -19,6 +20,23 @@ case $where in
     command -v qemu-x86_64 >/dev/null || { echo "SKIPPED: no qemu-x86_64 (Debian's package qemu-user)"; exit 77; }
     machines=(native nehalem) ;;
 esac
+
+declare -A coarse=(
+  [teeth]='field.voxel=0.0005 shell.spacing=0.001'
+  [ear]='field.voxel=0.0004 shell.spacing=0.001'
+  [plate]='field.voxel=0.0016 shell.spacing=0.003'
+  [knock]='field.voxel=0.002 shell.spacing=0.003'
+  [stick]='field.voxel=0.002 shell.spacing=0.002'
+  [sweep]='field.voxel=0.002 shell.spacing=0.003')
+
+# bake MACHINE NAME FOLDER [KEY=VALUE...]: with the cache in the folder.
+bake() {
+  local machine=$1 name=$2 folder=$3 code=0 set=()
+  for value in "${@:4}"; do set+=(--set "$value"); done
+  XDG_CACHE_HOME=$folder on "$machine" "$FULCRUM" run "$name" --headless --seconds 0.01 --out "$folder.run" "${set[@]}" \
+    >"$box/log" 2>&1 || code=$?
+  [ "$code" = 0 ] || [ "$code" = 3 ] || { cat "$box/log"; return 1; }
+}
 
 # on MACHINE COMMAND...
 on() {
@@ -39,8 +57,10 @@ did() {
       on "$2" "$FULCRUM" run "$3" --headless --seconds "$seconds" --out "$4.run" >"$box/log" 2>&1 || code=$?
       [ "$code" = 0 ] || [ "$code" = 3 ] || { cat "$box/log"; return 1; }
       mv "$4.run/trace.csv" "$4" ;;
-    bakes)
-      XDG_CACHE_HOME=$4 on "$2" "$FULCRUM" explain "$3" >"$box/log" 2>&1 || { cat "$box/log"; return 1; } ;;
+    bakes) bake "$2" "$3" "$4" ;;
+    coarse_bakes)
+      # shellcheck disable=SC2086  # words apart
+      bake "$2" "$3" "$4" ${coarse[$3]} ;;
     models)
       on "$2" "$TOOLS/make_$3" "$4" >"$box/log" 2>&1 || { cat "$box/log"; return 1; } ;;
   esac
