@@ -10,10 +10,15 @@
 namespace fulcrum::analysis {
 namespace {
 
-class Orders : public testing::TestWithParam<WorkStudy (*)(bool)> {};
+struct Convergent {
+  const char* name;
+  WorkStudy (*study)(bool quick);
+};
+
+class Orders : public testing::TestWithParam<Convergent> {};
 
 TEST_P(Orders, AreWithinATenthOfTheory) {
-  const WorkStudy study = GetParam()(true);
+  const WorkStudy study = GetParam().study(true);
   int checked = 0;
   for (const auto& [method, expected] : study.expected_order) {
     for (const WorkPoint& point : study.points) {
@@ -26,8 +31,11 @@ TEST_P(Orders, AreWithinATenthOfTheory) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Orders,
-                         testing::Values(study_field, study_tick, study_oscillator, study_tumbling,
-                                         study_tone));
+                         testing::Values(Convergent{"Field", study_field}, Convergent{"Tick", study_tick},
+                                         Convergent{"Oscillator", study_oscillator},
+                                         Convergent{"Tumbling", study_tumbling},
+                                         Convergent{"Tone", study_tone}),
+                         [](const auto& convergent) -> std::string { return convergent.param.name; });
 
 TEST(WorkPrecision, AHeldToneKeepsItsAmplitude) {
   for (const WorkPoint& point : study_tone(true).points) {
