@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
-# same_bits_test.sh runs|bakes|coarse_bakes|models native|nehalem SECONDS NAME...: the same bytes whatever the processor has. Each NAME
-# is done as this machine does it, and again
+# same_bits_test.sh runs|bakes|coarse_bakes|models native|nehalem SECONDS NAME...: the same bytes whatever the processor
+# has. Each NAME is done as this machine does it, and again
 #   native    with glibc told that the processor lacks FMA, and then AVX2 and all that came after it;
 #   nehalem   in qemu, as a processor of 2008: no AVX at all, which Highway's targets see as well.
 # runs: trace.csv of SECONDS of the scene in its expert's hand; bakes: every file that it leaves in the cache; coarse_bakes:
-# the same with cells and spacings about as wide as its thinnest wall allows, in a tenth of the time; models: what make_NAME
-# writes. Without qemu-x86_64 the second leaves with 77. $FULCRUM, $FULCRUM_CONTENT, $TOOLS (of make_NAME).
+# the same with wider cells and spacings, in about a quarter of the time; models: what make_NAME writes. Without qemu-x86_64 the second leaves with 77. $FULCRUM, $FULCRUM_CONTENT, $TOOLS (of make_NAME).
 set -euo pipefail
 what=$1 where=$2 seconds=$3
 shift 3
