@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "haptics/effects/distance_model.h"
+#include "haptics/effects/impact_vibration/distance_model.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum::analysis {

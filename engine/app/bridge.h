@@ -14,7 +14,7 @@
 #include "engine/scenario/guide.h"
 #include "engine/scenario/task_judge.h"
 #include "engine/ui/overlay_state.h"
-#include "haptics/world/command.h"
+#include "haptics/tick/command.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::app {

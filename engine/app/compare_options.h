@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/app/run_options.h"
-#include "haptics/effects/torque_substitution.h"
+#include "haptics/effects/torque_substitution/torque_substitution.h"
 
 namespace fulcrum::app {
 

@@ -95,7 +95,7 @@ analysis::Comparison described(const Prepared& prepared, const CompareOptions& o
   comparison.title = prepared.scenario.title;
   comparison.device = device_on_screen(prepared, prepared.haptic.scene);
   comparison.time_limit_s = prepared.scenario.time_limit;
-  comparison.bad_above_Nm = world.substitution()->bounds().torque;
+  comparison.bad_above_Nm = torque_thresholds(*prepared.haptic.scene.torque_substitution, prepared.haptic.scene.coupling.max_torque).bad;
   comparison.tape = options.tape;
   if (options.tape.empty()) comparison.hand = options.hand;
   for (const scenario::HandScript& hand : prepared.haptic.hands) {

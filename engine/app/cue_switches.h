@@ -6,7 +6,7 @@
 
 #include "engine/render/plan.h"
 #include "engine/ui/overlay_state.h"
-#include "haptics/world/command.h"
+#include "haptics/tick/command.h"
 #include "haptics/world/scene_desc.h"
 
 namespace fulcrum::app {

@@ -1,81 +1,11 @@
 #include "engine/app/inventory.h"
 
-#include "haptics/math/number_text.h"
 
 namespace fulcrum::app {
 namespace {
 
 template <class Add>  // (name, why)
-void leave_out_of_torque_substitution(const SceneDesc& scene, const Add& add) {
-  const std::string device = "the device '" + scene.device.name + "' ";
-  if (!scene.torque_substitution) return add("torque substitution", "the scenario does not name it");
-  if (scene.device.renders_torque) return add("torque substitution", device + "renders torque");
-  if (!scene.device.renders_force) add("vibration", device + "has no motors");
-  if (!scene.device.senses_rotation) add("ghost", device + "senses no rotation");
-  if (!scene.torque_substitution->limit_stiffness)
-    add("stiffness limit", "torque_substitution.limit_stiffness is off");
-  else if (!coupled(scene.contact.response))
-    add("stiffness limit", "the response direct has no coupling");
-  else if (scene.contact.response == ContactResponse::constraint)
-    add("stiffness limit", "under the response constraint the tool stays out whatever the torque");
-}
-
-template <class Add>
-void leave_out_of_impact_vibration(const SceneDesc& scene, const Add& add) {
-  const DeviceDesc& device = scene.device;
-  if (!scene.impact_vibration) return add("impact vibration", "the scenario does not name it");
-  if (!vibrates_at_impacts(scene))
-    return add("impact vibration", "the device '" + device.name + "' has no motors");
-  if (!device.renders_torque)
-    add("vibration about an axis", "the device '" + device.name + "' renders no torque: " +
-                                       (scene.impact_vibration->render == ImpactRender::torque
-                                            ? "only impacts along the lever are felt, as a force"
-                                            : "impacts are felt as a force"));
-  if (!device.renders_force)
-    add("vibration along a normal", "the device '" + device.name + "' renders no force");
-  // Beside the hand a sinusoid is highest, and a beam's modes are the same everywhere.
-  const double highest = highest_vibration(device.bandwidth_Hz, scene.tick_s);
-  for (const ImpactMaterial& material : scene.impact_vibration->materials) {
-    const VibrationModes modes =
-        vibration_modes(scene.impact_vibration->distance, material.frequency_Hz, 0, 1);
-    for (std::size_t n = 0; n < modes.count; ++n) {
-      if (modes.modes[n].frequency_Hz <= highest) continue;
-      add("a mode of " + material.name, number_text(modes.modes[n].frequency_Hz) +
-                                            " Hz, and device and tick rate render up to " +
-                                            number_text(highest) + " Hz");
-    }
-  }
-}
-
-template <class Add>
-void leave_out_of_braking_pulse(const SceneDesc& scene, const Add& add) {
-  if (!scene.braking_pulse) return add("braking pulse", "the scenario does not name it");
-  if (!brakes_at_impacts(scene))
-    return add("braking pulse", "the device '" + scene.device.name + "' has no motors");
-  if (!scene.device.renders_torque)
-    add("moment of the pulse", "the device '" + scene.device.name + "' renders no torque");
-}
-
-template <class Add>
-void leave_out_of_vibrotactile_motion(const SceneDesc& scene, const Add& add) {
-  if (!scene.vibrotactile_motion) return add("vibrotactile motion", "the scenario does not name it");
-  const std::string device = "the device '" + scene.device.name + "' ";
-  const DeviceDesc& d = scene.device;
-  if (!moves_vibration(scene)) {
-    if (!d.vibrotactile) return add("vibrotactile motion", device + "has no channels");
-    return add("vibrotactile motion", "it is a fallback, and " + device + "has motors");
-  }
-  if (scene.vibrotactile_motion->use == VibrotactileUse::fallback) return;
-  if (!d.vibrotactile) add("vibration of the sweep", device + "has no channels");
-  if (scene.vibrotactile_motion->lateral_force == 0)
-    add("lateral force", "vibrotactile_motion.lateral_force is 0");
-  else if (!d.renders_force)
-    add("lateral force", device + "has no motors");
-}
-
-template <class Add>
-void leave_out_of_holding(const World& world, const Add& add) {
-  const SceneDesc& scene = world.desc();
+void leave_out_of_holding(const SceneDesc& scene, const Add& add) {
   const std::string device = "the device '" + scene.device.name + "' ";
   if (!scene.holding_point) {
     add("holding point", "the scenario does not name it");
@@ -87,11 +17,6 @@ void leave_out_of_holding(const World& world, const Add& add) {
           "under the scenario's response the coupling holds the tool at its "
           "centre of mass");
   }
-  if (!scene.inertia_compensation) return add("inertia compensation", "the scenario does not name it");
-  if (!compensates_inertia(scene)) return add("inertia compensation", device + "does not push");
-  if (!scene.device.renders_torque) add("inertia compensation by arm", device + "renders no torque");
-  if (!world.compensation()->filter())
-    add("acceleration filter", "the scenario's method needs none and is not switchable");
 }
 
 void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vector<InventoryItem>& out) {
@@ -124,12 +49,9 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (massless(response)) add("integrator", "the tool has no mass under the scenario's response");
   if (!scene.device.renders_torque) add("torque motors", "the device '" + scene.device.name + "' has none");
   if (!scene.device.renders_force) add("force motors", "the device '" + scene.device.name + "' has none");
-  leave_out_of_torque_substitution(scene, add);
   if (!detects_impacts(scene)) add("impacts", "nothing in the scene asks for them");
-  leave_out_of_impact_vibration(scene, add);
-  leave_out_of_braking_pulse(scene, add);
-  leave_out_of_vibrotactile_motion(scene, add);
-  leave_out_of_holding(world, add);
+  for (const LeftOut& part : left_out_effects(scene, scene)) add(part.name, part.why);
+  leave_out_of_holding(scene, add);
   if (in_place_of_direct && !prepared.scenario.contact.levels.empty())
     add("stiffness levels", "a constraint has no stiffness to choose");
   else if (scene.contact.levels.empty())

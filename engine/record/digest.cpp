@@ -51,9 +51,10 @@ private:
 std::uint64_t digest(const TickRecord& record) {
   // A field that is added to TickRecord does not compile here until it is added to this list.
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load, missing,
-               energy_port, energy_unrendered, force_gain, faults, stopped, clutched, torque, impact,
-               impact_vibration, pulse, vibrotactile, holding, inertia, contact_stiffness,
-               contact_stiffness_wanted] = record;
+               energy_port, energy_unrendered, force_gain, faults, stopped, clutched, impact, holding,
+               contact_stiffness, contact_stiffness_wanted] = static_cast<const PlainRecord&>(record);
+  const auto& [torque, impact_vibration, pulse, vibrotactile, inertia] =
+      static_cast<const EffectRecords&>(record);
   Fnv fnv;
   fnv.add(tick);
   fnv.add(X_WH);

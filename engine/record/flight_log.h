@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "haptics/safety/flight_recorder.h"
+#include "haptics/loop/flight_recorder.h"
 
 namespace fulcrum::record {
 

@@ -21,7 +21,7 @@
 #include "engine/record/trace_columns.h"
 #include "haptics/device/device.h"
 #include "haptics/math/result.h"
-#include "haptics/world/command.h"
+#include "haptics/tick/command.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::record {

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "haptics/device/device.h"
-#include "haptics/world/command.h"
+#include "haptics/tick/command.h"
 
 namespace fulcrum::record {
 

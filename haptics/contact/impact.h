@@ -14,4 +14,10 @@ struct Impact {
   std::int32_t object = 0;     // what was met, see geometry/object_map.h; 0 in a scene of one object
 };
 
+// The impacts of one tick.
+struct ImpactTick {
+  std::int32_t count = 0;
+  Impact hardest;  // speed 0: there was none
+};
+
 }  // namespace fulcrum

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "haptics/device/device.h"
-#include "haptics/world/command.h"
+#include "haptics/tick/command.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum {

@@ -7,7 +7,7 @@
 
 namespace fulcrum {
 
-std::unique_ptr<ToolMotion> build_motion(const SceneDesc& desc) {
+std::unique_ptr<ToolMotion> build_motion(const PlainScene& desc) {
   switch (desc.contact.response) {
     case ContactResponse::penalty:
     case ContactResponse::voxel:

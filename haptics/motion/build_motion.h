@@ -3,11 +3,11 @@
 #include <memory>
 
 #include "haptics/motion/tool_motion.h"
-#include "haptics/world/scene_desc.h"
+#include "haptics/scene/plain_scene.h"
 
 namespace fulcrum {
 
 // The one that desc.contact.response names; desc is one that World::build() takes.
-std::unique_ptr<ToolMotion> build_motion(const SceneDesc& desc);
+std::unique_ptr<ToolMotion> build_motion(const PlainScene& desc);
 
 }  // namespace fulcrum

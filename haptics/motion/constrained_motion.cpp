@@ -33,7 +33,7 @@ std::uint32_t first_edge(const Pointshell& shell) {
   return static_cast<std::uint32_t>(std::bit_ceil(shell.size()));
 }
 
-std::optional<ContactQuery> edge_query(const SceneDesc& desc) {
+std::optional<ContactQuery> edge_query(const PlainScene& desc) {
   if (!desc.scene_edges) return std::nullopt;
   const Pointshell& shell = *desc.tool_shell;
   return ContactQuery::of_scene(desc.scene_edges, desc.tool_field, Normals::of_cell, first_edge(shell),
@@ -42,14 +42,14 @@ std::optional<ContactQuery> edge_query(const SceneDesc& desc) {
 
 // Of both fields.
 template <class Figure>
-double least(const SceneDesc& desc, const Figure& figure) {
+double least(const PlainScene& desc, const Figure& figure) {
   const double of_scene = figure(*desc.scene_field);
   return desc.tool_field ? std::min(of_scene, figure(*desc.tool_field)) : of_scene;
 }
 
 }  // namespace
 
-ConstrainedMotion::ConstrainedMotion(const SceneDesc& desc)
+ConstrainedMotion::ConstrainedMotion(const PlainScene& desc)
     : tool_(desc),
       coupling_(desc.coupling),
       // Rows with other normals than the depths' own make the rounds go in circles.

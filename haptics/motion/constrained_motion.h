@@ -24,7 +24,7 @@ namespace fulcrum {
 
 class ConstrainedMotion final : public ToolMotion {
 public:
-  explicit ConstrainedMotion(const SceneDesc& desc);
+  explicit ConstrainedMotion(const PlainScene& desc);
 
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   const BodyState& tool() const override { return tool_.state(); }

@@ -6,7 +6,7 @@
 
 namespace fulcrum {
 
-DirectMotion::DirectMotion(const SceneDesc& desc)
+DirectMotion::DirectMotion(const PlainScene& desc)
     : stiffness_(desc.contact.stiffness),
       scale_(desc.mapping.position_scale * desc.mapping.force_scale),
       weight_(tool_weight(desc.tool)),

@@ -11,13 +11,13 @@
 #include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
 #include "haptics/motion/tool_motion.h"
-#include "haptics/world/scene_desc.h"
+#include "haptics/scene/plain_scene.h"
 
 namespace fulcrum {
 
 class DirectMotion final : public ToolMotion {
 public:
-  explicit DirectMotion(const SceneDesc& desc);
+  explicit DirectMotion(const PlainScene& desc);
 
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   bool stiffen(double stiffness) noexcept override;

@@ -20,14 +20,14 @@ const char* integrator_text(Integrator integrator) {
   return "semi-implicit Euler, order 1, rotation of order 2 that keeps momentum";
 }
 
-VirtualCoupling coupling_of(const SceneDesc& desc, const RigidBody& tool) {
+VirtualCoupling coupling_of(const PlainScene& desc, const RigidBody& tool) {
   return desc.holding_point ? VirtualCoupling(desc.coupling, tool, longest_grip(desc))
                             : VirtualCoupling(desc.coupling, tool);
 }
 
 }  // namespace
 
-DynamicMotion::DynamicMotion(const SceneDesc& desc)
+DynamicMotion::DynamicMotion(const PlainScene& desc)
     : tick_s_(desc.tick_s),
       integrator_(desc.integrator),
       body_(desc.tool.mass, desc.tool.inertia_T),

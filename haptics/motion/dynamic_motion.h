@@ -10,13 +10,13 @@
 #include "haptics/contact/voxel_query.h"
 #include "haptics/motion/tool_motion.h"
 #include "haptics/tool/virtual_coupling.h"
-#include "haptics/world/scene_desc.h"
+#include "haptics/scene/plain_scene.h"
 
 namespace fulcrum {
 
 class DynamicMotion final : public ToolMotion {
 public:
-  explicit DynamicMotion(const SceneDesc& desc);
+  explicit DynamicMotion(const PlainScene& desc);
 
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   void limit_torque(double limit) noexcept override { coupling_.limit_torque(limit); }

@@ -7,7 +7,7 @@ namespace fulcrum {
 namespace {
 
 // What the coupling's damper has to brake where the tool has no mass: the handle, as the scene feels it.
-RigidBody handle_in_scene(const SceneDesc& desc) {
+RigidBody handle_in_scene(const PlainScene& desc) {
   const double mass = desc.mapping.mass_in_world(desc.device.handle_mass);
   const Vec3 inertia = desc.device.handle_inertia.unaryExpr(
       [&desc](double about) { return desc.mapping.inertia_in_world(about); });
@@ -18,7 +18,7 @@ RigidBody handle_in_scene(const SceneDesc& desc) {
 
 }  // namespace
 
-QuasiStaticTool::QuasiStaticTool(const SceneDesc& desc)
+QuasiStaticTool::QuasiStaticTool(const PlainScene& desc)
     : coupling_(desc.coupling, handle_in_scene(desc)),
       velocity_(desc.velocity, desc.tick_s),
       weight_(tool_weight(desc.tool)),

@@ -5,13 +5,13 @@
 #include "haptics/estimate/velocity.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/virtual_coupling.h"
-#include "haptics/world/scene_desc.h"
+#include "haptics/scene/plain_scene.h"
 
 namespace fulcrum {
 
 class QuasiStaticTool {
 public:
-  explicit QuasiStaticTool(const SceneDesc& desc);
+  explicit QuasiStaticTool(const PlainScene& desc);
 
   const BodyState& state() const { return state_; }
   const VirtualCoupling& coupling() const { return coupling_; }

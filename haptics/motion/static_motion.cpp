@@ -33,7 +33,7 @@ BodyState at_rest(const Pose& X_WT) {
 
 }  // namespace
 
-StaticMotion::StaticMotion(const SceneDesc& desc)
+StaticMotion::StaticMotion(const PlainScene& desc)
     : coupling_(desc.coupling),
       tool_(desc),
       query_(desc.tool_shell, desc.scene_field),

@@ -15,7 +15,7 @@ namespace fulcrum {
 
 class StaticMotion final : public ToolMotion {
 public:
-  explicit StaticMotion(const SceneDesc& desc);
+  explicit StaticMotion(const PlainScene& desc);
 
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   void limit_torque(double limit) noexcept override { tool_.limit_torque(limit); }

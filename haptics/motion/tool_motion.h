@@ -4,30 +4,15 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "haptics/contact/regions.h"
 #include "haptics/math/wrench.h"
+#include "haptics/scene/built_part.h"
+#include "haptics/tick/tool_answer.h"
 #include "haptics/tool/rigid_body.h"
 
 namespace fulcrum {
-
-// A part of a World, for `fulcrum explain`.
-struct BuiltPart {
-  std::string name;
-  std::string what;
-  std::size_t bytes = 0;
-};
-
-// Both wrenches are on the tool, about T where it was when they acted.
-struct ToolAnswer {
-  Pose X_WT;
-  Wrench coupling_F_T_W;
-  Wrench contact_F_T_W;
-  Vec3 full_torque_T_W = Vec3::Zero();  // (3) N m, the coupling's if nothing limited it
-  Vec3 turn_W = Vec3::Zero();           // (3) rad, by which its spring is wound: from the tool to the hand
-};
 
 class ToolMotion {
 public:

@@ -13,7 +13,7 @@
 #include "haptics/safety/faults.h"
 #include "haptics/safety/output_limit.h"
 #include "haptics/safety/transient_budget.h"
-#include "haptics/world/command.h"
+#include "haptics/tick/command.h"
 
 namespace fulcrum {
 

@@ -15,12 +15,9 @@
 
 #include "haptics/device/device.h"
 #include "haptics/math/wrench.h"
+#include "haptics/tick/transient.h"
 
 namespace fulcrum {
-
-// In the order in which they are let through, the first one first.
-enum class TransientSource : std::size_t { braking_pulse, torque_substitution, impact_vibration };
-inline constexpr std::size_t kTransientSources = 3;
 
 struct TransientFigures {
   double peak;    // of the device's largest force and torque
@@ -48,6 +45,13 @@ inline constexpr std::array<TransientFigures, kTransientSources> kTransientFigur
 
 constexpr const TransientFigures& figures_of(TransientSource source) {
   return kTransientFigures[static_cast<std::size_t>(source)];
+}
+
+// As `fulcrum explain` calls it.
+constexpr const char* budget_name(TransientSource source) {
+  constexpr std::array<const char*, kTransientSources> names{"pulse budget", "transient budget",
+                                                             "impact budget"};
+  return names[static_cast<std::size_t>(source)];
 }
 
 class TransientBudget {

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "haptics/world/figure_check.h"
+#include "haptics/scene/figure_check.h"
 
 namespace fulcrum {
 namespace {
@@ -10,8 +10,6 @@ namespace {
 constexpr double kShortestTick = 1e-6, kLongestTick = 0.05;  // s
 constexpr double kWholeTurn = 2 * std::numbers::pi;          // rad
 constexpr double kLargestScale = 1e4;                        // of the scene to the device, either way
-constexpr double kLongestTime = 1e3;                         // s, of what happens within a tick or a touch
-constexpr double kFastest_Hz = 1e6;
 
 // Each of these takes its Desc apart into all of its members.
 
@@ -52,12 +50,12 @@ void check(FigureCheck& figures, const VibrotactileDesc& vibrotactile) {
     const std::string name = "device.vibrotactile." + title;
     const bool pcm = kind == ChannelKind::pcm;
     figures.above(name + ".largest", largest);
-    figures.above_to(name + ".rate_Hz", rate_Hz, 0, kFastest_Hz);
+    figures.above_to(name + ".rate_Hz", rate_Hz, 0, FigureCheck::kFastest_Hz);
     figures.at_least(name + ".resonance_Hz", resonance_Hz);
     figures.at_least(name + ".quality", quality);
     if (pcm) figures.above(name + ".resonance_Hz", resonance_Hz);
     if (pcm) figures.above(name + ".quality", quality, 0.5);
-    figures.from_to(name + ".lag", lag, 0, kLongestTime);
+    figures.from_to(name + ".lag", lag, 0, FigureCheck::kLongestTime);
   }
 }
 
@@ -73,7 +71,7 @@ void check(FigureCheck& figures, const HoldingStripDesc& strip) {
   figures.at_least(name + ".opening_force", opening_force);
   figures.at_least(name + ".noise_ohm", noise_ohm);
   figures.at_least(name + ".dropout_rate", dropout_rate);
-  figures.from_to(name + ".dropout_length", dropout_length, 0, kLongestTime);
+  figures.from_to(name + ".dropout_length", dropout_length, 0, FigureCheck::kLongestTime);
   figures.from_to(name + ".tolerance", tolerance, 0, 1);
 }
 
@@ -143,63 +141,6 @@ void check(FigureCheck& figures, const VelocityEstimatorDesc& velocity) {
   figures.at_least("velocity.noise_rad", noise_rad);
 }
 
-void check(FigureCheck& figures, const TorqueSubstitutionDesc& torque) {
-  const auto& [variant, bad_above, tool_radius, limit_stiffness, vibration_gain, amplitude, frequency_Hz,
-               reference, ghost_gain, ghost_above, ghost_below, ghost_fade] = torque;
-  const std::string name = "torque_substitution";
-  if (bad_above) figures.above(name + ".bad_above", *bad_above);
-  if (tool_radius) figures.above(name + ".tool_radius", *tool_radius);
-  figures.from_to(name + ".vibration.gain", vibration_gain, 0, 1);
-  figures.at_least(name + ".vibration.amplitude", amplitude);
-  figures.above(name + ".vibration.frequency_Hz", frequency_Hz);
-  if (reference) figures.above(name + ".vibration.reference", *reference);
-  figures.from_to(name + ".ghost.gain", ghost_gain, 0, 1);
-  if (ghost_above) figures.above(name + ".ghost.above", *ghost_above);
-  if (ghost_below) figures.above(name + ".ghost.below", *ghost_below);
-  figures.above_to(name + ".ghost.fade", ghost_fade, 0, kLongestTime);
-}
-
-void check(FigureCheck& figures, const ImpactVibrationDesc& vibration) {
-  const auto& [render, distance, gain, voices, hand_stiffness, materials] = vibration;
-  figures.from_to("impact_vibration.gain", gain, 0, 1);
-  figures.from_to("impact_vibration.voices", static_cast<double>(voices), 1,
-                  static_cast<double>(ImpactVoices::kMost));
-  figures.above("impact_vibration.hand_stiffness", hand_stiffness);
-  for (const ImpactMaterial& material : materials) {
-    const auto& [title, attack, decay, frequency_Hz] = material;
-    const std::string name = "of the material '" + title + "' ";
-    figures.at_least(name + "attack", attack);
-    figures.above(name + "decay", decay);
-    figures.above(name + "frequency_Hz", frequency_Hz);
-  }
-}
-
-void check(FigureCheck& figures, const BrakingPulseDesc& pulse) {
-  const auto& [hand_mass, ticks, p_HG, moment, gain] = pulse;
-  figures.above("braking_pulse.hand_mass", hand_mass);
-  figures.from_to("braking_pulse.ticks", ticks, 1, BrakingPulse::kMostTicks);
-  figures.finite("braking_pulse.grasp", p_HG);
-  figures.from_to("braking_pulse.gain", gain, 0, 1);
-}
-
-void check(FigureCheck& figures, const VibrotactileMotionDesc& motion) {
-  const auto& [use, law, strength, update_Hz, carrier_Hz, gain, centre_W, axis_W, lateral_force, full_speed,
-               full_force] = motion;
-  const auto& [envelope, onset, window, reference] = law;
-  const std::string name = "vibrotactile_motion";
-  figures.above(name + ".window", window);
-  figures.above(name + ".reference", reference);
-  figures.above(name + ".strength", strength);
-  figures.above_to(name + ".update_Hz", update_Hz, 0, kFastest_Hz);
-  figures.above_to(name + ".carrier_Hz", carrier_Hz, 0, kFastest_Hz);
-  figures.from_to(name + ".gain", gain, 0, 1);
-  figures.finite(name + ".centre", centre_W);
-  figures.direction(name + ".axis", axis_W);
-  figures.at_least(name + ".lateral_force", lateral_force);
-  figures.above(name + ".full_speed", full_speed);
-  figures.above(name + ".full_force", full_force);
-}
-
 void check(FigureCheck& figures, const HoldingPointDesc& holding) {
   const auto& [axis_H, place, low, high, measured, speed, settle, stillness, margin, smoothing, keep, fade] =
       holding;
@@ -209,35 +150,20 @@ void check(FigureCheck& figures, const HoldingPointDesc& holding) {
   figures.finite(name + ".high", high);
   figures.finite(name + ".place", place);
   figures.above(name + ".speed", speed);
-  figures.from_to(name + ".settle", settle, 0, kLongestTime);
+  figures.from_to(name + ".settle", settle, 0, FigureCheck::kLongestTime);
   figures.at_least(name + ".stillness", stillness);
   figures.at_least(name + ".margin", margin);
-  figures.from_to(name + ".smoothing", smoothing, 0, kLongestTime);
-  figures.from_to(name + ".keep", keep, 0, kLongestTime);
-  figures.above_to(name + ".fade", fade, 0, kLongestTime);
-}
-
-void check(FigureCheck& figures, const InertiaCompensationDesc& inertia) {
-  const auto& [method, switchable, gain, budget, filter, encoder_noise] = inertia;
-  const auto& [kind, jerk, noise, jerk_time, adapt_time, range] = filter;
-  const std::string name = "inertia_compensation";
-  figures.from_to(name + ".gain", gain, 0, 1);
-  figures.above(name + ".budget", budget);
-  figures.above(name + ".filter.jerk", jerk);
-  figures.above(name + ".filter.noise", noise);
-  figures.above_to(name + ".filter.jerk_time", jerk_time, 0, kLongestTime);
-  figures.above_to(name + ".filter.adapt_time", adapt_time, 0, kLongestTime);
-  figures.at_least(name + ".filter.range", range, 1);
-  if (encoder_noise) figures.above(name + ".encoder_noise", *encoder_noise);
+  figures.from_to(name + ".smoothing", smoothing, 0, FigureCheck::kLongestTime);
+  figures.from_to(name + ".keep", keep, 0, FigureCheck::kLongestTime);
+  figures.above_to(name + ".fade", fade, 0, FigureCheck::kLongestTime);
 }
 
 }  // namespace
 
 std::optional<Error> refuse_figures(const SceneDesc& desc) {
   const auto& [tick_s, tool, tool_shell, scene_field, scene_edges, tool_field, contact, integrator, coupling,
-               velocity, mapping, device, allocation, impact, scene_objects, torque_substitution,
-               impact_vibration, braking_pulse, vibrotactile_motion, holding_point, inertia_compensation] =
-      desc;
+               velocity, mapping, device, allocation, impact, scene_objects, holding_point] =
+      static_cast<const PlainScene&>(desc);
   FigureCheck figures;
   figures.from_to("The tick", tick_s, kShortestTick, kLongestTick);
   check(figures, tool);
@@ -251,12 +177,8 @@ std::optional<Error> refuse_figures(const SceneDesc& desc) {
   const auto& [retreat, least_speed] = impact;
   figures.above("impact.retreat", retreat);
   figures.at_least("impact.least_speed", least_speed);
-  if (torque_substitution) check(figures, *torque_substitution);
-  if (impact_vibration) check(figures, *impact_vibration);
-  if (braking_pulse) check(figures, *braking_pulse);
-  if (vibrotactile_motion) check(figures, *vibrotactile_motion);
   if (holding_point) check(figures, *holding_point);
-  if (inertia_compensation) check(figures, *inertia_compensation);
+  check_effects(figures, desc);
   return figures.error();
 }
 

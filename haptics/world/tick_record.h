@@ -5,19 +5,17 @@
 #include <cstdint>
 #include <optional>
 
+#include "haptics/contact/impact.h"
 #include "haptics/device/device.h"
-#include "haptics/effects/holding_cues.h"
-#include "haptics/effects/impact_cues.h"
-#include "haptics/effects/inertia_cues.h"
-#include "haptics/effects/pulse_cues.h"
-#include "haptics/effects/torque_cues.h"
-#include "haptics/effects/vibrotactile_cues.h"
+#include "haptics/effects/effect_records.h"
+#include "haptics/estimate/holding_cues.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 
 namespace fulcrum {
 
-struct TickRecord {
+// Of any scene.
+struct PlainRecord {
   std::int64_t tick = 0;                           // 0, 1, 2, ...; simulated time is tick * tick_s
   Pose X_WH;                                       // where the hand wants the handle, in the scene
   Pose X_WT;                                       // the tool after this tick
@@ -35,16 +33,13 @@ struct TickRecord {
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
-  TorqueCues torque;                               // of torque substitution; zero where it is not built
-  std::optional<ImpactTick> impact{};              // where impacts are detected
-  std::optional<ImpactCues> impact_vibration{};    // where it is built
-  std::optional<PulseCues> pulse{};                // likewise
-  std::optional<VibrotactileCues> vibrotactile{};  // likewise
-  std::optional<HoldingCues> holding{};            // where the scene names a holding point
-  std::optional<InertiaCues> inertia{};            // where it is built
-  std::optional<double> contact_stiffness{};       // N/m, of a region, where the scene has levels of it
+  std::optional<ImpactTick> impact{};         // where impacts are detected
+  std::optional<HoldingCues> holding{};       // where the scene names a holding point
+  std::optional<double> contact_stiffness{};  // N/m, of a region, where the scene has levels of it
   std::optional<double>
       contact_stiffness_wanted{};  // N/m, likewise: asked for, in force once nothing touches
 };
+
+struct TickRecord : PlainRecord, EffectRecords {};
 
 }  // namespace fulcrum

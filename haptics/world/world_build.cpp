@@ -40,23 +40,6 @@ std::optional<Error> refuse_mechanism(const DeviceDesc& device) {
   return std::nullopt;
 }
 
-std::optional<Error> refuse_torque_substitution(const TorqueSubstitutionDesc& desc, double tick_s,
-                                                double coupling_torque) {
-  const TorqueThresholds thresholds = torque_thresholds(desc, coupling_torque);
-  if (!(thresholds.ghost_below < thresholds.ghost_above))
-    return Error{"In torque_substitution the ghost leaves below " + number_text(thresholds.ghost_below) +
-                 " N m and appears above " + number_text(thresholds.ghost_above) +
-                 " N m: lower ghost.below, or raise ghost.above (without it twice bad_above)."};
-  // Slower, and its half waves would push the hand to and fro (safety/transient_budget.h).
-  constexpr double slowest_Hz = 80;
-  constexpr double samples = 2.5;  // a period; with fewer the held samples are mostly mirror tones
-  if (!within(desc.frequency_Hz, slowest_Hz, 1 / (samples * tick_s)))
-    return Error{"torque_substitution.vibration.frequency_Hz is " + number_text(desc.frequency_Hz) +
-                 "; at this tick rate it must be from " + number_text(slowest_Hz) + " to " +
-                 number_text(1 / (samples * tick_s)) + ": change it, or raise tick_rate_Hz."};
-  return std::nullopt;
-}
-
 std::optional<Error> refuse_channels(const DeviceDesc& device) {
   if (!device.vibrotactile) return std::nullopt;
   const std::vector<ChannelDesc>& channels = device.vibrotactile->channels;
@@ -65,19 +48,6 @@ std::optional<Error> refuse_channels(const DeviceDesc& device) {
     return Error{"The device '" + device.name + "' has " + std::to_string(channels.size()) +
                  " vibrotactile channels: it needs 'left' and 'right', and may have " +
                  std::to_string(kMaxChannels) + " in all."};
-  return std::nullopt;
-}
-
-std::optional<Error> refuse_vibrotactile_motion(const VibrotactileMotionDesc& desc,
-                                                const DeviceDesc& device) {
-  if (!device.vibrotactile) return std::nullopt;
-  constexpr double samples = 2.5;  // a period; with fewer the held samples are mostly mirror tones
-  for (const ChannelDesc& channel : device.vibrotactile->channels) {
-    if (channel.kind == ChannelKind::pcm && desc.carrier_Hz * samples > channel.rate_Hz)
-      return Error{"vibrotactile_motion.carrier_Hz is " + number_text(desc.carrier_Hz) + ", and channel '" +
-                   channel.name + "' of the device '" + device.name + "' renders up to " +
-                   number_text(channel.rate_Hz / samples) + " Hz: lower it."};
-  }
   return std::nullopt;
 }
 
@@ -93,20 +63,6 @@ std::optional<Error> refuse_holding_point(const SceneDesc& desc) {
   if (!within(holding.place, holding.low, holding.high))
     return Error{"holding_point.place is " + number_text(holding.place) +
                  " m and must lie on the stick, from 'low' to 'high'."};
-  if (moves_grip(desc.contact.response) && substitutes_torque(desc) &&
-      desc.torque_substitution->limit_stiffness)
-    return Error{
-        "torque_substitution softens a coupling about the tool's centre of mass, and under this response a "
-        "holding_point takes its spring to where the hand holds: set torque_substitution.limit_stiffness to "
-        "false, leave one of the two out, or name another response."};
-  return std::nullopt;
-}
-
-std::optional<Error> refuse_inertia_compensation(const SceneDesc& desc) {
-  const InertiaCompensationDesc& inertia = *desc.inertia_compensation;
-  if (inertia.method == InertiaMethod::arm && !desc.holding_point)
-    return Error{
-        "inertia_compensation by the method arm needs to know where the hand holds: name holding_point."};
   return std::nullopt;
 }
 
@@ -174,26 +130,14 @@ Result<World> World::build(SceneDesc desc) {
       if (auto error = refuse_grip(desc, smallest_inertia)) return *error;
     }
   }
-  if (desc.inertia_compensation) {
-    if (auto error = refuse_inertia_compensation(desc)) return *error;
-  }
   if (auto error = refuse_levels(desc.contact)) return *error;
   if (coupled(desc.contact.response) && massless(desc.contact.response) &&
       tool_weight(tool) > kLargestSag * desc.coupling.max_force)
     return Error{"The tool weighs " + number_text(tool_weight(tool)) + " N, which a coupling of at most " +
                  number_text(desc.coupling.max_force) +
                  " N cannot carry: raise coupling.max_force or set tool.weight to false."};
-  if (desc.torque_substitution) {
-    if (auto error =
-            refuse_torque_substitution(*desc.torque_substitution, desc.tick_s, desc.coupling.max_torque))
-      return *error;
-  }
-  if (desc.impact_vibration && desc.impact_vibration->materials.empty())
-    return Error{"impact_vibration needs a material for what is struck."};
   if (auto error = refuse_channels(desc.device)) return *error;
-  if (desc.vibrotactile_motion) {
-    if (auto error = refuse_vibrotactile_motion(*desc.vibrotactile_motion, desc.device)) return *error;
-  }
+  if (auto error = refuse_effects(desc, desc)) return *error;
   return World(std::move(desc));
 }
 

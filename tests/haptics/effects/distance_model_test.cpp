@@ -1,7 +1,7 @@
 // The beam: a steel rod of 8 x 300 mm rings at 62.768, 393.361 and 1101.42 Hz; its modes are clamped at the
 // hand, where neither place nor slope change, free at the end, and at right angles to each other.
 
-#include "haptics/effects/distance_model.h"
+#include "haptics/effects/impact_vibration/distance_model.h"
 
 #include <gtest/gtest.h>
 

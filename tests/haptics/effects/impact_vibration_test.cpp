@@ -1,7 +1,7 @@
 // One impact at a time, and many, without a scene. The truth: W = A v g(t) (n; p x n), tau = A v g(t) p x n,
 // with g(t) = sin(2 pi f t) e^(-d t) from the tick of the impact on.
 
-#include "haptics/effects/impact_vibration.h"
+#include "haptics/effects/impact_vibration/impact_vibration.h"
 
 #include <gtest/gtest.h>
 
@@ -264,7 +264,7 @@ TEST(ImpactVibration, IsSwitchedWithoutAClick) {
   const Impact impact = blow(Vec3(0.1, 0, 0), Vec3::UnitY(), 0.2);
   made.process({&impact, 1}, Vec3::Zero());
   Wrench last = made.process({}, Vec3::Zero());
-  made.obey({Command::Kind::impact_gain, 0});
+  made.apply({Command::Kind::impact_gain, 0});
   for (int i = 0; i < 21; ++i) {
     const Wrench next = made.process({}, Vec3::Zero());
     // No faster than the tone itself, and a twentieth of the amplitude.

@@ -1,6 +1,6 @@
 // Compensation of a device's inertia, by the formulas it comes from and by what its account must say.
 
-#include "haptics/effects/inertia_compensation.h"
+#include "haptics/effects/inertia_compensation/inertia_compensation.h"
 
 #include <gtest/gtest.h>
 
@@ -192,13 +192,13 @@ TEST(InertiaCompensation, BuildsTheFilterOnlyWhereItCanBeNeeded) {
   EXPECT_NE(InertiaCompensation({.method = InertiaMethod::arm}, figures).filter(), nullptr);
   InertiaCompensation arm({.method = InertiaMethod::arm, .switchable = false}, figures);
   EXPECT_EQ(arm.filter(), nullptr);
-  arm.obey({Command::Kind::compensation, 2});
+  arm.apply({Command::Kind::compensation, 2});
   EXPECT_EQ(arm.cues().method, InertiaMethod::arm);
   InertiaCompensation any({.method = InertiaMethod::none}, figures);
-  any.obey({Command::Kind::compensation, 2});
+  any.apply({Command::Kind::compensation, 2});
   EXPECT_EQ(any.cues().method, InertiaMethod::acceleration);
   for (const double nonsense : {-1.0, 3.0, std::numeric_limits<double>::quiet_NaN(), 1e300})
-    any.obey({Command::Kind::compensation, nonsense});
+    any.apply({Command::Kind::compensation, nonsense});
   EXPECT_EQ(any.cues().method, InertiaMethod::acceleration);
 }
 

@@ -1,7 +1,7 @@
 // Recorded wrenches with known answers: a lever against R_d, a force along the torque, a pure couple; and
 // wrenches on the border, which must not chatter.
 
-#include "haptics/effects/torque_classifier.h"
+#include "haptics/effects/torque_substitution/torque_classifier.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The coupling's torque while it is bad, under springs: how deep the tool gets at every turn of the handle,
 // and what letting go of the limit does.
 
-#include "haptics/effects/torque_limit.h"
+#include "haptics/effects/torque_substitution/torque_limit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The effect in contact, as step() runs it: what is bad, what is shown, what it may not change.
 
-#include "haptics/effects/torque_substitution.h"
+#include "haptics/effects/torque_substitution/torque_substitution.h"
 
 #include <gtest/gtest.h>
 

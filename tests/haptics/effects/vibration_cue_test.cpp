@@ -1,4 +1,4 @@
-#include "haptics/effects/vibration_cue.h"
+#include "haptics/effects/torque_substitution/vibration_cue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The law of vibrotactile motion against its formulas, on exact motions.
 
-#include "haptics/effects/vibrotactile_motion.h"
+#include "haptics/effects/vibrotactile_motion/vibrotactile_motion.h"
 
 #include <gtest/gtest.h>
 

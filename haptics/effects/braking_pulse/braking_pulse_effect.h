@@ -1,0 +1,42 @@
+#pragma once
+// Braking pulses in a tick: braking_pulse.h on a scene.
+
+#include <optional>
+#include <vector>
+
+#include "haptics/effects/braking_pulse/braking_pulse.h"
+#include "haptics/effects/effect.h"
+#include "haptics/math/result.h"
+#include "haptics/scene/figure_check.h"
+#include "haptics/scene/plain_scene.h"
+
+namespace fulcrum {
+
+class BrakingPulseEffect final : public Effect {
+public:
+  using Desc = BrakingPulseDesc;
+  static constexpr const char* kName = "braking pulse";
+
+  static std::string why_not(const Desc& desc, const PlainScene& scene);
+  static void check(FigureCheck& figures, const Desc& desc);
+  static std::optional<Error> refuse(const Desc& desc, const PlainScene& scene);
+  static std::vector<LeftOut> left_out(const Desc& desc, const PlainScene& scene);
+  static std::vector<TransientSource> transients(const Desc& desc, const PlainScene& scene);
+  static constexpr bool kAsksForImpacts = true;
+
+  BrakingPulseEffect(const Desc& desc, const PlainScene& scene);
+
+  void apply(const Command& command) noexcept override { effect_.apply(command); }
+  std::optional<Transient> strike(const EffectTick& tick) noexcept override;
+  Settled settle(const EffectTick& tick, const Rendered& rendered) noexcept override;
+  void record(EffectRecords& records) const noexcept override;
+  BuiltPart part() const override;
+
+private:
+  BrakingPulse effect_;
+  Quat q_TH_;
+  bool renders_torque_;
+  Rendered::Source rendered_;
+};
+
+}  // namespace fulcrum

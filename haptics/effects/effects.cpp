@@ -1,0 +1,89 @@
+#include "haptics/effects/effects.h"
+
+#include "haptics/effects/braking_pulse/braking_pulse_effect.h"
+#include "haptics/effects/impact_vibration/impact_vibration_effect.h"
+#include "haptics/effects/inertia_compensation/inertia_compensation_effect.h"
+#include "haptics/effects/torque_substitution/torque_substitution_effect.h"
+#include "haptics/effects/vibrotactile_motion/vibrotactile_motion_effect.h"
+
+namespace fulcrum {
+namespace {
+
+// Calls f(list entry, its Desc or null) for each effect; the list entry is the type of the effect.
+template <class T>
+struct Entry {
+  using Type = T;
+};
+template <class F>  // (Entry<EffectType>, const std::optional<EffectType::Desc>&)
+void for_each_effect(const EffectDescs& descs, F&& f) {
+  f(Entry<TorqueSubstitutionEffect>(), descs.torque_substitution);
+  f(Entry<ImpactVibrationEffect>(), descs.impact_vibration);
+  f(Entry<BrakingPulseEffect>(), descs.braking_pulse);
+  f(Entry<VibrotactileMotionEffect>(), descs.vibrotactile_motion);
+  f(Entry<InertiaCompensationEffect>(), descs.inertia_compensation);
+}
+
+// Of those alone that are built.
+template <class F>
+void for_each_built(const PlainScene& scene, const EffectDescs& descs, F&& f) {
+  for_each_effect(descs, [&]<class T>(Entry<T> entry, const std::optional<typename T::Desc>& desc) {
+    if (desc && T::why_not(*desc, scene).empty()) f(entry, *desc);
+  });
+}
+
+}  // namespace
+
+void check_effects(FigureCheck& figures, const EffectDescs& descs) {
+  for_each_effect(descs, [&]<class T>(Entry<T>, const std::optional<typename T::Desc>& desc) {
+    if (desc) T::check(figures, *desc);
+  });
+}
+
+std::optional<Error> refuse_effects(const PlainScene& scene, const EffectDescs& descs) {
+  std::optional<Error> error;
+  for_each_effect(descs, [&]<class T>(Entry<T>, const std::optional<typename T::Desc>& desc) {
+    if (desc && !error) error = T::refuse(*desc, scene);
+  });
+  return error;
+}
+
+std::vector<std::unique_ptr<Effect>> build_effects(const PlainScene& scene, const EffectDescs& descs) {
+  std::vector<std::unique_ptr<Effect>> effects;
+  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc& desc) {
+    effects.push_back(std::make_unique<T>(desc, scene));
+  });
+  return effects;
+}
+
+bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs) {
+  bool asks = false;
+  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc&) {
+    asks = asks || T::kAsksForImpacts;
+  });
+  return asks;
+}
+
+std::vector<TransientSource> transient_sources(const PlainScene& scene, const EffectDescs& descs) {
+  std::vector<TransientSource> sources;
+  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc& desc) {
+    const std::vector<TransientSource> own = T::transients(desc, scene);
+    sources.insert(sources.end(), own.begin(), own.end());
+  });
+  return sources;
+}
+
+std::vector<LeftOut> left_out_effects(const PlainScene& scene, const EffectDescs& descs) {
+  std::vector<LeftOut> parts;
+  for_each_effect(descs, [&]<class T>(Entry<T>, const std::optional<typename T::Desc>& desc) {
+    const std::string why = desc ? T::why_not(*desc, scene) : "the scenario does not name it";
+    if (!why.empty()) {
+      parts.push_back({T::kName, why});
+      return;
+    }
+    const std::vector<LeftOut> own = T::left_out(*desc, scene);
+    parts.insert(parts.end(), own.begin(), own.end());
+  });
+  return parts;
+}
+
+}  // namespace fulcrum

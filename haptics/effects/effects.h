@@ -1,0 +1,49 @@
+#pragma once
+// The list of effects. One more is a line in EffectDescs, one in effect_records.h, and one in effects.cpp.
+// Its order there is the order in which effects are asked at each stage of a tick, and that of sums.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "haptics/effects/braking_pulse/braking_pulse.h"
+#include "haptics/effects/effect.h"
+#include "haptics/effects/effect_records.h"
+#include "haptics/effects/impact_vibration/impact_vibration.h"
+#include "haptics/effects/inertia_compensation/inertia_compensation.h"
+#include "haptics/effects/torque_substitution/torque_substitution.h"
+#include "haptics/effects/vibrotactile_motion/vibrotactile_motion.h"
+#include "haptics/math/result.h"
+#include "haptics/scene/figure_check.h"
+#include "haptics/scene/plain_scene.h"
+
+namespace fulcrum {
+
+// Those that a scene names.
+struct EffectDescs {
+  std::optional<TorqueSubstitutionDesc> torque_substitution{};
+  std::optional<ImpactVibrationDesc> impact_vibration{};
+  std::optional<BrakingPulseDesc> braking_pulse{};
+  std::optional<VibrotactileMotionDesc> vibrotactile_motion{};
+  std::optional<InertiaCompensationDesc> inertia_compensation{};
+};
+
+// Each figure of those that a scene names, and its range.
+void check_effects(FigureCheck& figures, const EffectDescs& descs);
+
+// The first reason why one of them cannot be, as a sentence.
+std::optional<Error> refuse_effects(const PlainScene& scene, const EffectDescs& descs);
+
+// Those that the scene names and its device can use.
+std::vector<std::unique_ptr<Effect>> build_effects(const PlainScene& scene, const EffectDescs& descs);
+
+// Whether one of those asks for impacts.
+bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs);
+
+// What those ask of the motors at a stroke.
+std::vector<TransientSource> transient_sources(const PlainScene& scene, const EffectDescs& descs);
+
+// What the scene does without, and why.
+std::vector<LeftOut> left_out_effects(const PlainScene& scene, const EffectDescs& descs);
+
+}  // namespace fulcrum

@@ -1,0 +1,41 @@
+#pragma once
+// Compensation of a device's inertia in a tick: inertia_compensation.h on a scene.
+
+#include <optional>
+#include <vector>
+
+#include "haptics/effects/effect.h"
+#include "haptics/effects/inertia_compensation/inertia_compensation.h"
+#include "haptics/math/result.h"
+#include "haptics/scene/figure_check.h"
+#include "haptics/scene/plain_scene.h"
+
+namespace fulcrum {
+
+class InertiaCompensationEffect final : public Effect {
+public:
+  using Desc = InertiaCompensationDesc;
+  static constexpr const char* kName = "inertia compensation";
+
+  static std::string why_not(const Desc& desc, const PlainScene& scene);
+  static void check(FigureCheck& figures, const Desc& desc);
+  static std::optional<Error> refuse(const Desc& desc, const PlainScene& scene);
+  static std::vector<LeftOut> left_out(const Desc& desc, const PlainScene& scene);
+  static std::vector<TransientSource> transients(const Desc&, const PlainScene&) { return {}; }
+  static constexpr bool kAsksForImpacts = false;
+
+  InertiaCompensationEffect(const Desc& desc, const PlainScene& scene);
+
+  void apply(const Command& command) noexcept override { effect_.apply(command); }
+  Wrench correct(const EffectTick& tick) noexcept override;
+  Settled settle(const EffectTick& tick, const Rendered& rendered) noexcept override;
+  void record(EffectRecords& records) const noexcept override;
+  BuiltPart part() const override;
+
+private:
+  InertiaCompensation effect_;
+  bool renders_torque_;
+  Vec3 axis_H_;  // (3) unit, of the stick; zero where the scene names no holding point
+};
+
+}  // namespace fulcrum
