@@ -43,7 +43,7 @@ Swing press(SceneDesc scene, const InertiaLoop& loop) {
     const double y = device.X_DH().p.y();
     run.way.push_back(y);
     run.least_port = std::min(run.least_port, result.record.energy_port);
-    if (result.record.inertia->faded && run.faded_at < 0) run.faded_at = t;
+    if (result.record.inertia_compensation->faded && run.faded_at < 0) run.faded_at = t;
     if (t < kLength - kLast) continue;
     low = std::min(low, y);
     high = std::max(high, y);

@@ -11,9 +11,9 @@ void Afterglow::add(const TickRecord& record, double time) {
     motors_[i] = {-low_[i].add(std::max(-load, 0.0), time), high_[i].add(std::max(load, 0.0), time)};
   }
   if (auto struck = struck_place(record, p_TH_, time)) struck_ = std::move(struck);
-  if (!record.pulse) return;
-  pulse_force_ = force_.add(record.pulse->force_share, time);
-  pulse_moment_ = moment_.add(record.pulse->moment_share, time);
+  if (!record.braking_pulse) return;
+  pulse_force_ = force_.add(record.braking_pulse->force_share, time);
+  pulse_moment_ = moment_.add(record.braking_pulse->moment_share, time);
 }
 
 }  // namespace fulcrum::app

@@ -38,20 +38,20 @@ double level_of(const SceneDesc& scene, const ImpactCues& cues) {
 
 std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record,
                                    const Afterglow& afterglow) {
-  const TorqueCues& cues = record.torque;
+  const TorqueCues cues = record.torque_substitution.value_or(TorqueCues());
   std::vector<ui::CueLine> lines;
   for (const Command::Kind kind : cue_commands(scene)) {
     if (kind == Command::Kind::impact_gain) {
       const ImpactCues impacts = record.impact_vibration.value_or(ImpactCues());
       lines.push_back({"Impacts", "I", impacts.gain, level_of(scene, impacts)});
     } else if (kind == Command::Kind::pulse_gain) {
-      const PulseCues pulse = record.pulse.value_or(PulseCues());
+      const PulseCues pulse = record.braking_pulse.value_or(PulseCues());
       lines.push_back({"Pulse", "B", pulse.gain, afterglow.pulse_force()});
     } else if (kind == Command::Kind::pulse_moment) {
-      const PulseCues pulse = record.pulse.value_or(PulseCues());
+      const PulseCues pulse = record.braking_pulse.value_or(PulseCues());
       lines.push_back({"Moment", "M", pulse.moment ? 1.0 : 0.0, afterglow.pulse_moment()});
     } else if (kind == Command::Kind::vibrotactile_gain) {
-      const VibrotactileCues touch = record.vibrotactile.value_or(VibrotactileCues());
+      const VibrotactileCues touch = record.vibrotactile_motion.value_or(VibrotactileCues());
       const double most = std::ranges::max(touch.command.level) / scene.vibrotactile_motion->strength;
       lines.push_back({"Touch", "T", touch.gain, most});
     } else if (kind == Command::Kind::ghost_gain) {
@@ -120,7 +120,8 @@ glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const
   const Pose X_WH = record.X_WT * X_TH_;  // where the tool is seen to be held
   const Pose X_WF{q_WF_, X_WH.p};         // of the level bars
   const auto level_at = [&](int side, std::size_t channel) {
-    const double level = record.vibrotactile.value_or(VibrotactileCues()).command.level[channel] / strongest_;
+    const double level =
+        record.vibrotactile_motion.value_or(VibrotactileCues()).command.level[channel] / strongest_;
     return scenario::level_pose(X_WF, side, level);
   };
   switch (body) {
@@ -153,7 +154,7 @@ render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow&
   state.X_WM = X_WM_;
   state.markers = marker_states_;
   if (ghost_q_HT_)
-    state.ghost = {static_cast<float>(record.torque.ghost),
+    state.ghost = {static_cast<float>(record.torque_substitution.value_or(TorqueCues()).ghost),
                    scenario::to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
   state.camera = camera;
   state.time_s = time;
@@ -200,8 +201,9 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.cues = cue_lines(scene, record, afterglow);
   if (!detects_impacts(scene)) state.cue_title = "Fingertip";
   state.tells_torque = vibrates_for_torque(scene) || shows_ghost(scene);
-  if (state.tells_torque) state.variant = variant_text(record.torque);
-  state.torque_bad = record.torque.bad;
+  const TorqueCues torque = record.torque_substitution.value_or(TorqueCues());
+  if (state.tells_torque) state.variant = variant_text(torque);
+  state.torque_bad = torque.bad;
   if (scenario::draws_arms(prepared.scenario, scene))
     state.motors = motor_bars(scene.device.mechanism, record, afterglow);
   state.holding = holding_panel(scene, record);

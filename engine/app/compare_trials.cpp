@@ -24,13 +24,13 @@ public:
         course_(course) {}
 
   void see(const TickRecord& record) {
-    bad_ |= record.torque.bad;
+    bad_ |= record.torque_substitution->bad;
     if (record.tick % every_ != 0) return;
     course_.push_back({.time = static_cast<double>(record.tick) * tick_s_,
                        .torque = record.coupling_F_T_W.torque.norm(),
                        .bad = std::exchange(bad_, false),
-                       .vibration = record.torque.vibration,
-                       .ghost = record.torque.ghost});
+                       .vibration = record.torque_substitution->vibration,
+                       .ghost = record.torque_substitution->ghost});
   }
 
 private:
@@ -95,7 +95,9 @@ analysis::Comparison described(const Prepared& prepared, const CompareOptions& o
   comparison.title = prepared.scenario.title;
   comparison.device = device_on_screen(prepared, prepared.haptic.scene);
   comparison.time_limit_s = prepared.scenario.time_limit;
-  comparison.bad_above_Nm = torque_thresholds(*prepared.haptic.scene.torque_substitution, prepared.haptic.scene.coupling.max_torque).bad;
+  comparison.bad_above_Nm =
+      torque_thresholds(*prepared.haptic.scene.torque_substitution, prepared.haptic.scene.coupling.max_torque)
+          .bad;
   comparison.tape = options.tape;
   if (options.tape.empty()) comparison.hand = options.hand;
   for (const scenario::HandScript& hand : prepared.haptic.hands) {

@@ -77,9 +77,10 @@ std::optional<ui::HoldingPanel> holding_panel(const SceneDesc& scene, const Tick
   panel.levels = scene.contact.levels;
   panel.structure_known = scene.device.structure.has_value();
   panel.limit = cues.limit;
-  if (!record.inertia) return panel;
+  if (!record.inertia_compensation) return panel;
   const std::vector<std::string> methods = methods_of(scene);
-  const auto used = std::ranges::find(methods, kMethods[static_cast<std::size_t>(record.inertia->method)]);
+  const auto used =
+      std::ranges::find(methods, kMethods[static_cast<std::size_t>(record.inertia_compensation->method)]);
   const std::size_t method = used == methods.end() ? 0 : static_cast<std::size_t>(used - methods.begin());
   if (scene.inertia_compensation->switchable) {
     panel.methods = methods;
@@ -87,7 +88,7 @@ std::optional<ui::HoldingPanel> holding_panel(const SceneDesc& scene, const Tick
   } else {
     panel.methods = {methods[method]};
   }
-  panel.faded = record.inertia->faded;
+  panel.faded = record.inertia_compensation->faded;
   return panel;
 }
 

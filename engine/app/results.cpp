@@ -36,7 +36,7 @@ std::string what_lies_in(const std::filesystem::path& folder) {
 }  // namespace
 
 Result<OpenResults> open_results(const std::string& scenario, const RunOptions& options,
-                                 const record::TapeHeader& header, const SceneDesc& scene,
+                                 const record::TapeHeader& header, const World& world,
                                  const scenario::TaskDesc& task) {
   Result<std::filesystem::path> folder =
       options.out.empty() ? record::make_default_run_folder(std::filesystem::path(scenario).stem().string(),
@@ -44,7 +44,7 @@ Result<OpenResults> open_results(const std::string& scenario, const RunOptions& 
                           : record::prepare_run_folder(options.out, options.force);
   if (!folder) return folder.error();
   Result<record::Recorder> recorder =
-      record::Recorder::begin(*folder, header, trace_columns(scene, task), channel_recording(scene));
+      record::Recorder::begin(*folder, header, trace_columns(world, task), channel_recording(world.desc()));
   if (!recorder) return recorder.error();
   return OpenResults{std::move(*folder), std::move(*recorder)};
 }

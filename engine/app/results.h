@@ -16,7 +16,7 @@ struct OpenResults {
 };
 
 Result<OpenResults> open_results(const std::string& scenario, const RunOptions& options,
-                                 const record::TapeHeader& header, const SceneDesc& scene,
+                                 const record::TapeHeader& header, const World& world,
                                  const scenario::TaskDesc& task);
 
 // summary.json, with the lists of what was built. False if it could not be written; the sentence is on

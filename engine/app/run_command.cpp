@@ -62,7 +62,7 @@ public:
     const Result<record::TapeHeader> header =
         tape_header(prepared, device_in_results(prepared, options.device), options.hand);
     if (!header) return refuse(header.error());
-    Result<OpenResults> results = open_results(prepared.name, options, *header, scene, prepared.haptic.task);
+    Result<OpenResults> results = open_results(prepared.name, options, *header, *world, prepared.haptic.task);
     if (!results) return refuse(results.error());
     const double limit =
         std::min(prepared.scenario.time_limit, options.seconds.value_or(prepared.scenario.time_limit));

@@ -36,7 +36,7 @@ void RunSink::take(const TickEvent& event) {
                      .commands = event.commands(),
                      .lost_before = event.lost_before,
                      .task_step = static_cast<std::int32_t>(judge_.state().step),
-                     .hard_touches = judge_.state().hard_touches,
+                     .hard_touches = hard_touches(),
                      .cpu_ns = event.cpu_ns,
                      .wake_late_ns = event.wake_late_ns});
     report_recorder();
@@ -45,6 +45,11 @@ void RunSink::take(const TickEvent& event) {
   afterglow_.add(event.record, static_cast<double>(ticks_) * tick_s_);
   ++ticks_;
   if (event.record.stopped) ++stopped_ticks_;
+}
+
+std::optional<std::int64_t> RunSink::hard_touches() const {
+  if (!prepared_.haptic.task.hard_touch) return std::nullopt;
+  return judge_.state().hard_touches;
 }
 
 void RunSink::flush_if_due() {

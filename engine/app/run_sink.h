@@ -31,7 +31,8 @@ public:
   bool stopped_by_fault() const { return last_.stopped; }
 
   const scenario::TaskState& task() const { return judge_.state(); }
-  const TickRecord& last() const { return last_; }  // before the first: where all begins
+  std::optional<std::int64_t> hard_touches() const;  // so far; none: the task does not count them
+  const TickRecord& last() const { return last_; }   // before the first: where all begins
   const Afterglow& afterglow() const { return afterglow_; }
   // s, of the trial: it rests while the force is stopped.
   double time() const { return static_cast<double>(ticks_ - stopped_ticks_) * tick_s_; }

@@ -83,27 +83,18 @@ std::vector<std::string> other_devices(const record::Tape& tape) {
   return names;
 }
 
-record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskDesc& task) {
-  std::vector<std::string> motors;
-  for (int motor = 0; motor < Actuators::count(scene.device); ++motor)
-    motors.push_back(Actuators::name(scene.device, motor));
-  std::vector<std::string> channels;
-  if (vibrates_channels(scene)) {
-    for (const ChannelDesc& channel : scene.device.vibrotactile->channels) channels.push_back(channel.name);
+record::TraceColumns trace_columns(const World& world, const scenario::TaskDesc& task) {
+  const DeviceDesc& device = world.desc().device;
+  RecordNames names;
+  for (int motor = 0; motor < Actuators::count(device); ++motor)
+    names.motors.push_back(Actuators::name(device, motor));
+  if (device.vibrotactile) {
+    for (const ChannelDesc& channel : device.vibrotactile->channels) names.channels.push_back(channel.name);
   }
-  return {scene.tick_s,
-          motors,
-          {.hard_touches = task.hard_touch.has_value(),
-           .torque_substitution = substitutes_torque(scene),
-           .transients = vibrates_for_torque(scene),
-           .impacts = detects_impacts(scene),
-           .impact_vibration = vibrates_at_impacts(scene),
-           .braking_pulse = brakes_at_impacts(scene),
-           .vibrotactile_motion = moves_vibration(scene),
-           .channels = std::move(channels),
-           .holding_point = scene.holding_point.has_value(),
-           .inertia_compensation = compensates_inertia(scene),
-           .stiffness_levels = !scene.contact.levels.empty()}};
+  const TickRecord record = world.blank_record();
+  record::TraceRow like{record};
+  if (task.hard_touch) like.hard_touches = 0;
+  return {world.desc().tick_s, std::move(names), like};
 }
 
 std::optional<record::ChannelRecording> channel_recording(const SceneDesc& scene) {

@@ -23,7 +23,7 @@ Result<Prepared> prepare_from_tape(const record::Tape& tape);
 std::vector<std::string> other_devices(const record::Tape& tape);
 
 // With a column for each motor of the device that the scene runs on, and for what the task counts.
-record::TraceColumns trace_columns(const SceneDesc& scene, const scenario::TaskDesc& task);
+record::TraceColumns trace_columns(const World& world, const scenario::TaskDesc& task);
 
 // The channels that the scene vibrates; none: nothing does.
 std::optional<record::ChannelRecording> channel_recording(const SceneDesc& scene);

@@ -7,7 +7,7 @@
 
 namespace fulcrum::record {
 
-// Of the fields' values in the order in which TickRecord declares them, never of padding; 0 and -0 differ.
+// Of the fields' values in the order in which describe() names them, never of padding; 0 and -0 differ.
 std::uint64_t digest(const TickRecord& record);
 
 }  // namespace fulcrum::record

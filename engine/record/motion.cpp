@@ -23,7 +23,8 @@ constexpr std::int64_t kMostLost = 1'000'000;
 // The tick and the seven numbers of a pose, by name.
 constexpr std::array<const char*, 8> kColumns = {"timestamp",  "handle/p/x", "handle/p/y", "handle/p/z",
                                                  "handle/q/w", "handle/q/x", "handle/q/y", "handle/q/z"};
-constexpr const char* kStripColumn = "holding/strip_ohm";
+// The second in a trace of version 1.
+constexpr std::array<const char*, 2> kStripColumns = {"holding_point/strip_ohm", "holding/strip_ohm"};
 
 struct TimedSample {
   double time = 0;  // s
@@ -131,7 +132,9 @@ Result<std::vector<TimedSample>> rows_of_trace(const std::filesystem::path& path
     }
     places.pose[i] = *column;
   }
-  places.strip = trace.column(kStripColumn);
+  for (const char* name : kStripColumns) {
+    if (!places.strip) places.strip = trace.column(name);
+  }
   std::vector<TimedSample> rows;
   while (trace.next()) {
     const std::string place = path.string() + ", line " + std::to_string(trace.line()) + ": ";

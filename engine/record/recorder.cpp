@@ -160,8 +160,8 @@ void Recorder::tick(const RecordedTick& tick) {
     return;
   }
   s.trace.row({tick.record, tick.task_step, tick.hard_touches});
-  if (s.channels && tick.record.vibrotactile) {
-    s.channels->tick(tick.record.vibrotactile->command);
+  if (s.channels && tick.record.vibrotactile_motion) {
+    s.channels->tick(tick.record.vibrotactile_motion->command);
   }
   s.timing.row({tick.record.tick, tick.cpu_ns, tick.wake_late_ns, tick.lost_before});
   s.tape.entry(tick.sample, tick.commands, tick.lost_before, digest(tick.record));

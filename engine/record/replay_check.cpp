@@ -1,7 +1,10 @@
 #include "engine/record/replay_check.h"
 
+#include <span>
+#include <string_view>
+#include <vector>
+
 #include "engine/record/digest.h"
-#include "engine/record/number_text.h"
 #include "engine/record/trace_reader.h"
 
 namespace fulcrum::record {
@@ -9,8 +12,8 @@ namespace fulcrum::record {
 namespace {
 
 // ": COLUMN was A and is B", or why that cannot be said.
-std::string differing_column(const TraceColumns& columns, const TraceRow& replayed, std::int64_t row,
-                             const std::filesystem::path& original_trace) {
+std::string differing_column(const TraceColumns& columns, std::span<const std::string_view> now,
+                             std::int64_t row, const std::filesystem::path& original_trace) {
   const std::string unknown = "; the run's trace, " + original_trace.string() + ", ";
   Result<TraceReader> trace = TraceReader::open(original_trace);
   if (!trace) {
@@ -21,9 +24,6 @@ std::string differing_column(const TraceColumns& columns, const TraceRow& replay
       return unknown + "which would say in what, ends before that tick.";
     }
   }
-  std::string text;
-  columns.append_row(text, replayed);
-  const std::vector<std::string_view> now = split_cells(text);
   for (std::size_t i = 0; i < columns.columns().size(); ++i) {
     const std::string& name = columns.columns()[i].name;
     const std::optional<std::size_t> then = trace->column(name);
@@ -37,8 +37,9 @@ std::string differing_column(const TraceColumns& columns, const TraceRow& replay
 
 }  // namespace
 
-void ReplayCheck::tick(const TraceRow& replayed, std::uint64_t recorded_digest) {
-  if (!first_ && digest(replayed.record) != recorded_digest) {
+void ReplayCheck::tick(const TraceRow& replayed, std::optional<std::uint64_t> recorded_digest) {
+  compared_ += recorded_digest.has_value();
+  if (!first_ && recorded_digest && digest(replayed.record) != *recorded_digest) {
     first_ = Difference{ticks_, replayed.record, replayed.task_step, replayed.hard_touches};
   }
   ++ticks_;
@@ -47,10 +48,11 @@ void ReplayCheck::tick(const TraceRow& replayed, std::uint64_t recorded_digest) 
 std::string ReplayCheck::divergence(const TraceColumns& columns,
                                     const std::filesystem::path& original_trace) const {
   const TraceRow replayed{first_->replayed, first_->task_step, first_->hard_touches};
-  std::string time;
-  append_number(time, std::get<double>(columns.columns().front().value(replayed)));
+  std::string line;
+  columns.append_row(line, replayed);
+  const std::vector<std::string_view> cells = split_cells(line);
   return "The replay differs from the run from tick " + std::to_string(first_->replayed.tick) + " on (" +
-         time + " s)" + differing_column(columns, replayed, first_->row, original_trace);
+         std::string(cells.front()) + " s)" + differing_column(columns, cells, first_->row, original_trace);
 }
 
 }  // namespace fulcrum::record

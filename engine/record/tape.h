@@ -10,10 +10,12 @@
 //     u32 commands  u32 kind  f64 value of each
 // Kind "END ", payload:  u64 entries of the whole tape. Nothing follows it.
 //
-// Version 2, which is still read, has no strip_ohm: there was no strip.
+// Versions 2 and 3, which are still read, have digests that are made otherwise: such a tape is repeated, and
+// not compared. Version 2 has no strip_ohm: there was no strip.
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +26,7 @@
 namespace fulcrum::record {
 
 inline constexpr std::string_view kTapeMagic = "FULCTAPE";
-inline constexpr std::uint32_t kTapeVersion = 3;
+inline constexpr std::uint32_t kTapeVersion = 4;
 inline constexpr std::uint32_t kOldestTapeVersion = 2;  // that is still read
 
 // Everything that a replay needs besides the samples. All text is UTF-8.
@@ -47,9 +49,9 @@ struct TapeHeader {
 // One tick's input, and a digest of what came of it.
 struct TapeEntry {
   DeviceSample sample;
-  std::vector<Command> commands;  // those given this tick, in order
-  std::int64_t lost_before = 0;   // ticks lost to an overrun before this one
-  std::uint64_t digest = 0;       // digest() of the resulting TickRecord
+  std::vector<Command> commands;          // those given this tick, in order
+  std::int64_t lost_before = 0;           // ticks lost to an overrun before this one
+  std::optional<std::uint64_t> digest{};  // digest() of the resulting TickRecord; none: of an older format
 };
 
 struct Tape {

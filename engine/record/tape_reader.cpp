@@ -104,7 +104,10 @@ std::optional<Error> take_entries(std::span<const std::byte> payload, std::size_
     const auto connected = reader.get<std::uint8_t>();
     entry.sample.connected = connected == 1;
     entry.lost_before = static_cast<std::int64_t>(reader.get<std::uint64_t>());
-    entry.digest = reader.get<std::uint64_t>();
+    const auto digest = reader.get<std::uint64_t>();
+    if (version >= 4) {
+      entry.digest = digest;
+    }
     const auto commands = reader.get<std::uint32_t>();
     if (!reader.ok() || connected > 1 || entry.lost_before < 0) {
       return damaged(at, "tick " + std::to_string(entries.size() - 1) + " cannot be read");

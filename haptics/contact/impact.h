@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "haptics/math/linear.h"
+#include "haptics/tick/quantity.h"
 
 namespace fulcrum {
 
@@ -19,5 +20,21 @@ struct ImpactTick {
   std::int32_t count = 0;
   Impact hardest;  // speed 0: there was none
 };
+
+template <class V>
+void describe(V& values, const ImpactTick& record) {
+  const auto& [count, hardest] = record;
+  const auto& [p_W, nhat_W, speed, object] = hardest;
+  values.count({"impact/count", "1", "", "Impacts in this tick."}, count);
+  values.number(
+      {"impact/speed", "m/s", "", "Of the hand towards the scene at the hardest of them; 0: there was none."},
+      speed);
+  values.count({"impact/object", "1", "",
+                "Which of the scene's models it struck, from 0; -1: there was none. Always 0 where nothing "
+                "asks which."},
+               count > 0 ? object : -1);
+  values.vector({"impact/p", "m", "W", "Where it was; zero: there was none."}, p_W);
+  values.vector({"impact/normal", "1", "W", "The scene's normal there, towards the tool."}, nhat_W);
+}
 
 }  // namespace fulcrum

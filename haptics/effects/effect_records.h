@@ -13,11 +13,25 @@ namespace fulcrum {
 
 // Of those that are built.
 struct EffectRecords {
-  TorqueCues torque;                               // of torque substitution; zero where it is not built
-  std::optional<ImpactCues> impact_vibration{};    // where it is built
-  std::optional<PulseCues> pulse{};                // likewise
-  std::optional<VibrotactileCues> vibrotactile{};  // likewise
-  std::optional<InertiaCues> inertia{};            // likewise
+  std::optional<TorqueCues> torque_substitution{};
+  std::optional<ImpactCues> impact_vibration{};
+  std::optional<PulseCues> braking_pulse{};
+  std::optional<VibrotactileCues> vibrotactile_motion{};
+  std::optional<InertiaCues> inertia_compensation{};
 };
+
+template <class V>
+void describe(V& values, const EffectRecords& records) {
+  const auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion,
+               inertia_compensation] = records;
+  const auto describe_built = [&values](const auto& record) {
+    if (record) describe(values, *record);
+  };
+  describe_built(torque_substitution);
+  describe_built(impact_vibration);
+  describe_built(braking_pulse);
+  describe_built(vibrotactile_motion);
+  describe_built(inertia_compensation);
+}
 
 }  // namespace fulcrum

@@ -3,6 +3,7 @@
 
 #include "haptics/device/holding_strip.h"
 #include "haptics/estimate/holding_point.h"
+#include "haptics/tick/quantity.h"
 
 namespace fulcrum {
 
@@ -15,5 +16,25 @@ struct HoldingCues {
   double limit = 0;  // N/m, the stiffest wall that the device's structure renders where the tool touches;
                      // 0: nothing touches, or its structure is not known
 };
+
+template <class V>
+void describe(V& values, const HoldingCues& record) {
+  const auto& [place, p_HG, state, strip_ohm, limit] = record;
+  values.number(
+      {"holding_point/place", "m", "", "Where the hand holds the stick, along it from the handle's origin."},
+      place);
+  values.unseen(p_HG);
+  values.count({"holding_point/state", "1", "",
+                "Where that comes from: 0 set, 1 measured, 2 the last that was trusted, 3 on its way to the "
+                "scenario's, 4 the scenario's for want of any other."},
+               static_cast<std::int64_t>(state));
+  values.number({"holding_point/strip_ohm", "ohm", "",
+                 "Of the strip under the hand; inf: nothing presses on it, nan: there is none."},
+                strip_ohm);
+  values.number({"holding_point/limit", "N/m", "",
+                 "The stiffest wall that the device's structure renders where the tool touches; 0: nothing "
+                 "touches, or how stiff the device is, is not known."},
+                limit);
+}
 
 }  // namespace fulcrum

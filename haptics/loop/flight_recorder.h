@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "haptics/world/tick_record.h"
@@ -12,7 +13,7 @@ namespace fulcrum {
 struct FlightEntry {
   TickRecord record;
   std::int32_t task_step = 0;
-  std::int64_t hard_touches = 0;
+  std::optional<std::int64_t> hard_touches{};  // none: the task does not count them
 };
 
 class FlightRecorder {

@@ -11,6 +11,7 @@
 #include "haptics/estimate/holding_cues.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
+#include "haptics/tick/quantity.h"
 
 namespace fulcrum {
 
@@ -40,6 +41,60 @@ struct PlainRecord {
       contact_stiffness_wanted{};  // N/m, likewise: asked for, in force once nothing touches
 };
 
+template <class V>
+void describe(V& values, const PlainRecord& record) {
+  const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load, missing,
+               energy_port, energy_unrendered, force_gain, faults, stopped, clutched, impact, holding,
+               contact_stiffness, contact_stiffness_wanted] = record;
+  values.time({"timestamp", "s", "", "Simulated time, counted in ticks."}, tick);
+  values.pose({"handle", "", "W", "Where the hand wants the handle H"}, X_WH);
+  values.pose({"tool", "", "W", "The tool T, at its centre of mass, after this tick"}, X_WT);
+  values.vector({"tool/v", "m/s", "W", "Velocity of the tool's centre of mass."}, V_WT.v);
+  values.vector({"tool/w", "rad/s", "W", "Angular velocity of the tool."}, V_WT.w);
+  values.wrench({"coupling", "", "W", "Virtual coupling on the tool, about T"}, coupling);
+  values.wrench({"contact", "", "W", "The scene on the tool, about T"}, contact);
+  values.count({"contact/regions", "1", "", "Contact regions that touch."}, regions);
+  values.number({"contact/depth_max", "m", "", "Deepest point of the tool's shell, by the distance field."},
+                depth_max);
+  values.wrench({"device", "", "D", "Commanded on the handle, about H"}, device);
+  values.each({"actuator/load", "1", "", "Signed fraction of this motor's limit."}, actuator_load,
+              values.names().motors);
+  if (values.names().motors.empty()) {
+    values.unseen(missing);
+  } else {
+    values.length(
+        {"actuator/missing/force", "N", "", "Of all that was wanted on the handle, what the motors had not."},
+        missing.force);
+    values.length({"actuator/missing/torque", "N m", "",
+                   "Likewise; beside a pulse, what compensates for its force too."},
+                  missing.torque);
+  }
+  values.number({"energy/port", "J", "",
+                 "Passivity observer, at the device: the least that the hand can have put in; below zero the "
+                 "loop may have given out energy."},
+                energy_port);
+  values.number(
+      {"energy/unrendered", "J", "", "Of energy/port, what came in on axes that the device does not render."},
+      energy_unrendered);
+  values.unseen(force_gain);
+  values.count(
+      {"fault", "1", "", "Bits of Fault: 0 to 15 stop the force, the others are limits that were applied."},
+      faults);
+  values.unseen(stopped);
+  values.unseen(clutched);
+  if (contact_stiffness)
+    values.number({"contact/stiffness", "N/m", "", "Of each contact region, as chosen."}, *contact_stiffness);
+  if (contact_stiffness_wanted) values.unseen(*contact_stiffness_wanted);
+  if (impact) describe(values, *impact);
+  if (holding) describe(values, *holding);
+}
+
 struct TickRecord : PlainRecord, EffectRecords {};
+
+template <class V>
+void describe(V& values, const TickRecord& record) {
+  describe(values, static_cast<const PlainRecord&>(record));
+  describe(values, static_cast<const EffectRecords&>(record));
+}
 
 }  // namespace fulcrum

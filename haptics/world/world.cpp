@@ -116,13 +116,28 @@ Wrench World::settle(const EffectTick& tick, std::uint32_t& faults) noexcept {
   return correction_F_H_D;
 }
 
+void World::record_parts(TickRecord& record) const noexcept {
+  for (const auto& effect : effects_) effect->record(record);
+  record.holding = input_.holding();
+  if (impacts_) record.impact.emplace();
+  if (stiffness_) {
+    record.contact_stiffness = stiffness_->now();
+    record.contact_stiffness_wanted = stiffness_->wanted();
+  }
+}
+
+TickRecord World::blank_record() const {
+  TickRecord record;
+  record_parts(record);
+  return record;
+}
+
 StepResult World::leave(const EffectTick& tick, std::uint32_t faults) noexcept {
   StepResult result;
   TickRecord& record = result.record;
-  for (const auto& effect : effects_) {
+  for (const auto& effect : effects_)
     effect->command(tick, output_.gain(), output_.stopped(), result.command);
-    effect->record(record);
-  }
+  record_parts(record);
   output_.leave(result.command, record);
   record.tick = tick.tick;
   record.X_WH = tick.handle.X_WH;
@@ -134,16 +149,11 @@ StepResult World::leave(const EffectTick& tick, std::uint32_t faults) noexcept {
   record.depth_max = motion_->depth_max();
   record.faults = faults;
   record.clutched = !tick.handle.engaged;
-  record.holding = input_.holding();
-  if (impacts_) {
-    record.impact.emplace().count = static_cast<std::int32_t>(tick.impacts.size());
+  if (record.impact) {
+    record.impact->count = static_cast<std::int32_t>(tick.impacts.size());
     for (const Impact& each : tick.impacts) {
       if (each.speed > record.impact->hardest.speed) record.impact->hardest = each;
     }
-  }
-  if (stiffness_) {
-    record.contact_stiffness = stiffness_->now();
-    record.contact_stiffness_wanted = stiffness_->wanted();
   }
   return result;
 }

@@ -38,6 +38,8 @@ public:
   const SceneDesc& desc() const { return desc_; }
   std::span<const ContactRegion> regions() const { return motion_->regions(); }
   std::vector<BuiltPart> parts() const;
+  // What a tick's record has in this scene, before the first tick: the trace's columns follow from it.
+  TickRecord blank_record() const;
   // Of this scene's last tick; none where nothing asks for impacts.
   std::span<const Impact> impacts() const {
     return impacts_ ? impacts_->impacts() : std::span<const Impact>();
@@ -58,6 +60,8 @@ private:
   void find_impacts(EffectTick& tick) noexcept;
   // Returns what was commanded to make up for the device itself.
   Wrench settle(const EffectTick& tick, std::uint32_t& faults) noexcept;
+  // The parts of a record that some scenes have.
+  void record_parts(TickRecord& record) const noexcept;
   StepResult leave(const EffectTick& tick, std::uint32_t faults) noexcept;
 
   SceneDesc desc_;

@@ -15,7 +15,7 @@ cmp -s A/touch-left.wav A/touch-right.wav && fail "both channels got the same"
 [ "$(tail -c +45 A/touch-left.wav | tr -d '\0' | wc -c)" -gt 1000 ] || fail "nothing vibrated"
 header=$(head -1 A/trace.csv)
 for column in gain left right missing glide x direction force; do
-  [[ ",$header," == *",touch/$column,"* ]] || fail "the trace has no touch/$column"
+  [[ ",$header," == *",vibrotactile_motion/$column,"* ]] || fail "the trace has no vibrotactile_motion/$column"
 done
 expect 0 'bit for bit' "$FULCRUM" replay A/tape --out B
 for file in touch-left.wav touch-right.wav trace.csv; do cmp -s A/$file B/$file || fail "the replay's $file differs"; done

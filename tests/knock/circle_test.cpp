@@ -96,8 +96,8 @@ TEST(Afterglow, KeepsWhatLastedForOneTick) {
   for (int tick = 0; tick < 6000; ++tick) {
     TickRecord record;
     record.actuator_load[2] = tick == 100 ? -0.8 : 0.1;
-    record.pulse.emplace();
-    record.pulse->force_share = tick == 100 ? 0.4 : 0.0;
+    record.braking_pulse.emplace();
+    record.braking_pulse->force_share = tick == 100 ? 0.4 : 0.0;
     afterglow.add(record, 1e-3 * tick);
     if (tick == 1100) {
       EXPECT_EQ(afterglow.motors()[2].low, -0.8);

@@ -11,15 +11,15 @@ touches expert | awk '
 awk -F, '
   function size(name) { return sqrt($at[name "/x"] ^ 2 + $at[name "/y"] ^ 2 + $at[name "/z"] ^ 2) }
   NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
-  struck && size("vibration/torque") == 0 { wrong = "a blow is not felt in the next tick" }
-  { struck = $at["impact/count"]; blows += struck; if ($at["vibration/voices"] > most) most = $at["vibration/voices"] }
+  struck && size("impact_vibration/torque") == 0 { wrong = "a blow is not felt in the next tick" }
+  { struck = $at["impact/count"]; blows += struck; if ($at["impact_vibration/voices"] > most) most = $at["impact_vibration/voices"] }
   struck {
     across = 0
-    for (i = 1; i <= 3; ++i) across += $at["vibration/axis/" substr("xyz", i, 1)] * $at["impact/normal/" substr("xyz", i, 1)]
+    for (i = 1; i <= 3; ++i) across += $at["impact_vibration/axis/" substr("xyz", i, 1)] * $at["impact/normal/" substr("xyz", i, 1)]
     if (across > 0.0175 || across < -0.0175) wrong = "an axis is not at right angles to the blow"
-    if ($at["vibration/frequency_Hz"] < 12 || $at["vibration/frequency_Hz"] > 40) wrong = "a frequency is out of range"
+    if ($at["impact_vibration/frequency_Hz"] < 12 || $at["impact_vibration/frequency_Hz"] > 40) wrong = "a frequency is out of range"
   }
-  { dropped = $at["vibration/dropped"]; energy = $at["energy/impact_vibration"]; if ($at["energy/port"] < -1e-4) wrong = "the port gives out energy" }
+  { dropped = $at["impact_vibration/dropped"]; energy = $at["impact_vibration/energy"]; if ($at["energy/port"] < -1e-4) wrong = "the port gives out energy" }
   END {
     print blows " blows, at most " most " voices, " dropped " dropped, " energy " J to the hand"
     if (blows != 17 || most != 5 || dropped != 0) wrong = "those are not the expert'"'"'s blows"

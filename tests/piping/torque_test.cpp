@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "engine/app/tape_header.h"
+#include "engine/record/trace_reader.h"
 #include "tests/piping/piping.h"
 
 namespace fulcrum::test {
@@ -17,18 +19,26 @@ constexpr int kTicks = 30000;  // past the first time that the spanner jams
 TEST(Torque, OffLeavesEveryOtherColumnAsItIs) {
   app::Prepared off = prepared_piping({"variant=A"}), none = prepared_piping({});
   none.haptic.scene.torque_substitution.reset();
-  const record::TraceColumns of_off = app::trace_columns(off.haptic.scene, off.haptic.task);
-  const record::TraceColumns of_none = app::trace_columns(none.haptic.scene, none.haptic.task);
+  const record::TraceColumns of_off =
+      app::trace_columns(expect(World::build(off.haptic.scene)), off.haptic.task);
+  const record::TraceColumns of_none =
+      app::trace_columns(expect(World::build(none.haptic.scene)), none.haptic.task);
   ASSERT_GT(of_off.columns().size(), of_none.columns().size());
   PipingRun a("clumsy", off), b("clumsy", none);
   for (int i = 0; i < 8000; ++i) {
     const TickRecord x = a.tick(), y = b.tick();
     if (i % 10 != 0) continue;
-    auto with = of_off.columns().begin();
-    for (const record::TraceColumn& column : of_none.columns()) {
-      with = std::find_if(with, of_off.columns().end(), [&](const auto& c) { return c.name == column.name; });
-      ASSERT_NE(with, of_off.columns().end()) << column.name;
-      ASSERT_EQ(with->value({x, 0}), column.value({y, 0})) << column.name << " in tick " << i;
+    std::string row_of_off, row_of_none;
+    of_off.append_row(row_of_off, {x, 0});
+    of_none.append_row(row_of_none, {y, 0});
+    const auto with = record::split_cells(row_of_off), without = record::split_cells(row_of_none);
+    ASSERT_EQ(without.size(), of_none.columns().size());
+    std::size_t place = 0;
+    for (std::size_t c = 0; c < without.size(); ++c, ++place) {
+      const std::string& name = of_none.columns()[c].name;
+      while (place < with.size() && of_off.columns()[place].name != name) ++place;
+      ASSERT_LT(place, with.size()) << name;
+      ASSERT_EQ(with[place], without[c]) << name << " in tick " << i;
     }
   }
 }
@@ -46,9 +56,9 @@ Depths clumsy_on_springs(const std::vector<std::string>& overrides) {
   Depths depths;
   for (int i = 0; i < kTicks; ++i) {
     const TickRecord record = run.tick();
-    double& deepest = record.torque.bad ? depths.bad : depths.good;
+    double& deepest = record.torque_substitution->bad ? depths.bad : depths.good;
     deepest = std::max(deepest, record.depth_max);
-    depths.bad_ticks += record.torque.bad;
+    depths.bad_ticks += record.torque_substitution->bad;
   }
   return depths;
 }
@@ -70,10 +80,10 @@ TEST(Torque, TheClumsyHandIsTold) {
   std::uint32_t faults = 0;
   for (int i = 0; i < kTicks; ++i) {
     const TickRecord record = run.tick();
-    bad += record.torque.bad;
-    vibration = std::max(vibration, record.torque.vibration);
-    ghost = std::max(ghost, record.torque.ghost);
-    energy = std::max(energy, std::abs(record.torque.energy));
+    bad += record.torque_substitution->bad;
+    vibration = std::max(vibration, record.torque_substitution->vibration);
+    ghost = std::max(ghost, record.torque_substitution->ghost);
+    energy = std::max(energy, std::abs(record.torque_substitution->energy));
     faults |= record.faults;
   }
   EXPECT_GT(bad, 100);

@@ -14,15 +14,15 @@ pulses() {
       along = 0; size = 0
       for (i = 1; i <= 3; ++i) {
         axis = substr("xyz", i, 1)
-        along += $at["pulse/force/" axis] * $at["impact/normal/" axis]
-        size += $at["pulse/force/" axis] ^ 2
+        along += $at["braking_pulse/force/" axis] * $at["impact/normal/" axis]
+        size += $at["braking_pulse/force/" axis] ^ 2
       }
       if (size > 0) {
         ++pulses
         if (before > 0 || $at["contact/regions"] == 0) wrong = "a pulse is not in the tick of contact"
         if (along < 0.999999 * sqrt(size)) wrong = "a pulse does not go along the normal"  # the base is not turned
       }
-      before = $at["contact/regions"]; energy = $at["energy/pulse"]; moment = $at["energy/moment"]
+      before = $at["contact/regions"]; energy = $at["braking_pulse/energy"]; moment = $at["braking_pulse/moment_energy"]
     }
     END {
       print hand ": " pulses " pulses of " motors " motors took " (0 - energy) " J; their moment gave " moment " J"

@@ -44,7 +44,8 @@ TEST(Motion, OfATapeIsItsSamples) {
 
 TEST(Motion, OfATraceIsItsHandleBitForBit) {
   const TemporaryFolder folder;
-  Result<TraceWriter> writer = TraceWriter::create(folder / "trace.csv", TraceColumns(0.001, {}));
+  Result<TraceWriter> writer =
+      TraceWriter::create(folder / "trace.csv", TraceColumns(0.001, {}, {TickRecord()}));
   MadeUp made_up(2);
   std::vector<TickRecord> records;
   for (int tick = 0; tick < 100; ++tick) {

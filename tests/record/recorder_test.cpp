@@ -19,8 +19,7 @@ namespace fulcrum::record {
 namespace {
 
 TraceColumns columns() {
-  const std::string motors[] = {"x", "y", "z"};
-  return {1e-3, motors};
+  return {1e-3, {.motors = {"x", "y", "z"}}, {TickRecord()}};
 }
 
 std::int64_t rows_in(const std::filesystem::path& csv) {
@@ -100,7 +99,7 @@ TEST(Recorder, OverwritesNothing) {
 
 TEST(Recorder, FlushesByTicksAndByTheClock) {
   const TemporaryFolder folder;
-  const TraceColumns slow(0.01, {});  // 25 ticks are 0.25 s
+  const TraceColumns slow(0.01, {}, {TickRecord()});  // 25 ticks are 0.25 s
   Result<Recorder> recorder = Recorder::begin(folder.path(), made_up_header(), slow);
   ASSERT_TRUE(recorder);
   run_ticks(*recorder, 0, 24);

@@ -79,7 +79,7 @@ protected:
   }
 
   TemporaryFolder folder_;
-  TraceColumns columns_{1e-3, {}};
+  TraceColumns columns_{1e-3, {}, {TickRecord()}};
   std::vector<TickRecord> run_;
 };
 

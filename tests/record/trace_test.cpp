@@ -2,8 +2,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <array>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 
 #include "engine/assets/sha256.h"
 #include "engine/record/trace_columns.h"
@@ -14,7 +15,12 @@
 namespace fulcrum::record {
 namespace {
 
-const std::array<std::string, 3> kArm = {"yaw", "shoulder", "elbow"};
+const RecordNames kArm = {.motors = {"yaw", "shoulder", "elbow"}};
+
+// Of a scene that names nothing.
+TraceColumns plain() {
+  return {1e-3, kArm, {TickRecord()}};
+}
 
 std::string row_text(const TraceColumns& columns, const TickRecord& record, std::int32_t task_step) {
   std::string line;
@@ -36,7 +42,7 @@ std::string cell(const TraceColumns& columns, const std::string& name, const Tic
 }
 
 TEST(Trace, HeaderIsTheContract) {
-  EXPECT_EQ(TraceColumns(1e-3, kArm).header(),
+  EXPECT_EQ(plain().header(),
             "timestamp,handle/p/x,handle/p/y,handle/p/z,handle/q/w,handle/q/x,handle/q/y,handle/q/z,"
             "tool/p/x,tool/p/y,tool/p/z,tool/q/w,tool/q/x,tool/q/y,tool/q/z,tool/v/x,tool/v/y,tool/v/z,"
             "tool/w/x,tool/w/y,tool/w/z,coupling/force/x,coupling/force/y,coupling/force/z,"
@@ -44,66 +50,66 @@ TEST(Trace, HeaderIsTheContract) {
             "contact/force/z,contact/torque/x,contact/torque/y,contact/torque/z,contact/regions,"
             "contact/depth_max,device/force/x,device/force/y,device/force/z,device/torque/x,device/torque/y,"
             "device/torque/z,actuator/load/yaw,actuator/load/shoulder,actuator/load/elbow,"
-            "actuator/missing/force,actuator/missing/torque,task/step,energy/port,energy/unrendered,fault\n");
+            "actuator/missing/force,actuator/missing/torque,energy/port,energy/unrendered,fault,task/step\n");
 }
 
 // A task that does not count them keeps its bytes.
 TEST(Trace, HardTouchesHaveAColumnWhereTheTaskCountsThem) {
-  const TraceColumns without(1e-3, kArm), with(1e-3, kArm, {.hard_touches = true});
-  std::string header = with.header();
-  const std::string column = "task/hard_touches,";
-  ASSERT_NE(header.find(",task/step," + column), std::string::npos);
-  EXPECT_EQ(header.erase(header.find(column), column.size()), without.header());
   const TickRecord record;
+  const TraceColumns without = plain(), with(1e-3, kArm, {record, 0, 0});
+  std::string header = with.header();
+  const std::string column = "task/hard_touches";
+  ASSERT_TRUE(header.ends_with(",task/step," + column + '\n'));
+  EXPECT_EQ(header.erase(header.size() - column.size() - 2, column.size() + 1), without.header());
   std::string line;
   with.append_row(line, {record, 2, 7});
-  EXPECT_EQ(split_cells(line)[with.columns().size() - 4], "7");
+  EXPECT_TRUE(line.ends_with(",2,7\n")) << line;
 }
 
 TEST(Trace, ADeviceWithoutMotorsHasNoLoads) {
-  EXPECT_EQ(TraceColumns(1e-3, {}).header().find("actuator"), std::string::npos);
+  EXPECT_EQ(TraceColumns(1e-3, {}, {TickRecord()}).header().find("actuator"), std::string::npos);
 }
 
 // What a scene names adds columns, and moves none of the others but for those behind them.
+void expect_added(const TraceColumns& with, const std::string& added) {
+  const std::string header = with.header();
+  const std::size_t at = header.find(added);
+  ASSERT_NE(at, std::string::npos) << header;
+  EXPECT_EQ(header.substr(0, at) + header.substr(at + added.size()), plain().header());
+}
+
 TEST(Trace, TorqueSubstitutionHasColumnsWhereItIsNamed) {
-  const std::string without = TraceColumns(1e-3, kArm).header();
-  const std::string with =
-      TraceColumns(1e-3, kArm, {.torque_substitution = true, .transients = true}).header();
-  const std::string added =
-      "energy/vibration,torque/bad,torque/magnitude,torque/stiffness,cue/vibration,cue/ghost,"
-      "cue/vibration_gain,cue/ghost_gain,";
-  const std::size_t at = with.find(added);
-  ASSERT_NE(at, std::string::npos) << with;
-  EXPECT_EQ(with.substr(0, at) + with.substr(at + added.size()), without);
   TickRecord record;
-  record.torque = {.bad = true, .magnitude = 0.125, .vibration = 0.25, .ghost = 0.5, .energy = 1e-6};
-  const TraceColumns columns(1e-3, kArm, {.torque_substitution = true, .transients = true});
-  EXPECT_EQ(cell(columns, "torque/bad", record), "1");
-  EXPECT_EQ(cell(columns, "torque/magnitude", record), "0.125");
-  EXPECT_EQ(cell(columns, "cue/vibration", record), "0.25");
-  EXPECT_EQ(cell(columns, "cue/ghost", record), "0.5");
-  EXPECT_EQ(cell(columns, "energy/vibration", record), "1e-06");
+  record.torque_substitution = {
+      .bad = true, .magnitude = 0.125, .vibration = 0.25, .ghost = 0.5, .energy = 1e-6};
+  const TraceColumns columns(1e-3, kArm, {record});
+  expect_added(columns,
+               "torque_substitution/bad,torque_substitution/magnitude,torque_substitution/stiffness,"
+               "torque_substitution/vibration,torque_substitution/ghost,torque_substitution/vibration_gain,"
+               "torque_substitution/ghost_gain,torque_substitution/energy,");
+  EXPECT_EQ(cell(columns, "torque_substitution/bad", record), "1");
+  EXPECT_EQ(cell(columns, "torque_substitution/magnitude", record), "0.125");
+  EXPECT_EQ(cell(columns, "torque_substitution/vibration", record), "0.25");
+  EXPECT_EQ(cell(columns, "torque_substitution/ghost", record), "0.5");
+  EXPECT_EQ(cell(columns, "torque_substitution/energy", record), "1e-06");
 }
 
 TEST(Trace, ImpactsAndTheirVibrationHaveColumnsWhereTheyAreNamed) {
-  const std::string without = TraceColumns(1e-3, kArm).header();
-  const TraceColumns columns(1e-3, kArm, {.impacts = true, .impact_vibration = true});
-  const std::string energy = "energy/impact_vibration,";
-  const std::string added =
-      "impact/count,impact/speed,impact/object,impact/p/x,impact/p/y,impact/p/z,impact/normal/x,"
-      "impact/normal/y,impact/normal/z,vibration/gain,vibration/voices,vibration/dropped,"
-      "vibration/frequency_Hz,vibration/radius,vibration/axis/x,vibration/axis/y,vibration/axis/z,"
-      "vibration/amplitude/force/x,vibration/amplitude/force/y,vibration/amplitude/force/z,"
-      "vibration/amplitude/torque/x,vibration/amplitude/torque/y,vibration/amplitude/torque/z,"
-      "vibration/force/x,vibration/force/y,vibration/force/z,vibration/torque/x,vibration/torque/y,"
-      "vibration/torque/z,";
-  const std::string with = columns.header();
-  const std::size_t at = with.find(energy + added);
-  ASSERT_NE(at, std::string::npos) << with;
-  EXPECT_EQ(with.substr(0, at) + with.substr(at + energy.size() + added.size()), without);
   TickRecord record;
   record.impact.emplace();
   record.impact_vibration.emplace();
+  const TraceColumns columns(1e-3, kArm, {record});
+  expect_added(columns,
+               "impact/count,impact/speed,impact/object,impact/p/x,impact/p/y,impact/p/z,impact/normal/x,"
+               "impact/normal/y,impact/normal/z,impact_vibration/gain,impact_vibration/voices,"
+               "impact_vibration/dropped,impact_vibration/frequency_Hz,impact_vibration/radius,"
+               "impact_vibration/axis/x,impact_vibration/axis/y,impact_vibration/axis/z,"
+               "impact_vibration/amplitude/force/x,impact_vibration/amplitude/force/y,"
+               "impact_vibration/amplitude/force/z,impact_vibration/amplitude/torque/x,"
+               "impact_vibration/amplitude/torque/y,impact_vibration/amplitude/torque/z,"
+               "impact_vibration/force/x,impact_vibration/force/y,impact_vibration/force/z,"
+               "impact_vibration/torque/x,impact_vibration/torque/y,impact_vibration/torque/z,"
+               "impact_vibration/energy,");
   EXPECT_EQ(cell(columns, "impact/object", record), "-1");
   record.impact->count = 2;
   record.impact->hardest.object = 3;
@@ -114,21 +120,50 @@ TEST(Trace, ImpactsAndTheirVibrationHaveColumnsWhereTheyAreNamed) {
   EXPECT_EQ(cell(columns, "impact/count", record), "2");
   EXPECT_EQ(cell(columns, "impact/object", record), "3");
   EXPECT_EQ(cell(columns, "impact/speed", record), "0.125");
-  EXPECT_EQ(cell(columns, "vibration/frequency_Hz", record), "18.5");
-  EXPECT_EQ(cell(columns, "vibration/torque/z", record), "-0.25");
-  EXPECT_EQ(cell(columns, "energy/impact_vibration", record), "2e-06");
+  EXPECT_EQ(cell(columns, "impact_vibration/frequency_Hz", record), "18.5");
+  EXPECT_EQ(cell(columns, "impact_vibration/torque/z", record), "-0.25");
+  EXPECT_EQ(cell(columns, "impact_vibration/energy", record), "2e-06");
+}
+
+TEST(Trace, EachChannelHasAColumn) {
+  TickRecord record;
+  record.vibrotactile_motion.emplace().command.level = {0.5, 0.25};
+  const TraceColumns columns(1e-3, {.channels = {"left", "right"}}, {record});
+  EXPECT_EQ(cell(columns, "vibrotactile_motion/left", record), "0.5");
+  EXPECT_EQ(cell(columns, "vibrotactile_motion/right", record), "0.25");
+}
+
+// Each cell under its own name, for all that a record can have.
+TEST(Trace, ARowHasACellForEachColumn) {
+  TickRecord record;
+  record.impact.emplace();
+  record.holding.emplace();
+  record.contact_stiffness = record.contact_stiffness_wanted = 300;
+  record.torque_substitution.emplace();
+  record.impact_vibration.emplace();
+  record.braking_pulse.emplace();
+  record.vibrotactile_motion.emplace();
+  record.inertia_compensation.emplace();
+  const TraceColumns columns(1e-3, {.motors = kArm.motors, .channels = {"left", "right"}}, {record, 0, 0});
+  EXPECT_EQ(split_cells(row_text(columns, record, 0)).size(), columns.columns().size() - 1);
+  std::string line;
+  columns.append_row(line, {record, 0, 0});
+  EXPECT_EQ(split_cells(line).size(), columns.columns().size());
+  std::set<std::string> names;
+  for (const TraceColumn& column : columns.columns())
+    EXPECT_TRUE(names.insert(column.name).second) << column.name;
 }
 
 TEST(Trace, TimesAreThoseOnePrints) {
   TickRecord record;
-  const TraceColumns kilohertz(0.001, {});
+  const TraceColumns kilohertz(0.001, {}, {record});
   record.tick = 3;  // 3 * 0.001 is 0.0030000000000000001 and prints so
   EXPECT_EQ(cell(kilohertz, "timestamp", record), "0.003");
   record.tick = 12345;
   EXPECT_EQ(cell(kilohertz, "timestamp", record), "12.345");
   record.tick = 7;
-  EXPECT_EQ(cell(TraceColumns(1.0 / 3000, {}), "timestamp", record), "0.0023333333333333335");
-  EXPECT_EQ(cell(TraceColumns(0.0035, {}), "timestamp", record), "0.0245");
+  EXPECT_EQ(cell(TraceColumns(1.0 / 3000, {}, {record}), "timestamp", record), "0.0023333333333333335");
+  EXPECT_EQ(cell(TraceColumns(0.0035, {}, {record}), "timestamp", record), "0.0245");
 }
 
 TEST(Trace, EveryColumnShowsItsField) {
@@ -145,7 +180,7 @@ TEST(Trace, EveryColumnShowsItsField) {
   r.actuator_load[1] = -0.75;
   r.energy_port = -1e-4;
   r.faults = 0x80000001u;
-  const TraceColumns columns(1e-3, kArm);
+  const TraceColumns columns = plain();
   EXPECT_EQ(cell(columns, "handle/q/w", r), "0.5");
   EXPECT_EQ(cell(columns, "handle/q/z", r), "-0.5");
   EXPECT_EQ(cell(columns, "tool/p/y", r), "-0.25");
@@ -162,10 +197,10 @@ TEST(Trace, EveryColumnShowsItsField) {
 }
 
 TEST(Trace, JsonTellsOfEveryColumn) {
-  const TraceColumns columns(1e-3, kArm);
+  const TraceColumns columns = plain();
   const nlohmann::json document = nlohmann::json::parse(columns.json());
   ASSERT_EQ(document["columns"].size(), columns.columns().size());
-  EXPECT_EQ(document["version"], 1);
+  EXPECT_EQ(document["version"], kTraceVersion);
   for (std::size_t i = 0; i < columns.columns().size(); ++i) {
     const nlohmann::json& column = document["columns"][i];
     EXPECT_EQ(column["name"], columns.columns()[i].name);
@@ -176,7 +211,7 @@ TEST(Trace, JsonTellsOfEveryColumn) {
 
 TEST(Trace, FileIsHeaderAndRowsAndItsHash) {
   const TemporaryFolder folder;
-  const TraceColumns columns(1e-3, kArm);
+  const TraceColumns columns = plain();
   Result<TraceWriter> writer = TraceWriter::create(folder / "trace.csv", columns);
   ASSERT_TRUE(writer);
   MadeUp made_up(2);
@@ -197,7 +232,7 @@ TEST(Trace, FileIsHeaderAndRowsAndItsHash) {
 
 TEST(Trace, WhatIsTakenBackIsNeitherInTheFileNorInTheHash) {
   const TemporaryFolder folder;
-  const TraceColumns columns(1e-3, {});
+  const TraceColumns columns(1e-3, {}, {TickRecord()});
   Result<TraceWriter> writer = TraceWriter::create(folder / "trace.csv", columns);
   ASSERT_TRUE(writer);
   MadeUp made_up(3);

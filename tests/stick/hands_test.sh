@@ -9,7 +9,7 @@ watch() {
   awk -F, -v hand="$1" '
     NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
     {
-      t = $at["timestamp"]; touches = $at["contact/regions"] > 0; place = $at["holding/place"]; state = $at["holding/state"]
+      t = $at["timestamp"]; touches = $at["contact/regions"] > 0; place = $at["holding_point/place"]; state = $at["holding_point/state"]
       for (i = 1; i <= 3; ++i) {
         axis = substr("xyz", i, 1); f = $at["device/force/" axis]; m = $at["device/torque/" axis]
         step_f += (f - last_f[i]) ^ 2; step_m += (m - last_m[i]) ^ 2; last_f[i] = f; last_m[i] = m
@@ -25,7 +25,7 @@ watch() {
       if (touches && lost != (state >= 2)) wrong = "the fault does not say what the state does"
       if (touches) { states[state] = 1; if (!n++ || place < low) low = place; if (place > high) high = place }
       if (touches && state == 4) ends = place
-      if ($at["contact/regions"] > 0 && $at["holding/limit"] <= 0) wrong = "no limit where it touches"
+      if ($at["contact/regions"] > 0 && $at["holding_point/limit"] <= 0) wrong = "no limit where it touches"
     }
     END {
       printf "%s: steps of %.4f N and %.5f N m at most; held from %.0f to %.0f mm while it touched\n", hand, most_f, most_m, low * 1e3, high * 1e3

@@ -33,7 +33,7 @@ TickRecord held(double place, HoldingState state) {
   record.holding->p_HG = Vec3(place, 0, 0);
   record.holding->state = state;
   record.holding->limit = 316;
-  record.inertia.emplace().method = InertiaMethod::arm;
+  record.inertia_compensation.emplace().method = InertiaMethod::arm;
   record.contact_stiffness = 300;
   return record;
 }

@@ -25,12 +25,15 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
   record.X_WH = record.X_WT * prepared.haptic.scene.tool.X_HT.inverse();
   record.coupling_F_T_W.torque = Vec3(0.02, 0, 0);
   record.device_F_H_D.force = Vec3(0.4, 0.3, 0);
-  record.torque.vibration_gain = record.torque.ghost_gain = 1;
   const SceneDesc& scene = prepared.haptic.scene;
+  if (substitutes_torque(scene)) {
+    TorqueCues& torque = record.torque_substitution.emplace();
+    torque.vibration_gain = torque.ghost_gain = 1;
+  }
   if (vibrates_at_impacts(scene)) record.impact_vibration.emplace().gain = 1;
   if (brakes_at_impacts(scene)) {
-    record.pulse.emplace().gain = 1;
-    record.pulse->moment = true;
+    record.braking_pulse.emplace().gain = 1;
+    record.braking_pulse->moment = true;
   }
   if (scene.holding_point) {
     HoldingCues& holding = record.holding.emplace();
@@ -40,9 +43,9 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
     holding.limit = 400;
     record.contact_stiffness = scene.contact.stiffness;
   }
-  if (compensates_inertia(scene)) record.inertia.emplace().method = InertiaMethod::acceleration;
+  if (compensates_inertia(scene)) record.inertia_compensation.emplace().method = InertiaMethod::acceleration;
   if (moves_vibration(scene)) {
-    VibrotactileCues& touch = record.vibrotactile.emplace();
+    VibrotactileCues& touch = record.vibrotactile_motion.emplace();
     touch.gain = 1;
     touch.command.level = {0.4 * scene.vibrotactile_motion->strength,
                            0.9 * scene.vibrotactile_motion->strength};
@@ -55,9 +58,9 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
 void turn_on(const app::Prepared& prepared, const Vec3& axis_T, double angle_rad, TickRecord& record) {
   const Quat q_WG = record.X_WT.q * Quat(Eigen::AngleAxisd(angle_rad, axis_T.normalized()));
   record.X_WH.q = q_WG * prepared.haptic.scene.tool.X_HT.q.conjugate();
-  record.torque.bad = true;
-  record.torque.vibration = 0.3;
-  record.torque.ghost = 1;
+  record.torque_substitution->bad = true;
+  record.torque_substitution->vibration = 0.3;
+  record.torque_substitution->ghost = 1;
 }
 
 void expect_golden(const app::Prepared& prepared, app::Moment moment, const std::string& view,

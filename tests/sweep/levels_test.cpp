@@ -73,7 +73,7 @@ TEST(Levels, AreTheHeightsOfTheBarsAtTheirSides) {
   record.X_WH = {Quat::Identity(), Vec3(0.02, 0, 0)};
   record.X_WT = record.X_WH * scene.tool.X_HT;
   const auto heights = [&](double left, double right) {
-    VibrotactileCues& cues = record.vibrotactile.emplace();
+    VibrotactileCues& cues = record.vibrotactile_motion.emplace();
     cues.command.level[*scene.device.vibrotactile->find("left")] = left * scene.vibrotactile_motion->strength;
     cues.command.level[*scene.device.vibrotactile->find("right")] =
         right * scene.vibrotactile_motion->strength;
@@ -100,7 +100,7 @@ TEST(Levels, StandAsTheAxisOfTheSweepDoes) {
         app::prepare("sweep", std::vector{std::string("vibrotactile_motion.axis=") + axis});
     ASSERT_TRUE(sweep);
     TickRecord record;
-    record.vibrotactile.emplace();
+    record.vibrotactile_motion.emplace();
     record.X_WH = {Quat::Identity(), Vec3(0.02, 0, 0.01)};
     record.X_WT = record.X_WH * sweep->haptic.scene.tool.X_HT;
     const glm::vec3 across = bar_of(*sweep, record, scenario::kFollowsRightLevel).foot -

@@ -53,7 +53,7 @@ Settled BrakingPulseEffect::settle(const EffectTick& /*tick*/, const Rendered& r
 }
 
 void BrakingPulseEffect::record(EffectRecords& records) const noexcept {
-  PulseCues& cues = records.pulse.emplace(effect_.cues());
+  PulseCues& cues = records.braking_pulse.emplace(effect_.cues());
   cues.F_H_D = rendered_.F_H_D;
   if (!cues.wanted_F_H_D.is_zero()) {
     cues.force_share = rendered_.force_share;

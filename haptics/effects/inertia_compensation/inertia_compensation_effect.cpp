@@ -92,7 +92,7 @@ Settled InertiaCompensationEffect::settle(const EffectTick& tick, const Rendered
 }
 
 void InertiaCompensationEffect::record(EffectRecords& records) const noexcept {
-  records.inertia = effect_.cues();
+  records.inertia_compensation = effect_.cues();
 }
 
 BuiltPart InertiaCompensationEffect::part() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "haptics/math/linear.h"
+#include "haptics/tick/quantity.h"
 
 namespace fulcrum {
 
@@ -20,5 +21,28 @@ struct InertiaCues {
   double energy = 0;                   // J, the account of acceleration, see InertiaCompensation
   double arm_energy = 0;               // J, that of arm
 };
+
+template <class V>
+void describe(V& values, const InertiaCues& record) {
+  const auto& [method, gain, faded, acceleration_D, force_D, torque_D, energy, arm_energy] = record;
+  values.count({"inertia_compensation/method", "1", "", "0 none, 1 arm, 2 acceleration."},
+               static_cast<std::int64_t>(method));
+  values.number({"inertia_compensation/gain", "1", "", "Of the device's mass times acceleration, in use."},
+                gain);
+  values.unseen(faded);  // the fault bit tells
+  values.vector({"inertia_compensation/acceleration", "m/s^2", "D", "Of the handle, as estimated."},
+                acceleration_D);
+  values.vector({"inertia_compensation/force", "N", "D", "Commanded on the handle for the device's inertia."},
+                force_D);
+  values.vector(
+      {"inertia_compensation/torque", "N m", "D", "What the method arm adds to the torque on the handle."},
+      torque_D);
+  values.number({"inertia_compensation/energy", "J", "",
+                 "What compensation gave, less what is in the handle's motion and what damping has taken."},
+                energy);
+  values.number({"inertia_compensation/arm_energy", "J", "",
+                 "What the torque of the method arm gave to the hand, forgotten over a second."},
+                arm_energy);
+}
 
 }  // namespace fulcrum

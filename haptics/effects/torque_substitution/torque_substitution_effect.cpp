@@ -11,14 +11,14 @@ constexpr double kSlowest_Hz = 80;
 constexpr double kSamples = 2.5;  // a period; with fewer the held samples are mostly mirror tones
 
 TorqueSurroundings surroundings(const PlainScene& scene) {
-  return {.tick_s = scene.tick_s,
-          .tool_reach = scene.tool_shell->max_radius_m,
-          .max_force = scene.coupling.max_force,
-          .max_torque = scene.coupling.max_torque,
-          .renders_force = scene.device.renders_force,
-          .senses_rotation = scene.device.senses_rotation,
-          .springs =
-              coupled(scene.contact.response) && scene.contact.response != ContactResponse::constraint};
+  return {
+      .tick_s = scene.tick_s,
+      .tool_reach = scene.tool_shell->max_radius_m,
+      .max_force = scene.coupling.max_force,
+      .max_torque = scene.coupling.max_torque,
+      .renders_force = scene.device.renders_force,
+      .senses_rotation = scene.device.senses_rotation,
+      .springs = coupled(scene.contact.response) && scene.contact.response != ContactResponse::constraint};
 }
 
 }  // namespace
@@ -117,8 +117,7 @@ void TorqueSubstitutionEffect::command(const EffectTick& tick, double /*gain*/, 
 }
 
 void TorqueSubstitutionEffect::record(EffectRecords& records) const noexcept {
-  records.torque = effect_.cues();
-  records.torque.energy = energy_;
+  records.torque_substitution.emplace(effect_.cues()).energy = energy_;
 }
 
 BuiltPart TorqueSubstitutionEffect::part() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "haptics/device/vibrotactile_desc.h"
+#include "haptics/tick/quantity.h"
 
 namespace fulcrum {
 
@@ -15,5 +16,28 @@ struct VibrotactileCues {
   std::int32_t direction = 0;   // of the sweep along the axis: -1, 1; 0: at rest
   double force = 0;             // N, wanted along the axis, before safety
 };
+
+template <class V>
+void describe(V& values, const VibrotactileCues& record) {
+  const auto& [gain, command, missing, x, direction, force] = record;
+  const auto& [level, glide, stopping] = command;
+  values.number({"vibrotactile_motion/gain", "1", "", "What vibrotactile motion is set to; 0: off."}, gain);
+  values.each({"vibrotactile_motion", "m/s^2", "", "Amplitude that this channel is told to go to."}, level,
+              values.names().channels);
+  values.number({"vibrotactile_motion/missing", "m/s^2", "",
+                 "The most that a channel was asked for beyond what it can, in amplitude."},
+                missing);
+  values.number({"vibrotactile_motion/glide", "s", "", "In which the channels go to their amplitudes."},
+                glide);
+  values.unseen(stopping);
+  values.number({"vibrotactile_motion/x", "m", "",
+                 "Along the axis of the sweep, from its centre; as a fallback, in the window."},
+                x);
+  values.count(
+      {"vibrotactile_motion/direction", "1", "", "Of the sweep along the axis, -1 or 1; 0: at rest."},
+      direction);
+  values.number(
+      {"vibrotactile_motion/force", "N", "", "Wanted along the axis, on the handle, before safety."}, force);
+}
 
 }  // namespace fulcrum

@@ -110,7 +110,7 @@ void VibrotactileMotionEffect::command(const EffectTick& /*tick*/, double gain, 
 }
 
 void VibrotactileMotionEffect::record(EffectRecords& records) const noexcept {
-  records.vibrotactile = effect_.cues();
+  records.vibrotactile_motion = effect_.cues();
 }
 
 BuiltPart VibrotactileMotionEffect::part() const {

@@ -40,8 +40,8 @@ TEST_P(InContact, APegInASlotIsBadFromTheThresholdOn) {
     const double most = desc.coupling.max_torque;
     const double angle = kJam - most / k * std::log1p(-torque / most);
     const StepResult result = wind(world, angle, 0.5, 1500);
-    EXPECT_NEAR(result.record.torque.magnitude, torque, 0.08 * torque);
-    EXPECT_EQ(result.record.torque.bad, torque > 0.03) << torque;
+    EXPECT_NEAR(result.record.torque_substitution->magnitude, torque, 0.08 * torque);
+    EXPECT_EQ(result.record.torque_substitution->bad, torque > 0.03) << torque;
     EXPECT_GT(result.record.regions, 1);
   }
 }
@@ -52,7 +52,7 @@ TEST_P(InContact, APushAlongTheTorqueDoesNotMakeItGood) {
   World world = expect(World::build(desc));
   const StepResult result = wind(world, 0.1, 0.5, 2000, Vec3(0, 0, 0.012));
   EXPECT_GT(result.record.coupling_F_T_W.force.z(), 2.0);
-  EXPECT_TRUE(result.record.torque.bad);
+  EXPECT_TRUE(result.record.torque_substitution->bad);
 }
 
 // A foot at (r, 0, 0), pressed onto the floor: one force at a lever. Bad just when r > R_d.
@@ -69,8 +69,8 @@ TEST_P(InContact, OneFootIsBadWhereItsLeverIsLongerThanTheTool) {
     StepResult result;
     for (int i = 0; i < 2000; ++i)
       result = step(world, at({Quat::Identity(), Vec3(0, 1e-3 - std::min(1.0, i / 500.0) * 4e-3, 0)}), {});
-    EXPECT_GT(result.record.torque.magnitude, 0.006);
-    EXPECT_EQ(result.record.torque.bad, r > 0.02) << r;
+    EXPECT_GT(result.record.torque_substitution->magnitude, 0.006);
+    EXPECT_EQ(result.record.torque_substitution->bad, r > 0.02) << r;
   }
 }
 
@@ -91,8 +91,9 @@ TEST(TorqueSubstitution, TheWeightExplainsNothing) {
   const double sag = tool_weight(desc.tool) / desc.coupling.stiffness;
   // R_d |weight| is 0.031 N m here, of the size of the torque.
   const StepResult result = wind(world, 0.03, 0.3, 1500, Vec3(0, sag, 0));
-  EXPECT_GT(desc.tool_shell->max_radius_m * tool_weight(desc.tool), 0.8 * result.record.torque.magnitude);
-  EXPECT_TRUE(result.record.torque.bad);
+  EXPECT_GT(desc.tool_shell->max_radius_m * tool_weight(desc.tool),
+            0.8 * result.record.torque_substitution->magnitude);
+  EXPECT_TRUE(result.record.torque_substitution->bad);
 }
 
 TEST(TorqueSubstitution, VariantsSayWhichCuesAreOn) {
@@ -106,10 +107,10 @@ TEST(TorqueSubstitution, VariantsSayWhichCuesAreOn) {
     desc.torque_substitution->variant = c.variant;
     World world = expect(World::build(desc));
     const StepResult result = wind(world, 1.0, 0.5, 1000);
-    EXPECT_TRUE(result.record.torque.bad);
-    EXPECT_EQ(result.record.torque.vibration > 0, c.vibration);
-    EXPECT_EQ(result.record.torque.ghost > 0, c.ghost);
-    EXPECT_EQ(result.command.cues.vibration, result.record.torque.vibration);
+    EXPECT_TRUE(result.record.torque_substitution->bad);
+    EXPECT_EQ(result.record.torque_substitution->vibration > 0, c.vibration);
+    EXPECT_EQ(result.record.torque_substitution->ghost > 0, c.ghost);
+    EXPECT_EQ(result.command.cues.vibration, result.record.torque_substitution->vibration);
     // The way back, as a person would have to go: 1 rad about z, less what the jammed peg has turned.
     EXPECT_NEAR((result.command.cues.unwind_D - Vec3(0, 0, kJam - 1.0)).norm(), 0, 0.01);
   }
@@ -127,7 +128,7 @@ TEST(TorqueSubstitution, TheGhostComesAndGoesWithHysteresisAndAFade) {
     // From 0.03 to 0.07 N m and back, twice, with a flutter that crosses each bound many times.
     const double swing = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / 2000.0);
     const double angle = 0.022 + 0.03 * swing + 0.0005 * std::sin(0.5 * i);
-    const TorqueCues cues = step(world, at(turned(angle)), {}).record.torque;
+    const TorqueCues cues = *step(world, at(turned(angle)), {}).record.torque_substitution;
     EXPECT_LE(std::abs(cues.ghost - last), 0.0100001);
     const int now = cues.ghost > last ? 1 : cues.ghost < last ? -1 : direction;
     turns += now != direction;
@@ -153,16 +154,17 @@ TEST(TorqueSubstitution, SwitchingInMidRunDoesNotStepTheWrench) {
     if (i % 500 == 250) commands.push_back({Command::Kind::vibration_gain, i % 1000 == 250 ? 1.0 : 0.0});
     if (i % 700 == 350) commands.push_back({Command::Kind::ghost_gain, i % 1400 == 350 ? 0.5 : 0.0});
     const TickRecord record = step(world, at(X), commands).record;
-    EXPECT_LE((record.device_F_H_D.force - last).norm(), slew + (record.torque.vibration > 0 ? tone : 0))
+    EXPECT_LE((record.device_F_H_D.force - last).norm(),
+              slew + (record.torque_substitution->vibration > 0 ? tone : 0))
         << i;
     last = record.device_F_H_D.force;
-    vibrated |= record.torque.vibration > 0.3;
-    shown |= record.torque.ghost > 0.49;
+    vibrated |= record.torque_substitution->vibration > 0.3;
+    shown |= record.torque_substitution->ghost > 0.49;
     // The handle is held here, so nothing but the vibration may differ from a run in which nobody switched.
     const TickRecord same = step(untouched, at(X), {}).record;
     ASSERT_EQ(record.X_WT.p, same.X_WT.p);
     ASSERT_EQ(record.coupling_F_T_W.torque, same.coupling_F_T_W.torque);
-    if (record.torque.vibration == 0) {
+    if (record.torque_substitution->vibration == 0) {
       ASSERT_EQ(record.device_F_H_D.force, same.device_F_H_D.force);
     }
   }
@@ -231,15 +233,15 @@ TEST(TorqueSubstitution, DegradesWithTheDevice) {
   mouse.device.renders_force = false;
   World of_mouse = expect(World::build(mouse));
   const StepResult clicked = wind(of_mouse, 1.0, 0.5, 1000);
-  EXPECT_TRUE(clicked.record.torque.bad);
-  EXPECT_EQ(clicked.record.torque.vibration, 0.0);
-  EXPECT_EQ(clicked.record.torque.ghost, 1.0);
+  EXPECT_TRUE(clicked.record.torque_substitution->bad);
+  EXPECT_EQ(clicked.record.torque_substitution->vibration, 0.0);
+  EXPECT_EQ(clicked.record.torque_substitution->ghost, 1.0);
   SceneDesc three = peg_scene({});
   three.device.senses_rotation = false;
   World of_three = expect(World::build(three));
   const StepResult pushed = wind(of_three, 1.0, 0.5, 1000);  // as if it sensed it, all the same
-  EXPECT_GT(pushed.record.torque.vibration, 0.3);
-  EXPECT_EQ(pushed.record.torque.ghost, 0.0);
+  EXPECT_GT(pushed.record.torque_substitution->vibration, 0.3);
+  EXPECT_EQ(pushed.record.torque_substitution->ghost, 0.0);
 }
 
 TEST(TorqueSubstitution, AGhostThatWouldLeaveBeforeItAppearsIsRefused) {

@@ -46,8 +46,8 @@ Session run(const SceneDesc& desc, const HandTask& task, double hold, int ticks,
     run.records.push_back(result.record);
     run.faults |= result.record.faults;
     run.least_port = std::min(run.least_port, result.record.energy_port);
-    if (result.record.inertia)
-      run.largest_account = std::max(run.largest_account, result.record.inertia->energy);
+    if (result.record.inertia_compensation)
+      run.largest_account = std::max(run.largest_account, result.record.inertia_compensation->energy);
     if (const HeldHandle* held = device.held()) {
       const Vec3 p_HG(hold, 0, 0), way = device.X_DH() * p_HG - before * p_HG;
       const Vec3 turn = rotation_vector(device.X_DH().q * before.q.conjugate());
@@ -259,10 +259,10 @@ TEST(Holding, MethodsSwitchInContactWithoutAStep) {
   expect_no_step(switched, desc, 700, 2600);
   EXPECT_GT(switched.least_port, -1e-4);
   EXPECT_TRUE(std::ranges::any_of(switched.records, [](const TickRecord& r) {
-    return r.inertia->torque_D.norm() > 0.01;  // the arm's
+    return r.inertia_compensation->torque_D.norm() > 0.01;  // the arm's
   }));
-  EXPECT_TRUE(std::ranges::any_of(switched.records,
-                                  [](const TickRecord& r) { return r.inertia->force_D.norm() > 0.01; }));
+  EXPECT_TRUE(std::ranges::any_of(
+      switched.records, [](const TickRecord& r) { return r.inertia_compensation->force_D.norm() > 0.01; }));
 }
 
 // The spring that is pressed keeps its stiffness until it is let go, and the level is the nearest.
@@ -329,7 +329,7 @@ TEST(Holding, TicksThatAreCaughtUpAreNoBlow) {
       std::vector<Command> commands;
       if (told && i == stalled) commands.push_back({Command::Kind::caught_up, ticks});
       const StepResult result = step(world, sample, commands);
-      if (i >= stalled) largest = std::max(largest, result.record.inertia->force_D.norm());
+      if (i >= stalled) largest = std::max(largest, result.record.inertia_compensation->force_D.norm());
     }
     return largest;
   };
@@ -394,7 +394,7 @@ TEST(Holding, ExtremesStayFiniteAndWithinTheLimits) {
     const Session wild = run(desc, pressing(desc, 0.1), 0.1, static_cast<int>(3 / extreme.tick_s));
     for (const TickRecord& record : wild.records) {
       ASSERT_TRUE(record.device_F_H_D.is_finite() && record.X_WT.is_finite());
-      ASSERT_TRUE(std::isfinite(record.inertia->energy));
+      ASSERT_TRUE(std::isfinite(record.inertia_compensation->energy));
       ASSERT_LE(record.device_F_H_D.force.norm(), desc.device.max_force * (1 + 1e-9));
       ASSERT_LE(record.device_F_H_D.torque.norm(), desc.device.max_torque * (1 + 1e-9));
     }
@@ -411,7 +411,8 @@ TEST(Holding, SamplesThatAreNoNumbersStopTheForce) {
   EXPECT_NE(broken.faults & kNotFinite, 0u);
   for (const TickRecord& record : broken.records) {
     ASSERT_TRUE(record.device_F_H_D.is_finite());
-    ASSERT_TRUE(std::isfinite(record.inertia->energy) && record.inertia->acceleration_D.allFinite());
+    ASSERT_TRUE(std::isfinite(record.inertia_compensation->energy) &&
+                record.inertia_compensation->acceleration_D.allFinite());
   }
   EXPECT_TRUE(broken.last().device_F_H_D.is_zero());
 }

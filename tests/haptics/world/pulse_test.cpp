@@ -29,7 +29,7 @@ SceneDesc plate_scene(ContactResponse response = ContactResponse::constraint) {
 }
 
 bool pulses(const TickRecord& record) {
-  return !record.pulse->F_H_D.is_zero();
+  return !record.braking_pulse->F_H_D.is_zero();
 }
 
 void expect_within_limits(const TickRecord& record, const DeviceDesc& device, std::size_t tick) {
@@ -130,8 +130,8 @@ TEST(BrakingPulse, LastsItsTicksAndEndsWhenTheHandTurnsBack) {
   for (const TickRecord& record : led_on) {
     if (!pulses(record)) continue;
     const double wanted = desc.braking_pulse->hand_mass * 0.1 / (8 * desc.tick_s);
-    EXPECT_NEAR(record.pulse->wanted_F_H_D.force.y(), wanted, 2e-3 * wanted);
-    impulse += desc.tick_s * record.pulse->F_H_D.force.y();
+    EXPECT_NEAR(record.braking_pulse->wanted_F_H_D.force.y(), wanted, 2e-3 * wanted);
+    impulse += desc.tick_s * record.braking_pulse->F_H_D.force.y();
   }
   EXPECT_LE(impulse, desc.braking_pulse->hand_mass * 0.1);
 }
@@ -149,7 +149,7 @@ TEST(BrakingPulse, PlacesThatAreStruckTogetherShareTheMomentum) {
     if (record.impact->count > 0) {
       EXPECT_EQ(record.impact->count, 2);
     }
-    most = std::max(most, record.pulse->wanted_F_H_D.force.y());
+    most = std::max(most, record.braking_pulse->wanted_F_H_D.force.y());
   }
   EXPECT_NEAR(most, wanted, 2e-3 * wanted);
 }
@@ -158,7 +158,8 @@ TEST(BrakingPulse, OneCommandTurnsTheMomentOffAndOneTheWhole) {
   std::vector<double> heights;
   for (int i = 0; i < 60; ++i) heights.push_back(2e-3 - 1e-4 * i);
   const auto strongest = [](const std::vector<TickRecord>& records) {
-    return std::ranges::max(records, {}, [](const TickRecord& r) { return r.pulse->F_H_D.force.norm(); });
+    return std::ranges::max(records, {},
+                            [](const TickRecord& r) { return r.braking_pulse->F_H_D.force.norm(); });
   };
   const TickRecord both = strongest(lead(plate_scene(), heights));
   const TickRecord force = strongest(lead(plate_scene(), heights, {{Command::Kind::pulse_moment, 0}}));
@@ -194,7 +195,7 @@ TEST(BrakingPulse, ExtremesStayWithinEveryLimit) {
           for (std::size_t i = 0; i < heights.size(); ++i) {
             const TickRecord record = step(world, at(handle(desc, heights[i])), {}).record;
             expect_within_limits(record, desc.device, i);
-            const double J = tick_s * record.pulse->F_H_D.force.y();
+            const double J = tick_s * record.braking_pulse->F_H_D.force.y();
             EXPECT_GE(J, -1e-12);
             impulse += J;
             given.push_back(J);

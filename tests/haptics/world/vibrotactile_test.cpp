@@ -56,14 +56,14 @@ std::vector<TickRecord> swept(const SceneDesc& desc, double speed = 0.1, double 
 }
 
 double told(const TickRecord& record) {
-  return record.vibrotactile->command.level[0] + record.vibrotactile->command.level[1];
+  return record.vibrotactile_motion->command.level[0] + record.vibrotactile_motion->command.level[1];
 }
 
 TEST(VibrotactileInAWorld, ThereInTheWindowOfEitherWayAndOnlyThere) {
   for (const bool pushes : {true, false}) {
     int right = 0, left = 0;
     for (const TickRecord& record : swept(finger_scene(pushes))) {
-      const VibrotactileCues& cues = *record.vibrotactile;
+      const VibrotactileCues& cues = *record.vibrotactile_motion;
       EXPECT_NEAR(cues.x, record.X_WH.p.x(), 1e-12);
       const bool inside =
           cues.direction != 0 && cues.direction * cues.x >= 0 && cues.direction * cues.x <= 0.01;
@@ -200,7 +200,7 @@ TEST(VibrotactileInAWorld, TheLateralForceDoesNotChatter) {
       TickEvent event;
       run_tick(world, device, {}, event);
       deepest = std::min(deepest, event.record.energy_port);
-      const double force = event.record.vibrotactile->force;
+      const double force = event.record.vibrotactile_motion->force;
       most = std::max(most, std::abs(force));
       if (std::abs(force) < 0.2) continue;
       changes += force * last < 0;
@@ -215,7 +215,7 @@ TEST(VibrotactileInAWorld, TheLateralForceDoesNotChatter) {
 TEST(VibrotactileInAWorld, AFallbackIsForDevicesThatCannotPush) {
   SceneDesc desc = finger_scene();
   desc.vibrotactile_motion->use = VibrotactileUse::fallback;
-  for (const TickRecord& record : swept(desc)) ASSERT_FALSE(record.vibrotactile);
+  for (const TickRecord& record : swept(desc)) ASSERT_FALSE(record.vibrotactile_motion);
 
   // Against a wall on the right: as strong as the force that the hand should feel, pressing on, not leaving.
   desc.device = fingertip(false);
@@ -223,7 +223,7 @@ TEST(VibrotactileInAWorld, AFallbackIsForDevicesThatCannotPush) {
   int vibrating = 0;
   for (const TickRecord& record : swept(desc, 0.1, 0)) {
     const double F = -record.coupling_F_T_W.force.x();  // on the hand
-    const int direction = record.vibrotactile->direction;
+    const int direction = record.vibrotactile_motion->direction;
     if (record.X_WH.p.x() < -1e-3) {
       EXPECT_EQ(told(record), 0) << record.tick;
     }
