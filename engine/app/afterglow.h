@@ -4,9 +4,12 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "engine/app/impact_circle.h"
 #include "engine/ui/peak_hold.h"
+#include "haptics/tick/knob.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::app {
@@ -17,8 +20,8 @@ public:
   explicit Afterglow(const Vec3& p_TH) : p_TH_(p_TH) {}
   Afterglow() = default;  // of nothing
 
-  // Every tick, in order. time: s, simulated.
-  void add(const TickRecord& record, double time);
+  // Every tick, in order. time: s, simulated. knobs: of the tick; only the brief ones are looked at.
+  void add(const TickRecord& record, double time, std::span<const Knob> knobs = {});
 
   // A motor's largest loads of the last moments, fractions of its limit; low <= 0 <= high.
   struct Peaks {
@@ -26,9 +29,8 @@ public:
   };
   const std::array<Peaks, kMaxMotors>& motors() const { return motors_; }
 
-  // Likewise, 0 to 1: of a braking pulse's force and moment, what the motors gave.
-  double pulse_force() const { return pulse_force_; }
-  double pulse_moment() const { return pulse_moment_; }
+  // Likewise, 0 to 1: how strong a brief effect was, by the command that sets its knob.
+  double peak(Command::Kind kind) const;
 
   // The newest impact that was felt.
   const std::optional<StruckPlace>& struck() const { return struck_; }
@@ -37,8 +39,12 @@ private:
   Vec3 p_TH_ = Vec3::Zero();
   std::array<ui::PeakHold, kMaxMotors> low_, high_;
   std::array<Peaks, kMaxMotors> motors_{};
-  ui::PeakHold force_, moment_;
-  double pulse_force_ = 0, pulse_moment_ = 0;
+  struct Level {
+    Command::Kind kind;
+    ui::PeakHold hold{};
+    double peak = 0;
+  };
+  std::vector<Level> levels_;  // of the brief knobs
   std::optional<StruckPlace> struck_;
 };
 

@@ -26,41 +26,12 @@ render::MarkerState marker_state(const scenario::TaskState& task, std::size_t i)
   return {task.inside ? Show::dwelling : Show::next, static_cast<float>(task.dwell_progress)};
 }
 
-// 0 to 1: of what a voice may have at its strongest.
-double level_of(const SceneDesc& scene, const ImpactCues& cues) {
-  const double peak = figures_of(TransientSource::impact_vibration).peak;
-  const auto part = [peak](const Vec3& v, double largest) {
-    return largest > 0 ? v.norm() / (0.5 * peak * largest) : 0.0;
-  };
-  return std::min(1.0, std::max(part(cues.F_H_D.force, scene.device.max_force),
-                                part(cues.F_H_D.torque, scene.device.max_torque)));
-}
-
 std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record,
                                    const Afterglow& afterglow) {
-  const TorqueCues cues = record.torque_substitution.value_or(TorqueCues());
   std::vector<ui::CueLine> lines;
-  for (const Command::Kind kind : cue_commands(scene)) {
-    if (kind == Command::Kind::impact_gain) {
-      const ImpactCues impacts = record.impact_vibration.value_or(ImpactCues());
-      lines.push_back({"Impacts", "I", impacts.gain, level_of(scene, impacts)});
-    } else if (kind == Command::Kind::pulse_gain) {
-      const PulseCues pulse = record.braking_pulse.value_or(PulseCues());
-      lines.push_back({"Pulse", "B", pulse.gain, afterglow.pulse_force()});
-    } else if (kind == Command::Kind::pulse_moment) {
-      const PulseCues pulse = record.braking_pulse.value_or(PulseCues());
-      lines.push_back({"Moment", "M", pulse.moment ? 1.0 : 0.0, afterglow.pulse_moment()});
-    } else if (kind == Command::Kind::vibrotactile_gain) {
-      const VibrotactileCues touch = record.vibrotactile_motion.value_or(VibrotactileCues());
-      const double most = std::ranges::max(touch.command.level) / scene.vibrotactile_motion->strength;
-      lines.push_back({"Touch", "T", touch.gain, most});
-    } else if (kind == Command::Kind::ghost_gain) {
-      lines.push_back({"Ghost", "G", cues.ghost_gain, cues.ghost});
-    } else {
-      const double most = scene.torque_substitution->amplitude;
-      lines.push_back({"Vibration", "V", cues.vibration_gain, most > 0 ? cues.vibration / most : 0.0});
-    }
-  }
+  for (const Knob& knob : effect_knobs(scene, scene, record))
+    lines.push_back({knob.name, std::string(1, knob.key), knob.gain,
+                     knob.brief ? afterglow.peak(knob.kind) : knob.level});
   return lines;
 }
 
@@ -170,17 +141,6 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
   const double distance = std::max((p_W - eye).dot(axes.forward_W), 0.05);
   axes.height = 2 * distance * math::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
   return axes;
-}
-
-std::vector<Command::Kind> cue_commands(const SceneDesc& scene) {
-  std::vector<Command::Kind> kinds;
-  if (vibrates_for_torque(scene)) kinds.push_back(Command::Kind::vibration_gain);
-  if (shows_ghost(scene)) kinds.push_back(Command::Kind::ghost_gain);
-  if (brakes_at_impacts(scene)) kinds.push_back(Command::Kind::pulse_gain);
-  if (brakes_at_impacts(scene) && scene.device.renders_torque) kinds.push_back(Command::Kind::pulse_moment);
-  if (vibrates_at_impacts(scene)) kinds.push_back(Command::Kind::impact_gain);
-  if (vibrates_channels(scene)) kinds.push_back(Command::Kind::vibrotactile_gain);
-  return kinds;
 }
 
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,

@@ -49,9 +49,6 @@ private:
 // The trainee's view of the picture plane at p_W.
 input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W);
 
-// The commands that set the gains of OverlayState::cues, in their order.
-std::vector<Command::Kind> cue_commands(const SceneDesc& scene);
-
 // Gauges, checkpoints and stop banner as of one tick; marks of those before it.
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
                                const Afterglow& afterglow, const scenario::TaskState& task);

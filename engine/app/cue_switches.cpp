@@ -2,39 +2,23 @@
 
 #include <algorithm>
 
-#include "engine/app/bridge.h"
 #include "engine/ui/cue_panel.h"
+#include "haptics/effects/effects.h"
 
 namespace fulcrum::app {
 
-namespace {
-
-// What a cue that is off is switched on to.
-double gain_of(const SceneDesc& scene, Command::Kind kind) {
-  if (kind == Command::Kind::ghost_gain) return scene.torque_substitution->ghost_gain;
-  if (kind == Command::Kind::vibration_gain) return scene.torque_substitution->vibration_gain;
-  if (kind == Command::Kind::pulse_gain)
-    return scene.braking_pulse->gain > 0 ? scene.braking_pulse->gain : 1.0;
-  if (kind == Command::Kind::pulse_moment) return 1.0;
-  if (kind == Command::Kind::vibrotactile_gain)
-    return scene.vibrotactile_motion->gain > 0 ? scene.vibrotactile_motion->gain : 1.0;
-  return scene.impact_vibration->gain > 0 ? scene.impact_vibration->gain : 1.0;
-}
-
-}  // namespace
-
-CueSwitches::CueSwitches(const SceneDesc& scene) : kinds_(cue_commands(scene)) {
-  for (const Command::Kind kind : kinds_) switched_on_.push_back(gain_of(scene, kind));
+CueSwitches::CueSwitches(const SceneDesc& scene) : knobs_(effect_knobs(scene, scene, {})) {
+  for (const Knob& knob : knobs_) switched_on_.push_back(knob.on);
 }
 
 Command CueSwitches::set(std::size_t cue, double gain) {
   if (gain > 0) switched_on_[cue] = gain;
-  return {kinds_[cue], gain};
+  return {knobs_[cue].kind, gain};
 }
 
-std::optional<Command> CueSwitches::toggle(Command::Kind kind, const ui::OverlayState& shown) {
-  const auto cue = static_cast<std::size_t>(std::ranges::find(kinds_, kind) - kinds_.begin());
-  if (cue >= std::min(kinds_.size(), shown.cues.size())) return std::nullopt;
+std::optional<Command> CueSwitches::toggle(char key, const ui::OverlayState& shown) {
+  const auto cue = static_cast<std::size_t>(std::ranges::find(knobs_, key, &Knob::key) - knobs_.begin());
+  if (cue >= std::min(knobs_.size(), shown.cues.size())) return std::nullopt;
   return set(cue, shown.cues[cue].gain > 0 ? 0.0 : switched_on_[cue]);
 }
 

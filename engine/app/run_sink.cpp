@@ -1,7 +1,9 @@
 #include "engine/app/run_sink.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "engine/app/nearest_part.h"
 #include "engine/app/terminal.h"
@@ -16,7 +18,9 @@ RunSink::RunSink(const Prepared& prepared, std::optional<record::Recorder> recor
       judge_(prepared.haptic.task, tick_s_),
       totals_(tick_s_),
       penetration_(tick_s_),
-      afterglow_(prepared.haptic.scene.tool.X_HT.inverse().p) {
+      afterglow_(prepared.haptic.scene.tool.X_HT.inverse().p),
+      has_brief_knobs_(
+          std::ranges::any_of(effect_knobs(prepared.haptic.scene, prepared.haptic.scene, {}), &Knob::brief)) {
   const ToolDesc& tool = prepared.haptic.scene.tool;
   last_.X_WT = tool.X_WT_start;
   last_.X_WH = tool.X_WT_start * tool.X_HT.inverse();
@@ -42,7 +46,10 @@ void RunSink::take(const TickEvent& event) {
     report_recorder();
   }
   last_ = event.record;
-  afterglow_.add(event.record, static_cast<double>(ticks_) * tick_s_);
+  const SceneDesc& scene = prepared_.haptic.scene;
+  const double time = static_cast<double>(ticks_) * tick_s_;
+  afterglow_.add(event.record, time,
+                 has_brief_knobs_ ? effect_knobs(scene, scene, event.record) : std::vector<Knob>());
   ++ticks_;
   if (event.record.stopped) ++stopped_ticks_;
 }

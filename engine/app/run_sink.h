@@ -62,6 +62,7 @@ private:
   std::int64_t late_ticks_ = 0, lost_ticks_ = 0;
   TickRecord last_;
   Afterglow afterglow_;
+  bool has_brief_knobs_;
 };
 
 }  // namespace fulcrum::app

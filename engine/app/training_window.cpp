@@ -179,24 +179,6 @@ void TrainingWindow::on_key(int key, int action) {
     case GLFW_KEY_R:
       restart_ = true;
       break;
-    case GLFW_KEY_V:
-      send(cues_.toggle(Command::Kind::vibration_gain, shown_));
-      break;
-    case GLFW_KEY_G:
-      send(cues_.toggle(Command::Kind::ghost_gain, shown_));
-      break;
-    case GLFW_KEY_I:
-      send(cues_.toggle(Command::Kind::impact_gain, shown_));
-      break;
-    case GLFW_KEY_B:
-      send(cues_.toggle(Command::Kind::pulse_gain, shown_));
-      break;
-    case GLFW_KEY_M:
-      send(cues_.toggle(Command::Kind::pulse_moment, shown_));
-      break;
-    case GLFW_KEY_T:
-      send(cues_.toggle(Command::Kind::vibrotactile_gain, shown_));
-      break;
     case GLFW_KEY_C:
       circle_shown_ = !circle_shown_;
       break;
@@ -207,6 +189,8 @@ void TrainingWindow::on_key(int key, int action) {
       camera_.reset();
       break;
     default:
+      if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z)
+        send(cues_.toggle(static_cast<char>('A' + (key - GLFW_KEY_A)), shown_));
       if (const auto holding = holding_key(key); holding && shown_.holding)
         send(holding_commands(*shown_.holding, *holding));
       if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {

@@ -13,6 +13,7 @@
 #include "haptics/scene/built_part.h"
 #include "haptics/tick/command.h"
 #include "haptics/tick/effect_tick.h"
+#include "haptics/tick/knob.h"
 #include "haptics/tick/transient.h"
 
 namespace fulcrum {

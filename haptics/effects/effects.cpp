@@ -57,9 +57,8 @@ std::vector<std::unique_ptr<Effect>> build_effects(const PlainScene& scene, cons
 
 bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs) {
   bool asks = false;
-  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc&) {
-    asks = asks || T::kAsksForImpacts;
-  });
+  for_each_built(scene, descs,
+                 [&]<class T>(Entry<T>, const typename T::Desc&) { asks = asks || T::kAsksForImpacts; });
   return asks;
 }
 
@@ -70,6 +69,16 @@ std::vector<TransientSource> transient_sources(const PlainScene& scene, const Ef
     sources.insert(sources.end(), own.begin(), own.end());
   });
   return sources;
+}
+
+std::vector<Knob> effect_knobs(const PlainScene& scene, const EffectDescs& descs,
+                               const EffectRecords& records) {
+  std::vector<Knob> knobs;
+  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc& desc) {
+    const std::vector<Knob> own = T::knobs(desc, scene, records);
+    knobs.insert(knobs.end(), own.begin(), own.end());
+  });
+  return knobs;
 }
 
 std::vector<LeftOut> left_out_effects(const PlainScene& scene, const EffectDescs& descs) {

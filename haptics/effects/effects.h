@@ -43,6 +43,10 @@ bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs);
 // What those ask of the motors at a stroke.
 std::vector<TransientSource> transient_sources(const PlainScene& scene, const EffectDescs& descs);
 
+// What a person can set of those, as the records have it; the same in number and order in every tick.
+std::vector<Knob> effect_knobs(const PlainScene& scene, const EffectDescs& descs,
+                               const EffectRecords& records);
+
 // What the scene does without, and why.
 std::vector<LeftOut> left_out_effects(const PlainScene& scene, const EffectDescs& descs);
 

@@ -96,13 +96,18 @@ TEST(Afterglow, KeepsWhatLastedForOneTick) {
   for (int tick = 0; tick < 6000; ++tick) {
     TickRecord record;
     record.actuator_load[2] = tick == 100 ? -0.8 : 0.1;
-    record.braking_pulse.emplace();
-    record.braking_pulse->force_share = tick == 100 ? 0.4 : 0.0;
-    afterglow.add(record, 1e-3 * tick);
+    const Knob knobs[] = {{.kind = Command::Kind::pulse_gain,
+                           .name = "Pulse",
+                           .key = 'B',
+                           .level = tick == 100 ? 0.4 : 0.0,
+                           .brief = true},
+                          {.kind = Command::Kind::ghost_gain, .name = "Ghost", .key = 'G', .level = 0.3}};
+    afterglow.add(record, 1e-3 * tick, knobs);
     if (tick == 1100) {
       EXPECT_EQ(afterglow.motors()[2].low, -0.8);
       EXPECT_EQ(afterglow.motors()[2].high, 0.1);
-      EXPECT_EQ(afterglow.pulse_force(), 0.4);
+      EXPECT_EQ(afterglow.peak(Command::Kind::pulse_gain), 0.4);
+      EXPECT_EQ(afterglow.peak(Command::Kind::ghost_gain), 0);  // it is not brief
       EXPECT_EQ(afterglow.motors()[1].low, 0);
     }
   }

@@ -31,6 +31,26 @@ std::vector<TransientSource> BrakingPulseEffect::transients(const Desc& /*desc*/
   return {TransientSource::braking_pulse};
 }
 
+std::vector<Knob> BrakingPulseEffect::knobs(const Desc& desc, const PlainScene& scene,
+                                            const EffectRecords& records) {
+  const PulseCues cues = records.braking_pulse.value_or(PulseCues());
+  std::vector<Knob> knobs{{.kind = Command::Kind::pulse_gain,
+                           .name = "Pulse",
+                           .key = 'B',
+                           .gain = cues.gain,
+                           .on = desc.gain > 0 ? desc.gain : 1,
+                           .level = cues.force_share,
+                           .brief = true}};
+  if (scene.device.renders_torque)
+    knobs.push_back({.kind = Command::Kind::pulse_moment,
+                     .name = "Moment",
+                     .key = 'M',
+                     .gain = cues.moment ? 1.0 : 0.0,
+                     .level = cues.moment_share,
+                     .brief = true});
+  return knobs;
+}
+
 BrakingPulseEffect::BrakingPulseEffect(const Desc& desc, const PlainScene& scene)
     : effect_(desc, scene.mapping, scene.tick_s),
       q_TH_(scene.tool.X_HT.q.conjugate()),

@@ -78,6 +78,22 @@ std::vector<TransientSource> ImpactVibrationEffect::transients(const Desc& /*des
   return {TransientSource::impact_vibration};
 }
 
+std::vector<Knob> ImpactVibrationEffect::knobs(const Desc& desc, const PlainScene& scene,
+                                               const EffectRecords& records) {
+  const ImpactCues cues = records.impact_vibration.value_or(ImpactCues());
+  const double peak = figures_of(TransientSource::impact_vibration).peak;
+  const auto part = [peak](const Vec3& v, double largest) {  // of what one voice may have at its strongest
+    return largest > 0 ? v.norm() / (0.5 * peak * largest) : 0.0;
+  };
+  return {{.kind = Command::Kind::impact_gain,
+           .name = "Impacts",
+           .key = 'I',
+           .gain = cues.gain,
+           .on = desc.gain > 0 ? desc.gain : 1,
+           .level = std::min(1.0, std::max(part(cues.F_H_D.force, scene.device.max_force),
+                                           part(cues.F_H_D.torque, scene.device.max_torque)))}};
+}
+
 ImpactVibrationEffect::ImpactVibrationEffect(const Desc& desc, const PlainScene& scene)
     : desc_(desc), effect_(desc, surroundings(scene)) {}
 

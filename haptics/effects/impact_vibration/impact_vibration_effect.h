@@ -22,6 +22,7 @@ public:
   static std::optional<Error> refuse(const Desc& desc, const PlainScene& scene);
   static std::vector<LeftOut> left_out(const Desc& desc, const PlainScene& scene);
   static std::vector<TransientSource> transients(const Desc& desc, const PlainScene& scene);
+  static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = true;
 
   ImpactVibrationEffect(const Desc& desc, const PlainScene& scene);

@@ -22,6 +22,8 @@ public:
   static std::optional<Error> refuse(const Desc& desc, const PlainScene& scene);
   static std::vector<LeftOut> left_out(const Desc& desc, const PlainScene& scene);
   static std::vector<TransientSource> transients(const Desc&, const PlainScene&) { return {}; }
+  // Its method is chosen on the panel of the holding point.
+  static std::vector<Knob> knobs(const Desc&, const PlainScene&, const EffectRecords&) { return {}; }
   static constexpr bool kAsksForImpacts = false;
 
   InertiaCompensationEffect(const Desc& desc, const PlainScene& scene);

@@ -84,6 +84,27 @@ std::vector<TransientSource> TorqueSubstitutionEffect::transients(const Desc& /*
   return {TransientSource::torque_substitution};
 }
 
+std::vector<Knob> TorqueSubstitutionEffect::knobs(const Desc& desc, const PlainScene& scene,
+                                                  const EffectRecords& records) {
+  const TorqueCues cues = records.torque_substitution.value_or(TorqueCues());
+  std::vector<Knob> knobs;
+  if (scene.device.renders_force)
+    knobs.push_back({.kind = Command::Kind::vibration_gain,
+                     .name = "Vibration",
+                     .key = 'V',
+                     .gain = cues.vibration_gain,
+                     .on = desc.vibration_gain > 0 ? desc.vibration_gain : 1,
+                     .level = desc.amplitude > 0 ? cues.vibration / desc.amplitude : 0});
+  if (scene.device.senses_rotation)
+    knobs.push_back({.kind = Command::Kind::ghost_gain,
+                     .name = "Ghost",
+                     .key = 'G',
+                     .gain = cues.ghost_gain,
+                     .on = desc.ghost_gain > 0 ? desc.ghost_gain : 1,
+                     .level = cues.ghost});
+  return knobs;
+}
+
 TorqueSubstitutionEffect::TorqueSubstitutionEffect(const Desc& desc, const PlainScene& scene)
     : effect_(desc, surroundings(scene)),
       tool_weight_(tool_weight(scene.tool)),

@@ -25,6 +25,8 @@ public:
   // Parts of it that this scene does without; it is built.
   static std::vector<LeftOut> left_out(const Desc& desc, const PlainScene& scene);
   static std::vector<TransientSource> transients(const Desc& desc, const PlainScene& scene);
+  // What a person can set of it in this scene, as the records have it.
+  static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;
 
   TorqueSubstitutionEffect(const Desc& desc, const PlainScene& scene);

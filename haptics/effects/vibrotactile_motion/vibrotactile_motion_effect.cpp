@@ -1,5 +1,7 @@
 #include "haptics/effects/vibrotactile_motion/vibrotactile_motion_effect.h"
 
+#include <algorithm>
+
 #include "haptics/actuation/vibrotactile_output.h"
 #include "haptics/effects/effects.h"
 #include "haptics/math/number_text.h"
@@ -80,6 +82,18 @@ std::vector<LeftOut> VibrotactileMotionEffect::left_out(const Desc& desc, const 
   else if (!scene.device.renders_force)
     parts.push_back({"lateral force", device + "has no motors"});
   return parts;
+}
+
+std::vector<Knob> VibrotactileMotionEffect::knobs(const Desc& desc, const PlainScene& scene,
+                                                  const EffectRecords& records) {
+  if (!scene.device.vibrotactile) return {};
+  const VibrotactileCues cues = records.vibrotactile_motion.value_or(VibrotactileCues());
+  return {{.kind = Command::Kind::vibrotactile_gain,
+           .name = "Touch",
+           .key = 'T',
+           .gain = cues.gain,
+           .on = desc.gain > 0 ? desc.gain : 1,
+           .level = std::ranges::max(cues.command.level) / desc.strength}};
 }
 
 VibrotactileMotionEffect::VibrotactileMotionEffect(const Desc& desc, const PlainScene& scene)

@@ -24,6 +24,7 @@ public:
   static std::optional<Error> refuse(const Desc& desc, const PlainScene& scene);
   static std::vector<LeftOut> left_out(const Desc& desc, const PlainScene& scene);
   static std::vector<TransientSource> transients(const Desc&, const PlainScene&) { return {}; }
+  static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;
 
   VibrotactileMotionEffect(const Desc& desc, const PlainScene& scene);
