@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/commands.h"
-#include "engine/app/exit_code.h"
-#include "engine/app/terminal.h"
-#include "engine/app/version.h"
+#include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/cli/version.h"
+#include "engine/app/commands/commands.h"
 #include "engine/scenario/words.h"
 
 namespace fulcrum::app {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "engine/files/file_error.h"
 #include "engine/files/regular_file.h"
-#include "engine/record/file_error.h"
 #include "engine/record/tape_reader.h"
 #include "engine/record/trace_reader.h"
 #include "engine/record/whole_rate.h"

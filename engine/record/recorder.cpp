@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/record/block_file.h"
+#include "engine/files/block_file.h"
 #include "engine/record/digest.h"
 #include "engine/record/flight_log.h"
 #include "engine/record/run_folder.h"

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <vector>
 
-#include "engine/record/file_error.h"
+#include "engine/files/file_error.h"
 
 namespace fulcrum::record {
 

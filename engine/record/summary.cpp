@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/record/block_file.h"
+#include "engine/files/block_file.h"
 #include "engine/record/run_folder.h"
 
 namespace fulcrum::record {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/files/file_error.h"
 #include "engine/files/regular_file.h"
-#include "engine/record/file_error.h"
 #include "engine/record/tape_bytes.h"
 #include "engine/record/tape_header.h"
 

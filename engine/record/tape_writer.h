@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "engine/record/block_file.h"
+#include "engine/files/block_file.h"
 #include "engine/record/tape.h"
 #include "haptics/math/result.h"
 

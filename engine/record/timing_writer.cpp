@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "engine/record/number_text.h"
+#include "engine/files/number_text.h"
 
 namespace fulcrum::record {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/record/block_file.h"
+#include "engine/files/block_file.h"
 #include "haptics/math/result.h"
 
 namespace fulcrum::record {

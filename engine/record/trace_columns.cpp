@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/record/number_text.h"
+#include "engine/files/number_text.h"
 #include "engine/record/whole_rate.h"
 
 namespace fulcrum::record {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/record/file_error.h"
+#include "engine/files/file_error.h"
 
 namespace fulcrum::record {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/assets/sha256.h"
-#include "engine/record/block_file.h"
+#include "engine/files/block_file.h"
 #include "engine/record/trace_columns.h"
 #include "haptics/math/result.h"
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-#include "engine/record/block_file.h"
+#include "engine/files/block_file.h"
 #include "haptics/math/result.h"
 
 namespace fulcrum::record {

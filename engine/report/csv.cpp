@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "engine/record/block_file.h"
-#include "engine/record/number_text.h"
+#include "engine/files/block_file.h"
+#include "engine/files/number_text.h"
 
 namespace fulcrum::report {
 namespace {
@@ -35,7 +35,7 @@ void Csv::row(std::initializer_list<Cell> cells) {
     if (!first) text_ += ',';
     first = false;
     if (const double* number = std::get_if<double>(&cell))
-      record::append_number(text_, *number);
+      append_number(text_, *number);
     else
       append_text(text_, std::get<std::string_view>(cell));
   }
@@ -43,7 +43,7 @@ void Csv::row(std::initializer_list<Cell> cells) {
 }
 
 std::optional<Error> write_file(const std::filesystem::path& path, std::string_view content) {
-  Result<record::BlockFile> file = record::BlockFile::create(path);
+  Result<BlockFile> file = BlockFile::create(path);
   if (!file) return file.error();
   if (std::optional<Error> error = file->append(content)) return error;
   return file->close();

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/record/number_text.h"
+#include "engine/files/number_text.h"
 
 namespace fulcrum::report {
 
@@ -42,7 +42,7 @@ std::string escaped(std::string_view text) {
 
 std::string pixels(double value) {
   std::string text;
-  record::append_number(text, std::round(value * 100) / 100);
+  append_number(text, std::round(value * 100) / 100);
   return text;
 }
 

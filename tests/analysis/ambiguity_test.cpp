@@ -2,7 +2,7 @@
 // hand about z, as far away, and feel alike; held at an end they differ by their distance, and struck both
 // from above by the sign of their axes.
 
-#include "engine/analysis/ambiguity.h"
+#include "engine/analysis/ambiguity/ambiguity.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace fulcrum::analysis {
+namespace fulcrum::analysis::ambiguity {
 namespace {
 
 const ImpactSite kRight{Vec3(0.1, 0, 0), Vec3::UnitY()};
@@ -70,4 +70,4 @@ TEST(Ambiguity, NothingStruckIsNothingConfused) {
 }
 
 }  // namespace
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum::analysis::ambiguity

@@ -1,32 +1,32 @@
 // Truths: tables of Student's t; a mean and its interval worked out by hand.
 
-#include "engine/analysis/compare.h"
+#include "engine/analysis/compare/compare.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/analysis/compare_figures.h"
-#include "engine/analysis/compare_report.h"
-#include "engine/analysis/compare_tables.h"
-#include "engine/analysis/student.h"
+#include "engine/analysis/compare/figures.h"
+#include "engine/analysis/compare/report.h"
+#include "engine/analysis/compare/student_t.h"
+#include "engine/analysis/compare/tables.h"
 
-namespace fulcrum::analysis {
+namespace fulcrum::analysis::compare {
 namespace {
 
 TEST(Student, QuantilesAreThoseOfTheTables) {
-  EXPECT_NEAR(student_quantile(0.975, 1), 12.7062, 5e-5);
-  EXPECT_NEAR(student_quantile(0.975, 2), 4.30265, 5e-6);
-  EXPECT_NEAR(student_quantile(0.975, 4), 2.77645, 5e-6);
-  EXPECT_NEAR(student_quantile(0.975, 19), 2.09302, 5e-6);
-  EXPECT_NEAR(student_quantile(0.95, 10), 1.81246, 5e-6);
-  EXPECT_NEAR(student_quantile(0.995, 3), 5.84091, 5e-6);
-  EXPECT_NEAR(student_quantile(0.975, 10000), 1.96020, 5e-6);
-  EXPECT_NEAR(student_quantile(0.025, 19), -2.09302, 5e-6);
-  EXPECT_NEAR(student_quantile(0.5, 7), 0, 1e-12);
+  EXPECT_NEAR(t_quantile(0.975, 1), 12.7062, 5e-5);
+  EXPECT_NEAR(t_quantile(0.975, 2), 4.30265, 5e-6);
+  EXPECT_NEAR(t_quantile(0.975, 4), 2.77645, 5e-6);
+  EXPECT_NEAR(t_quantile(0.975, 19), 2.09302, 5e-6);
+  EXPECT_NEAR(t_quantile(0.95, 10), 1.81246, 5e-6);
+  EXPECT_NEAR(t_quantile(0.995, 3), 5.84091, 5e-6);
+  EXPECT_NEAR(t_quantile(0.975, 10000), 1.96020, 5e-6);
+  EXPECT_NEAR(t_quantile(0.025, 19), -2.09302, 5e-6);
+  EXPECT_NEAR(t_quantile(0.5, 7), 0, 1e-12);
   // In closed form for 1 and 2 degrees of freedom.
-  EXPECT_NEAR(student_quantile(0.9, 1), std::tan(0.4 * 3.14159265358979), 1e-9);
-  EXPECT_NEAR(student_quantile(0.9, 2), 0.8 / std::sqrt(2 * 0.9 * 0.1), 1e-9);
+  EXPECT_NEAR(t_quantile(0.9, 1), std::tan(0.4 * 3.14159265358979), 1e-9);
+  EXPECT_NEAR(t_quantile(0.9, 2), 0.8 / std::sqrt(2 * 0.9 * 0.1), 1e-9);
 }
 
 TEST(Estimate, IsMeanAndInterval) {
@@ -151,4 +151,4 @@ TEST(CompareFigures, CourseShadesBadTicksAndCues) {
 }
 
 }  // namespace
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum::analysis::compare

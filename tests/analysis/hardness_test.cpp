@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/analysis/hardness_report.h"
-#include "engine/analysis/hardness_tables.h"
-#include "engine/analysis/nearest_wrench.h"
-#include "engine/analysis/struck_surface.h"
+#include "engine/analysis/hardness/nearest_wrench.h"
+#include "engine/analysis/hardness/report.h"
+#include "engine/analysis/hardness/struck_surface.h"
+#include "engine/analysis/hardness/tables.h"
 #include "tests/haptics/actuation/arms.h"
 #include "tests/haptics/actuation/w6d.h"
 
-namespace fulcrum::analysis {
+namespace fulcrum::analysis::hardness {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
@@ -324,4 +324,4 @@ TEST(Hardness, ThePageAnswers) {
 }
 
 }  // namespace
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum::analysis::hardness

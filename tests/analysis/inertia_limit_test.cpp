@@ -2,14 +2,14 @@
 // thousandth of a tick; the poles of a mass on a spring; the first-order formula where the lag is short
 // beside the swing.
 
-#include "engine/analysis/inertia_limit.h"
+#include "engine/analysis/uniformity/inertia_limit.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <deque>
 
-namespace fulcrum::analysis {
+namespace fulcrum::analysis::uniformity {
 namespace {
 
 // 1/s, from the swing's turning points after the first third of a run.
@@ -109,4 +109,4 @@ TEST(InertiaLimit, LessLagIsBorneByALighterHandAndAStifferBall) {
 }
 
 }  // namespace
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum::analysis::uniformity

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/analysis/passivity.h"
 #include "engine/analysis/simulated_wall.h"
+#include "engine/analysis/stability/passivity.h"
 #include "haptics/device/linear_loop.h"
 
-namespace fulcrum::analysis {
+namespace fulcrum::analysis::stability {
 namespace {
 
 constexpr double kStart = 0.1;  // m/s
@@ -186,4 +186,4 @@ TEST(PortEnergy, OfACycleIsTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum::analysis::stability

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "engine/analysis/stability_report.h"
+#include "engine/analysis/stability/report.h"
 
-namespace fulcrum::analysis {
+namespace fulcrum::analysis::stability {
 namespace {
 
 StabilityStudy small_study() {
@@ -63,4 +63,4 @@ TEST(StabilityStudy, LinearDevicesDoAsTheoryLong) {
 }
 
 }  // namespace
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum::analysis::stability

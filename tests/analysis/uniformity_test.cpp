@@ -1,16 +1,16 @@
 // References: the formulas of what a hand feels, and the figures for them that are known.
 
-#include "engine/analysis/uniformity.h"
+#include "engine/analysis/uniformity/uniformity.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <sstream>
 
-#include "engine/analysis/uniformity_report.h"
-#include "engine/analysis/uniformity_tables.h"
+#include "engine/analysis/uniformity/report.h"
+#include "engine/analysis/uniformity/tables.h"
 
-namespace fulcrum::analysis {
+namespace fulcrum::analysis::uniformity {
 namespace {
 
 // The figures of a Freedom 6S, a motor for each axis.
@@ -122,4 +122,4 @@ TEST(Uniformity, WhatComesTooLateFades) {
 }
 
 }  // namespace
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum::analysis::uniformity

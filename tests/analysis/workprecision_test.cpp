@@ -1,13 +1,13 @@
-#include "engine/analysis/workprecision.h"
+#include "engine/analysis/workprecision/workprecision.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "engine/analysis/shapes.h"
-#include "engine/analysis/workprecision_report.h"
+#include "engine/analysis/workprecision/report.h"
 
-namespace fulcrum::analysis {
+namespace fulcrum::analysis::workprecision {
 namespace {
 
 struct Convergent {
@@ -164,4 +164,4 @@ TEST(WorkPrecision, CsvHasTheColumnsThatScriptsRelyOn) {
 }
 
 }  // namespace
-}  // namespace fulcrum::analysis
+}  // namespace fulcrum::analysis::workprecision

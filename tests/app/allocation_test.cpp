@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstddef>
 
-#include "engine/app/prepare.h"
+#include "engine/app/prepare/prepare.h"
 #include "engine/scenario/content.h"
 #include "haptics/loop/run_tick.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "drivers/mouse/mouse_device.h"
-#include "engine/app/prepare.h"
+#include "engine/app/prepare/prepare.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
 #include "haptics/math/rotation.h"

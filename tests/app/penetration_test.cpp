@@ -1,6 +1,6 @@
 // A run's deepest tick, against a count over every tick.
 
-#include "engine/app/penetration.h"
+#include "engine/app/run/penetration.h"
 
 #include <gtest/gtest.h>
 

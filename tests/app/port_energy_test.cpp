@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/prepare.h"
+#include "engine/app/prepare/prepare.h"
 #include "haptics/loop/run_tick.h"
 #include "haptics/math/rotation.h"
 

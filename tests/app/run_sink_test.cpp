@@ -1,10 +1,10 @@
 // What a run's sink makes of ticks that did not happen yet, and of a stop.
 
-#include "engine/app/run_sink.h"
+#include "engine/app/run/run_sink.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/app/bridge.h"
+#include "engine/app/picture/bridge.h"
 #include "haptics/safety/guard.h"
 
 namespace fulcrum::test {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/app/afterglow.h"
+#include "engine/app/picture/afterglow.h"
 
 namespace fulcrum::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/app/penetration.h"
+#include "engine/app/run/penetration.h"
 #include "engine/scenario/task_judge.h"
 #include "tests/piping/path_audit.h"
 #include "tests/piping/piping.h"

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "engine/app/prepare.h"
+#include "engine/app/prepare/prepare.h"
 #include "haptics/loop/run_tick.h"
 
 namespace fulcrum::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "engine/app/tape_header.h"
+#include "engine/app/prepare/tape_header.h"
 #include "engine/record/trace_reader.h"
 #include "tests/piping/piping.h"
 

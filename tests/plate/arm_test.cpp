@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/app/bridge.h"
-#include "engine/app/prepare.h"
+#include "engine/app/picture/bridge.h"
+#include "engine/app/prepare/prepare.h"
 
 namespace fulcrum::test {
 namespace {

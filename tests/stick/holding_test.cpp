@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/app/bridge.h"
-#include "engine/app/holding_controls.h"
+#include "engine/app/picture/bridge.h"
+#include "engine/app/picture/holding_controls.h"
 #include "engine/scenario/followed.h"
 
 namespace fulcrum::test {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "drivers/mouse/mouse_device.h"
-#include "engine/app/bridge.h"
-#include "engine/app/inventory.h"
+#include "engine/app/picture/bridge.h"
+#include "engine/app/prepare/inventory.h"
 #include "haptics/loop/run_tick.h"
 
 namespace fulcrum::test {

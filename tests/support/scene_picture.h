@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "engine/app/picture.h"
+#include "engine/app/picture/picture.h"
 
 namespace fulcrum::test {
 

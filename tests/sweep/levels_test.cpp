@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/app/bridge.h"
-#include "engine/app/prepare.h"
+#include "engine/app/picture/bridge.h"
+#include "engine/app/prepare/prepare.h"
 #include "engine/scenario/followed.h"
 
 namespace fulcrum::test {

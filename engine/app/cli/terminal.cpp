@@ -1,0 +1,68 @@
+#include "engine/app/cli/terminal.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace fulcrum::app {
+namespace {
+
+bool colour_wanted() {
+  const char* no_color = std::getenv("NO_COLOR");
+  return (no_color == nullptr || *no_color == '\0') && isatty(STDOUT_FILENO) != 0;
+}
+
+std::string styled(std::string_view code, std::string_view text) {
+  static const bool wanted = colour_wanted();
+  if (!wanted) return std::string(text);
+  return "\033[" + std::string(code) + "m" + std::string(text) + "\033[0m";
+}
+
+}  // namespace
+
+std::string bold(std::string_view text) {
+  return styled("1", text);
+}
+std::string dim(std::string_view text) {
+  return styled("2", text);
+}
+
+void complain(std::string_view sentence) {
+  std::fprintf(stderr, "fulcrum: %.*s\n", static_cast<int>(sentence.size()), sentence.data());
+}
+
+void ProgressBar::show(std::string_view what, double fraction) {
+  const Clock::time_point now = Clock::now();
+  if (what != what_) {
+    clear();
+    what_ = what;
+    stage_began_ = now;
+    told_tenths_ = 0;
+  }
+  if (isatty(STDERR_FILENO) == 0) {
+    const int tenths = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 10);
+    if (tenths > told_tenths_ && tenths < 10 && now - stage_began_ > std::chrono::seconds(1)) {
+      std::fprintf(stderr, "%s: %d %%\n", what_.c_str(), 10 * tenths);
+      told_tenths_ = tenths;
+    }
+    return;
+  }
+  if (visible_ && now - drawn_ < std::chrono::milliseconds(100) && fraction < 1) return;
+  constexpr int width = 30;
+  const double part = std::clamp(fraction, 0.0, 1.0);
+  const int full = static_cast<int>(part * width);
+  std::fprintf(stderr, "\r\033[K%-28.28s [%.*s%*s] %3d %%", what_.c_str(), full,
+               "##############################", width - full, "", static_cast<int>(part * 100));
+  std::fflush(stderr);
+  drawn_ = now;
+  visible_ = true;
+}
+
+void ProgressBar::clear() {
+  if (visible_) std::fputs("\r\033[K", stderr);
+  visible_ = false;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,38 @@
+#include "engine/app/commands/compare_options.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <string_view>
+
+#include "engine/scenario/words.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::array<std::string_view, 3> kNames{"A", "B", "C"};  // in the order of TorqueVariant
+
+}  // namespace
+
+std::string variant_name(TorqueVariant variant) {
+  return std::string(kNames[static_cast<std::size_t>(variant)]);
+}
+
+std::string read_variants(const std::string& text, std::vector<TorqueVariant>& variants) {
+  std::vector<TorqueVariant> read;
+  std::istringstream in(text);
+  for (std::string name; std::getline(in, name, ',');) {
+    const auto known = std::find(kNames.begin(), kNames.end(), name);
+    if (known == kNames.end())
+      return "there is no variant " + scenario::in_quotes(name) +
+             scenario::did_you_mean(name, kNames, "there are A, B and C; give them as A,B,C");
+    const auto variant = static_cast<TorqueVariant>(known - kNames.begin());
+    if (std::count(read.begin(), read.end(), variant) > 0) return "variant " + name + " is named twice";
+    read.push_back(variant);
+  }
+  if (read.empty()) return "no variant is named: give some of A,B,C";
+  variants = read;
+  return {};
+}
+
+}  // namespace fulcrum::app

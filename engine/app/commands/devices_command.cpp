@@ -1,0 +1,36 @@
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "drivers/registry.h"
+#include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/commands/commands.h"
+#include "engine/ui/window.h"
+
+namespace fulcrum::app {
+
+int devices_command(bool json) {
+  const std::vector<DeviceListing> devices = list_devices(ui::why_no_window());
+  if (json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const DeviceListing& d : devices)
+      all.push_back(
+          {{"name", d.name},
+           {"what", d.what},
+           {"present", d.present},
+           {"reason", d.present ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(d.reason)}});
+    std::printf("%s\n", all.dump(2).c_str());
+    return kCompleted;
+  }
+  std::size_t width = 0;
+  for (const DeviceListing& d : devices) width = std::max(width, d.name.size());
+  for (const DeviceListing& d : devices) {
+    std::printf("%s%s  %s  %s\n", bold(d.name).c_str(), std::string(width - d.name.size(), ' ').c_str(),
+                d.present ? "there    " : "not there", d.what.c_str());
+    if (!d.present) std::printf("%s  %s\n", std::string(width, ' ').c_str(), dim(d.reason).c_str());
+  }
+  return kCompleted;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/commands/commands.h"
+#include "engine/app/prepare/inventory.h"
+#include "engine/app/prepare/stage_costs.h"
+
+namespace fulcrum::app {
+namespace {
+
+std::string human_bytes(std::uint64_t bytes) {
+  char text[32];
+  if (bytes >= 1'000'000)
+    std::snprintf(text, sizeof text, "%.1f MB", static_cast<double>(bytes) * 1e-6);
+  else if (bytes >= 1000)
+    std::snprintf(text, sizeof text, "%.1f kB", static_cast<double>(bytes) * 1e-3);
+  else
+    std::snprintf(text, sizeof text, "%llu B", static_cast<unsigned long long>(bytes));
+  return bytes == 0 ? "" : text;
+}
+
+std::string human_us(double us) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f us", us);
+  return us > 0 ? text : "";
+}
+
+void print_table(const std::vector<InventoryItem>& items, bool with_cost) {
+  std::size_t width = 0;
+  for (const InventoryItem& item : items) width = std::max(width, item.name.size());
+  for (const InventoryItem& item : items) {
+    const std::string name = bold(item.name) + std::string(width - item.name.size(), ' ');
+    if (with_cost)
+      std::printf("  %s  %-8s %10s %10s  %s\n", name.c_str(), item.kind.c_str(),
+                  human_bytes(item.bytes).c_str(), human_us(item.tick_us).c_str(), item.note.c_str());
+    else
+      std::printf("  %s  %-8s %s\n", name.c_str(), item.kind.c_str(), item.note.c_str());
+  }
+}
+
+nlohmann::ordered_json to_json(const std::vector<InventoryItem>& items) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const InventoryItem& item : items)
+    all.push_back({{"name", item.name},
+                   {"kind", item.kind},
+                   {"bytes", item.bytes},
+                   {"tick_us", item.tick_us > 0 ? nlohmann::ordered_json(item.tick_us) : nullptr},
+                   {"note", item.note}});
+  return all;
+}
+
+}  // namespace
+
+int explain_command(const std::string& name, const std::vector<std::string>& overrides, bool json) {
+  const std::optional<Prepared> prepared = prepare(name, overrides);
+  if (!prepared) return kError;
+  const Result<World> world = World::build(prepared->haptic.scene);
+  if (!world) {
+    complain(world.error().sentence);
+    return kError;
+  }
+  const Result<scenario::VisualAssembly> visual =
+      scenario::assemble_visual(prepared->scenario, prepared->models, prepared->haptic.scene);
+  if (!visual) {
+    complain(visual.error().sentence);
+    return kError;
+  }
+  const render::Result<render::RenderPlan> plan = render::plan(visual->desc, {});
+  if (!plan) {
+    complain(plan.error());
+    return kError;
+  }
+  const std::string hand = prepared->haptic.hands.empty() ? "still" : prepared->haptic.hands.front().name;
+  const Result<std::map<std::string, double>> costs = measure_stages(*prepared, hand);
+  if (!costs) {
+    complain(costs.error().sentence);
+    return kError;
+  }
+  Inventory list = inventory(*world, *prepared, &plan.value());
+  for (InventoryItem& item : list.built) {
+    const auto cost = costs->find(item.name);
+    if (cost != costs->end() && item.kind == "haptics") item.tick_us = cost->second;
+  }
+  const double tick_us = costs->at("tick");
+  const scenario::DeviceEntry& device = prepared->scenario.device;
+  if (json) {
+    std::printf("%s\n", nlohmann::ordered_json{{"scenario", name},
+                                               {"device", (device.own ? "scenario:" : "") + device.model},
+                                               {"tick_us", tick_us},
+                                               {"measured_with_hand", hand},
+                                               {"built", to_json(list.built)},
+                                               {"left_out", to_json(list.left_out)},
+                                               {"mended", prepared->haptic.mended}}
+                            .dump(2)
+                            .c_str());
+    return kCompleted;
+  }
+  std::printf("%s\n", bold(prepared->scenario.title).c_str());
+  std::printf("On %s, %s.\n\n%s\n", world->desc().device.name.c_str(),
+              device.own ? "the scenario's own device" : "an installed device", bold("Built").c_str());
+  print_table(list.built, true);
+  std::printf(
+      "  A whole tick takes %.1f us of the processor, in the mean over the '%s' hand's motion.\n\n%s\n",
+      tick_us, hand.c_str(), bold("Left out").c_str());
+  print_table(list.left_out, false);
+  if (!prepared->haptic.mended.empty()) std::printf("\n%s\n", bold("Mended").c_str());
+  for (const std::string& note : prepared->haptic.mended) std::printf("  %s\n", note.c_str());
+  for (const std::string& note : prepared->haptic.notes) std::printf("%s\n", dim(note).c_str());
+  return kCompleted;
+}
+
+}  // namespace fulcrum::app

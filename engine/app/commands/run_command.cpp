@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "drivers/mouse/mouse_device.h"
+#include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/interrupt.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/commands/commands.h"
+#include "engine/app/picture/picture.h"
+#include "engine/app/prepare/chosen_view.h"
+#include "engine/app/prepare/tape_header.h"
+#include "engine/app/run/headless_run.h"
+#include "engine/app/run/results.h"
+#include "engine/app/window/prepare_in_window.h"
+#include "engine/app/window/training_window.h"
+#include "engine/record/run_folder.h"
+
+namespace fulcrum::app {
+namespace {
+
+Result<std::unique_ptr<Device>> make_device(const Prepared& prepared, const SceneDesc& scene,
+                                            const RunOptions& options) {
+  constexpr std::string_view replay = "replay:";
+  if (options.device == "mouse" && !options.headless)
+    return std::unique_ptr<Device>(
+        std::make_unique<MouseDevice>(scene.tool.X_WT_start * scene.tool.X_HT.inverse(), scene.tick_s));
+  if (options.device.starts_with(replay)) {
+    auto device = replay_device(prepared, options.device.substr(replay.size()));
+    if (!device) return device.error();
+    return std::unique_ptr<Device>(std::move(*device));
+  }
+  if (options.device == "simulated") {
+    auto device = simulated_device(prepared, options.hand);
+    if (!device) return device.error();
+    return std::unique_ptr<Device>(std::move(*device));
+  }
+  if (options.device == "mouse")
+    return Error{"The mouse needs a window: leave out --headless, or use --device simulated or replay:FILE."};
+  return Error{"There is no device '" + options.device +
+               "'; there are simulated, simulated:MODEL, mouse and replay:FILE. "
+               "`fulcrum devices` says what is there and what is not."};
+}
+
+// Drawn from the view that was asked for, with the circle where it was.
+Result<scenario::VisualAssembly> assemble_shown(const Prepared& prepared, const SceneDesc& scene,
+                                                const RunOptions& options) {
+  Result<scenario::VisualAssembly> visual = assemble_view(prepared, scene, options.view);
+  if (visual && options.circle) add_impact_circle(visual->desc);
+  return visual;
+}
+
+// One attempt, from opened files to closed ones.
+class Attempt {
+public:
+  // What is wrong is on stderr.
+  static std::unique_ptr<Attempt> begin(const Prepared& prepared, const RunOptions& options) {
+    const SceneDesc scene = scene_for_device(prepared, options.device);
+    Result<std::unique_ptr<Device>> device = make_device(prepared, scene, options);
+    if (!device) return refuse(device.error());
+    Result<World> world = World::build(scene);
+    if (!world) return refuse(world.error());
+    const Result<record::TapeHeader> header =
+        tape_header(prepared, device_in_results(prepared, options.device), options.hand);
+    if (!header) return refuse(header.error());
+    Result<OpenResults> results = open_results(prepared.name, options, *header, *world, prepared.haptic.task);
+    if (!results) return refuse(results.error());
+    const double limit =
+        std::min(prepared.scenario.time_limit, options.seconds.value_or(prepared.scenario.time_limit));
+    return std::unique_ptr<Attempt>(
+        new Attempt(prepared, options, std::move(*device), std::move(*world), std::move(*results), limit));
+  }
+
+  World& world() { return world_; }
+  Device& device() { return *device_; }
+  RunSink& sink() { return sink_; }
+  const std::filesystem::path& folder() const { return folder_; }
+
+  // plan: what was drawn with, if anything was. person: one may acknowledge a stop, or leave; then no fault
+  // ended the run.
+  int finish(const render::RenderPlan* plan, bool person) {
+    RunSink::Outcome outcome = sink_.finish();
+    outcome.summary.device = device_in_results(prepared_, options_.device);
+    outcome.summary.hand = options_.device == "simulated" ? options_.hand : "";
+    const bool written =
+        write_results(folder_, outcome, inventory(world_, prepared_, plan, options_.circle)) &&
+        outcome.recorded;
+    if (options_.json)
+      std::printf("%s\n", record::summary_json(outcome.summary).c_str());
+    else
+      print_outcome(folder_, outcome);
+    if (!written) return kError;
+    if (sink_.end() == RunSink::End::completed) return kCompleted;
+    return sink_.stopped_by_fault() && !person ? kEndedByFault : kNotCompleted;
+  }
+
+private:
+  Attempt(const Prepared& prepared, const RunOptions& options, std::unique_ptr<Device> device, World world,
+          OpenResults results, double limit)
+      : prepared_(prepared),
+        options_(options),
+        device_(std::move(device)),
+        world_(std::move(world)),
+        folder_(std::move(results.folder)),
+        sink_(prepared, std::move(results.recorder), limit) {}
+
+  static std::unique_ptr<Attempt> refuse(const Error& error) {
+    complain(error.sentence);
+    return nullptr;
+  }
+
+  const Prepared& prepared_;
+  const RunOptions& options_;
+  std::unique_ptr<Device> device_;
+  World world_;
+  std::filesystem::path folder_;
+  RunSink sink_;
+};
+
+int run_headless(const Prepared& prepared, const RunOptions& options) {
+  const std::unique_ptr<Attempt> attempt = Attempt::begin(prepared, options);
+  if (!attempt) return kError;
+  if (options.realtime)
+    run_live(attempt->world(), attempt->device(), attempt->sink());
+  else
+    run_offline(attempt->world(), attempt->device(), attempt->sink());
+
+  // The picture is the last moment. Without Vulkan the run counts all the same.
+  render::RenderPlan plan;
+  bool drawn = false;
+  const Result<scenario::VisualAssembly> visual = assemble_shown(prepared, attempt->world().desc(), options);
+  if (visual) {
+    const RunSink& sink = attempt->sink();
+    const Moment moment{sink.last(), sink.afterglow(), sink.task(), visual->desc.camera};
+    const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, moment, options,
+                                      attempt->folder() / record::kPictureName, &plan);
+    drawn = static_cast<bool>(picture);
+    if (!drawn) complain("there is no picture: " + picture.error().sentence);
+  } else {
+    complain("there is no picture: " + visual.error().sentence);
+  }
+  const int code = attempt->finish(drawn ? &plan : nullptr, false);
+  return options.validate && !drawn ? static_cast<int>(kError) : code;
+}
+
+int run_in_window(const scenario::Scenario& scenario, const RunOptions& options) {
+  const Result<std::unique_ptr<WindowStage>> stage =
+      WindowStage::create("Fulcrum: " + scenario.title, options);
+  if (!stage) {
+    complain(stage.error().sentence);
+    return kError;
+  }
+  const PreparedInWindow ready = prepare_in_window(**stage, options.scenario, scenario);
+  if (ready.closed) {
+    complain("the window was closed before the scenario was ready: nothing was run.");
+    return kNotCompleted;
+  }
+  if (!ready.prepared) return kError;
+  const Prepared& prepared = *ready.prepared;
+  for (const std::string& note : prepared.haptic.mended) complain(note);
+  const Result<scenario::VisualAssembly> visual =
+      assemble_shown(prepared, scene_for_device(prepared, options.device), options);
+  if (!visual) {
+    complain(visual.error().sentence);
+    return kError;
+  }
+  const Result<std::unique_ptr<TrainingWindow>> window =
+      TrainingWindow::create(**stage, prepared, *visual, options);
+  if (!window) {
+    complain(window.error().sentence);
+    return kError;
+  }
+  RunOptions attempt_options = options;
+  for (int number = 1;; ++number) {
+    if (number > 1 && !options.out.empty())
+      attempt_options.out = options.out / ("attempt-" + std::to_string(number));
+    const std::unique_ptr<Attempt> attempt = Attempt::begin(prepared, attempt_options);
+    if (!attempt) return kError;
+    const TrainingWindow::Leave leave = (*window)->run(
+        attempt->world(), attempt->device(), dynamic_cast<MouseDevice*>(&attempt->device()), attempt->sink());
+    const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
+    if (!picture) complain("there is no picture: " + picture.error().sentence);
+    const int code = attempt->finish(&(*window)->plan(), true);
+    if (leave == TrainingWindow::Leave::restart) continue;
+    for (const std::string& message : (*stage)->validation_messages()) complain(message);
+    return (*stage)->validation_messages().empty() ? code : static_cast<int>(kError);
+  }
+}
+
+// Whether there are impacts to draw a circle about: known before anything is baked.
+bool feels_impacts(const scenario::Scenario& scenario, const std::string& device) {
+  SceneDesc scene;
+  scene.device = device == "mouse" ? MouseDevice::mouse_desc() : scenario.device.desc;
+  if (scenario.impact_vibration) scene.impact_vibration = scenario.impact_vibration->desc;
+  return vibrates_at_impacts(scene);
+}
+
+}  // namespace
+
+int run_command(const RunOptions& given) {
+  RunOptions options = given;
+  if (options.device.empty()) options.device = options.headless ? "simulated" : "mouse";
+  constexpr std::string_view simulated = "simulated:";
+  if (options.device.starts_with(simulated)) {
+    options.overrides.push_back("device.model=" + options.device.substr(simulated.size()));
+    options.device = "simulated";
+  }
+  if (options.gpu == "list") {
+    std::printf("%s\n", describe_gpus().c_str());
+    return kCompleted;
+  }
+  std::optional<scenario::Scenario> scenario = load_named(options.scenario, options.overrides);
+  if (!scenario) return kError;
+  if (const auto refused = refuse_view(*scenario, options.scenario, options.view)) {
+    complain(refused->sentence);
+    return kUsage;
+  }
+  if (options.device == "simulated") {
+    if (const auto refused = refuse_hand(*scenario, options.scenario, options.hand)) {
+      complain(refused->sentence);
+      return kError;
+    }
+  }
+  if (options.circle && !feels_impacts(*scenario, options.device)) {
+    complain("--circle: nothing in '" + options.scenario +
+             "' vibrates at impacts on this device: leave it out, or name impact_vibration in the scenario");
+    return kUsage;
+  }
+  if (!options.headless) {
+    catch_interrupts();
+    return run_in_window(*scenario, options);
+  }
+  const std::optional<Prepared> prepared = prepare(options.scenario, std::move(*scenario));
+  if (!prepared) return kError;
+  for (const std::string& note : prepared->haptic.mended) complain(note);
+  catch_interrupts();
+  return run_headless(*prepared, options);
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,88 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "engine/analysis/workprecision/report.h"
+#include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/report_output.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/commands/commands.h"
+#include "engine/scenario/assemble.h"
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
+
+namespace fulcrum::app {
+namespace {
+
+nlohmann::ordered_json to_json(const std::vector<analysis::workprecision::WorkStudy>& studies) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const analysis::workprecision::WorkStudy& study : studies) {
+    for (const analysis::workprecision::WorkPoint& point : study.points)
+      all.push_back({{"truth", study.truth},
+                     {"method", point.method},
+                     {"parameter", study.parameter},
+                     {"value", point.value},
+                     {"error", point.error},
+                     {"error_unit", study.error_unit},
+                     {"cpu_us", point.cpu_us},
+                     {"order", point.order}});
+  }
+  return all;
+}
+
+// Where the expert's way ends in the shipped scene. Without its models, which a build may leave out, that
+// study is left out, too.
+std::optional<analysis::workprecision::PipingParts> piping_parts() {
+  const Result<std::filesystem::path> file = scenario::find_scenario("piping");
+  if (!file) return std::nullopt;
+  const scenario::Checked<scenario::Scenario> piping = scenario::load_scenario(*file);
+  if (!piping) return std::nullopt;
+  const Result<scenario::LoadedModels> models = scenario::load_models(*piping);
+  if (!models) return std::nullopt;
+  analysis::workprecision::PipingParts parts;
+  for (std::size_t i = 0; i < piping->models.size(); ++i) {
+    if (piping->models[i].role == scenario::ModelRole::scene)
+      parts.scene_W = to_triangle_mesh(models->models[i]);
+  }
+  parts.tool_T = models->tool_T.mesh;
+  for (const scenario::HandEntry& hand : piping->hands) {
+    if (hand.name == "expert" && !hand.waypoints.empty())
+      parts.X_WT = hand.waypoints.back().X_WT * Pose{Quat::Identity(), models->p_MT};
+  }
+  parts.p_TC = piping->tool.touch_point - models->p_MT;
+  return parts;
+}
+
+}  // namespace
+
+int workprecision_command(const RunOptions& options) {
+  constexpr std::string_view files[] = {analysis::workprecision::kWorkCsvName,
+                                        analysis::workprecision::kWorkPageName};
+  const std::optional<std::filesystem::path> folder = report_folder("workprecision", options, files);
+  if (!folder) return kError;
+  const std::optional<analysis::workprecision::PipingParts> piping = piping_parts();
+  if (!piping) complain("the scenario 'piping' cannot be read, so its studies are left out.");
+  ProgressBar bar;
+  const std::vector<analysis::workprecision::WorkStudy> studies =
+      analysis::workprecision::study_work_precision(
+          piping, [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
+  bar.clear();
+  if (!write_report(
+          *folder,
+          {{analysis::workprecision::kWorkCsvName, analysis::workprecision::work_csv(studies).text()},
+           {analysis::workprecision::kWorkPageName, analysis::workprecision::work_page(studies).html()}}))
+    return kError;
+  if (options.json) {
+    std::printf(
+        "%s\n",
+        nlohmann::ordered_json{{"folder", folder->string()}, {"points", to_json(studies)}}.dump(2).c_str());
+    return kCompleted;
+  }
+  print_table(analysis::workprecision::work_table(studies));
+  std::printf("\n");
+  print_table(analysis::workprecision::advantage_table(studies));
+  std::printf("%s\n", analysis::workprecision::goal_sentence(studies).c_str());
+  std::printf("Plots and every setting lie in %s\n", bold(folder->string()).c_str());
+  return kCompleted;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,179 @@
+#include "engine/app/picture/bridge.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "engine/app/picture/holding_controls.h"
+#include "engine/scenario/followed.h"
+#include "engine/scenario/level_bars.h"
+#include "engine/scenario/to_glm.h"
+#include "haptics/math/functions.h"
+#include "haptics/safety/faults.h"
+#include "haptics/safety/guard.h"
+
+namespace fulcrum::app {
+namespace {
+
+Vec3 to_eigen(const glm::vec3& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+render::MarkerState marker_state(const scenario::TaskState& task, std::size_t i) {
+  using Show = render::MarkerState::Show;
+  if (i < task.step) return {Show::done, 1.0F};
+  if (i > task.step) return {Show::hidden, 0.0F};
+  return {task.inside ? Show::dwelling : Show::next, static_cast<float>(task.dwell_progress)};
+}
+
+std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record,
+                                   const Afterglow& afterglow) {
+  std::vector<ui::CueLine> lines;
+  for (const Knob& knob : effect_knobs(scene, scene, record))
+    lines.push_back({knob.name, std::string(1, knob.key), knob.gain,
+                     knob.brief ? afterglow.peak(knob.kind) : knob.level});
+  return lines;
+}
+
+std::vector<ui::MotorBar> motor_bars(const MechanismDesc& mechanism, const TickRecord& record,
+                                     const Afterglow& afterglow) {
+  std::vector<ui::MotorBar> bars;
+  for (int motor = 0; motor < Mechanism::motors(mechanism); ++motor) {
+    const auto i = static_cast<std::size_t>(motor);
+    std::string name = Mechanism::motor_name(mechanism, motor);
+    std::ranges::replace(name, '_', ' ');
+    bars.push_back(
+        {std::move(name), record.actuator_load[i], afterglow.motors()[i].low, afterglow.motors()[i].high});
+  }
+  return bars;
+}
+
+std::string variant_text(const TorqueCues& cues) {
+  const bool vibration = cues.vibration_gain > 0, ghost = cues.ghost_gain > 0;
+  if (ghost) return vibration ? "variant C" : "";
+  return vibration ? "variant B" : "variant A";
+}
+
+std::string stop_reason(std::uint32_t faults) {
+  for (const FaultName& fault : fault_names()) {
+    if ((fault.bit & kStoppingFaults & faults) != 0) return fault.sentence;
+  }
+  return {};
+}
+
+}  // namespace
+
+FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenario& scenario,
+                         const SceneDesc& scene)
+    : markers_(desc.markers.size()), guide_(scenario.guide), X_TH_(scene.tool.X_HT.inverse()) {
+  if (desc.ghost) ghost_q_HT_ = scene.tool.X_HT.q;
+  if (scenario::draws_levels(scene)) {
+    left_ = scene.device.vibrotactile->find("left").value_or(0);
+    right_ = scene.device.vibrotactile->find("right").value_or(0);
+    strongest_ = scene.vibrotactile_motion->strength;
+    q_WF_ = scenario::level_turn(scene.vibrotactile_motion->axis_W);
+  }
+  for (const render::Instance& instance : desc.instances) {
+    if (!instance.movable) continue;
+    follows_.push_back(instance.follows);
+    X_WM_.push_back(instance.X_WM);
+    if (instance.follows > 0 && instance.follows < scenario::kFirstFollowed && !links_)
+      links_.emplace(scene.device.mechanism, scene.mapping);
+  }
+  marker_states_.resize(markers_);
+}
+
+// All but the device's links.
+glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const Afterglow& afterglow,
+                               double time) {
+  if (body >= scenario::kFollowsImpactCircle)
+    return impact_circle_pose(body, afterglow.struck(), record.X_WT, time);
+  const Pose X_WH = record.X_WT * X_TH_;  // where the tool is seen to be held
+  const Pose X_WF{q_WF_, X_WH.p};         // of the level bars
+  const auto level_at = [&](int side, std::size_t channel) {
+    const double level =
+        record.vibrotactile_motion.value_or(VibrotactileCues()).command.level[channel] / strongest_;
+    return scenario::level_pose(X_WF, side, level);
+  };
+  switch (body) {
+    case scenario::kFollowsGuide:
+      return scenario::to_glm({Quat::Identity(), scenario::guide_place(*guide_, time)});
+    case scenario::kFollowsHoldingPoint:
+      return scenario::to_glm({X_WH.q, X_WH * record.holding.value_or(HoldingCues()).p_HG});
+    case scenario::kFollowsLevelFrame:
+      return scenario::to_glm(X_WF);
+    case scenario::kFollowsLeftLevel:
+      return level_at(-1, left_);
+    case scenario::kFollowsRightLevel:
+      return level_at(1, right_);
+    default:
+      return scenario::to_glm(record.X_WT);
+  }
+}
+
+render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow& afterglow,
+                                      const scenario::TaskState& task, const render::Camera& camera,
+                                      double time) {
+  const std::vector<Pose>* X_WL = links_ ? &links_->follow(record.X_WH) : nullptr;
+  for (std::size_t i = 0; i < X_WM_.size(); ++i) {
+    const std::size_t body = follows_[i];
+    const bool link = body > 0 && body < scenario::kFirstFollowed;
+    X_WM_[i] = link ? scenario::to_glm((*X_WL)[body - 1]) : pose_of(body, record, afterglow, time);
+  }
+  for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
+  render::FrameState state;
+  state.X_WM = X_WM_;
+  state.markers = marker_states_;
+  if (ghost_q_HT_)
+    state.ghost = {static_cast<float>(record.torque_substitution.value_or(TorqueCues()).ghost),
+                   scenario::to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
+  state.camera = camera;
+  state.time_s = time;
+  return state;
+}
+
+input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
+  const Vec3 eye = to_eigen(camera.eye);
+  input::ViewAxes axes;
+  axes.forward_W = (to_eigen(camera.target) - eye).normalized();
+  axes.right_W = axes.forward_W.cross(Vec3::UnitY()).normalized();
+  axes.up_W = axes.right_W.cross(axes.forward_W);
+  const double distance = std::max((p_W - eye).dot(axes.forward_W), 0.05);
+  axes.height = 2 * distance * math::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
+  return axes;
+}
+
+ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
+                               const Afterglow& afterglow, const scenario::TaskState& task) {
+  ui::OverlayState state;
+  state.time_s = static_cast<double>(record.tick) * scene.tick_s;
+  state.scenario = prepared.scenario.title;
+  state.device = device_on_screen(prepared, scene);
+  if (scene.device.renders_force) {
+    state.force_N = {record.device_F_H_D.force.norm(), scene.device.max_force};
+  } else {
+    // No motors: what the hand would feel, so that a push can be seen.
+    state.force_N = {record.force_gain * record.coupling_F_T_W.force.norm(), scene.coupling.max_force};
+  }
+  state.torque_Nm = {record.force_gain * record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
+  for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
+    state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
+  state.cues = cue_lines(scene, record, afterglow);
+  if (!detects_impacts(scene)) state.cue_title = "Fingertip";
+  state.tells_torque = vibrates_for_torque(scene) || shows_ghost(scene);
+  const TorqueCues torque = record.torque_substitution.value_or(TorqueCues());
+  if (state.tells_torque) state.variant = variant_text(torque);
+  state.torque_bad = torque.bad;
+  if (scenario::draws_arms(prepared.scenario, scene))
+    state.motors = motor_bars(scene.device.mechanism, record, afterglow);
+  state.holding = holding_panel(scene, record);
+  if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
+  if (record.stopped)
+    state.force = ui::Force::stopped;
+  else if (record.force_gain < 1 && state.time_s > kRampIn)  // it was never away when all begins
+    state.force = ui::Force::returning;
+  state.stop_reason = stop_reason(record.faults);
+  return state;
+}
+
+}  // namespace fulcrum::app

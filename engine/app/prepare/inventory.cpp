@@ -1,0 +1,106 @@
+#include "engine/app/prepare/inventory.h"
+
+namespace fulcrum::app {
+namespace {
+
+template <class Add>  // (name, why)
+void leave_out_of_holding(const SceneDesc& scene, const Add& add) {
+  const std::string device = "the device '" + scene.device.name + "' ";
+  if (!scene.holding_point) {
+    add("holding point", "the scenario does not name it");
+  } else {
+    if (!scene.device.strip) add("strip", device + "has none: the holding point is where it is set");
+    if (!scene.device.structure) add("lever-arm limit", "how stiff " + device + "is, is not known");
+    if (coupled(scene.contact.response) && !moves_grip(scene.contact.response))
+      add("coupling at the holding point",
+          "under the scenario's response the coupling holds the tool at its "
+          "centre of mass");
+  }
+}
+
+void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vector<InventoryItem>& out) {
+  const SceneDesc& scene = world.desc();
+  const auto add = [&out](const std::string& name, const std::string& why) {
+    out.push_back({name, "haptics", 0, 0, why});
+  };
+  const VelocityEstimatorKind kind = scene.velocity.kind;
+  if (kind != VelocityEstimatorKind::difference) add("estimator difference", "the scenario names another");
+  if (kind != VelocityEstimatorKind::low_pass) add("estimator low_pass", "the scenario names another");
+  if (kind != VelocityEstimatorKind::adaptive_window)
+    add("estimator adaptive_window", "the scenario names another");
+  const ContactResponse response = scene.contact.response;
+  if (response != ContactResponse::penalty) add("response penalty", "the scenario names another");
+  if (response != ContactResponse::quasi_static) add("response static", "the scenario names another");
+  if (response != ContactResponse::constraint)
+    add("response constraint", "the scenario names another: no constraint solver is built");
+  const bool in_place_of_direct = !coupled(prepared.scenario.contact.response) && coupled(response);
+  if (in_place_of_direct)
+    add("response direct", "the device '" + scene.device.name +
+                               "' cannot push the hand back: the tool stays out by itself, and a coupling as "
+                               "stiff as the contact pulls it");
+  else if (response != ContactResponse::direct)
+    add("response direct", "the scenario names another");
+  if (!coupled(response)) add("coupling", "under the response direct the tool is where the hand wants it");
+  if (response != ContactResponse::voxel) add("response voxel", "the scenario names another");
+  if (response == ContactResponse::constraint && scene.contact.friction == 0)
+    add("friction", "contact.friction is 0");
+  if (response == ContactResponse::constraint && !scene.scene_edges) add("edges", "contact.edges is 0");
+  if (massless(response)) add("integrator", "the tool has no mass under the scenario's response");
+  if (!scene.device.renders_torque) add("torque motors", "the device '" + scene.device.name + "' has none");
+  if (!scene.device.renders_force) add("force motors", "the device '" + scene.device.name + "' has none");
+  if (!detects_impacts(scene)) add("impacts", "nothing in the scene asks for them");
+  for (const LeftOut& part : left_out_effects(scene, scene)) add(part.name, part.why);
+  leave_out_of_holding(scene, add);
+  if (in_place_of_direct && !prepared.scenario.contact.levels.empty())
+    add("stiffness levels", "a constraint has no stiffness to choose");
+  else if (scene.contact.levels.empty())
+    add("stiffness levels", "contact.levels is not named");
+  if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
+  if (!scene.tool.weight) add("tool weight", "tool.weight is off");
+  if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");
+  if (!prepared.haptic.task.hard_touch) add("hard touches", "no hard_touch is named");
+}
+
+std::string why_no_arms(const Prepared& prepared, const SceneDesc& scene) {
+  if (!prepared.scenario.device.drawn) return "the scenario does not ask for it";
+  return "the device '" + scene.device.name + "' has none";
+}
+
+}  // namespace
+
+Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
+                    bool circle) {
+  Inventory result;
+  for (const BuiltPart& part : world.parts())
+    result.built.push_back({part.name, "haptics", part.bytes, 0, part.what});
+  leave_out_of_haptics(world, prepared, result.left_out);
+  if (plan == nullptr) {
+    result.left_out.push_back({"renderer", "picture", 0, 0, "nothing is drawn"});
+    return result;
+  }
+  if (scenario::draws_arms(prepared.scenario, world.desc()))
+    result.built.push_back(
+        {"device's arms", "picture", 0, 0, "as its table has them, where the handle holds them"});
+  else
+    result.left_out.push_back({"device's arms", "picture", 0, 0, why_no_arms(prepared, world.desc())});
+  if (circle)
+    result.built.push_back({"circle of confusion", "picture", 0, 0, "about the tool, after an impact"});
+  else
+    result.left_out.push_back({"circle of confusion", "picture", 0, 0, "only `run --circle` asks for it"});
+  const auto drawn = [&result](bool built, const char* name, const char* what, const char* why) {
+    (built ? result.built : result.left_out).push_back({name, "picture", 0, 0, built ? what : why});
+  };
+  drawn(world.desc().holding_point.has_value(), "axes at the holding point", "red, green and blue arrows",
+        "the scenario names no holding_point");
+  drawn(scenario::draws_levels(world.desc()), "levels beside the finger", "a bar to either side",
+        "no finger sweeps on a device that vibrates");
+  drawn(prepared.scenario.guide.has_value(), "guide", "a ball that goes to and fro",
+        "the scenario does not name it");
+  for (const render::BuildItem& item : plan->built)
+    result.built.push_back({item.name, item.kind, item.bytes, 0, item.note});
+  for (const render::BuildItem& item : plan->left_out)
+    result.left_out.push_back({item.name, item.kind, 0, 0, item.note});
+  return result;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,28 @@
+#pragma once
+// What a scene builds and what it leaves out: the lists of `fulcrum explain` and of summary.json.
+
+#include <string>
+#include <vector>
+
+#include "engine/app/prepare/prepare.h"
+#include "engine/render/plan.h"
+
+namespace fulcrum::app {
+
+struct InventoryItem {
+  std::string name;
+  std::string kind;  // "haptics", "image", "buffer", "pipeline", ...
+  std::uint64_t bytes = 0;
+  double tick_us = 0;  // CPU time per tick; 0: none, or not measured
+  std::string note;    // what it is; of something left out, why
+};
+
+struct Inventory {
+  std::vector<InventoryItem> built, left_out;
+};
+
+// plan: none when nothing is drawn. circle: of confusion, with what is drawn.
+Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
+                    bool circle = false);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,163 @@
+#include "engine/app/prepare/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "drivers/mouse/mouse_device.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/files/number_text.h"
+#include "engine/record/motion.h"
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
+#include "engine/scenario/words.h"
+#include "haptics/math/functions.h"
+#include "haptics/math/number_text.h"
+#include "haptics/world/couple_without_motors.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr double kGravity = 9.80665;  // m/s^2
+
+Error another_rate(const std::string& file, double rate_Hz) {
+  const std::string sentence = "'" + file + "' was recorded at another tick rate than this scenario's, " +
+                               number_text(rate_Hz, 6) + " Hz: ";
+  if (!(rate_Hz >= scenario::kSlowestTicks_Hz && rate_Hz <= scenario::kFastestTicks_Hz))
+    return {sentence + "no scenario can have it, only " + number_text(scenario::kSlowestTicks_Hz, 6) +
+            " to " + number_text(scenario::kFastestTicks_Hz, 6) +
+            " Hz. Record the motion anew, or check the times in the file."};
+  std::string exactly;
+  append_number(exactly, rate_Hz);
+  return {sentence + "give --set tick_rate_Hz=" + exactly + "."};
+}
+
+// How far the coupling yields under the tool's weight: a person aims so much higher.
+double sag(const SceneDesc& scene) {
+  if (!scene.tool.weight || !coupled(scene.contact.response)) return 0;
+  const double weight = std::min(scene.tool.mass * kGravity, 0.95 * scene.coupling.max_force);
+  return -scene.coupling.max_force / scene.coupling.stiffness *
+         math::log1p(-weight / scene.coupling.max_force);
+}
+
+}  // namespace
+
+std::optional<scenario::Scenario> load_named(const std::string& name_or_file,
+                                             const std::vector<std::string>& overrides) {
+  const Result<std::filesystem::path> file = scenario::find_scenario(name_or_file);
+  if (!file) {
+    complain(file.error().sentence);
+    return std::nullopt;
+  }
+  scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario(*file, overrides);
+  if (!loaded) {
+    complain("the scenario '" + name_or_file + "' cannot be used:\n" + scenario::to_text(loaded.faults()));
+    return std::nullopt;
+  }
+  return std::move(*loaded);
+}
+
+std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides) {
+  std::optional<scenario::Scenario> loaded = load_named(name_or_file, overrides);
+  if (!loaded) return std::nullopt;
+  return prepare(name_or_file, std::move(*loaded));
+}
+
+std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario,
+                                const scenario::BakeProgress& progress) {
+  Result<scenario::LoadedModels> models = scenario::load_models(scenario);
+  if (!models) {
+    complain(models.error().sentence);
+    return std::nullopt;
+  }
+  ProgressBar bar;
+  Result<scenario::HapticAssembly> haptic =
+      scenario::assemble_haptic(scenario, *models, BakeCache(), [&](std::string_view what, double fraction) {
+        bar.show("Baking the " + std::string(what), fraction);
+        if (progress) progress(what, fraction);
+      });
+  bar.clear();
+  if (!haptic) {
+    complain(haptic.error().sentence);
+    return std::nullopt;
+  }
+  for (const std::string& warning : haptic->warnings) complain(name + ": " + warning);
+  return Prepared{name, std::move(scenario), std::move(*models), std::move(*haptic)};
+}
+
+std::string device_in_results(const Prepared& prepared, const std::string& device) {
+  const scenario::DeviceEntry& entry = prepared.scenario.device;
+  return device == "simulated" && entry.own ? "scenario:" + entry.model : device;
+}
+
+std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene) {
+  const std::string& name = scene.device.name;
+  const bool own = prepared.scenario.device.own && name == prepared.haptic.scene.device.name;
+  return own ? "Scenario's own: " + name : name;
+}
+
+SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) {
+  SceneDesc scene = prepared.haptic.scene;
+  if (device == "mouse") {
+    std::optional<VibrotactileDesc> shown;  // the levels of a sweep are seen and written all the same
+    if (scene.vibrotactile_motion && scene.vibrotactile_motion->use == VibrotactileUse::sweep)
+      shown = std::move(scene.device.vibrotactile);
+    scene.device = MouseDevice::mouse_desc();
+    scene.device.vibrotactile = std::move(shown);
+    scene.mapping = MappingDesc{};
+    couple_without_motors(scene);
+  }
+  return scene;
+}
+
+std::optional<Error> refuse_hand(const scenario::Scenario& scenario, const std::string& scenario_name,
+                                 const std::string& hand) {
+  std::vector<std::string_view> known{"still"};
+  for (const scenario::HandEntry& entry : scenario.hands) {
+    if (entry.name != "still") known.push_back(entry.name);
+  }
+  if (std::ranges::find(known, hand) != known.end()) return std::nullopt;
+  return Error{"The scenario '" + scenario_name + "' has no hand " + scenario::in_quotes(hand) +
+               scenario::did_you_mean(hand, known, "it has " + scenario::joined(known) + ".")};
+}
+
+Result<std::unique_ptr<SimulatedDevice>> simulated_device(const Prepared& prepared, const std::string& hand,
+                                                          std::uint64_t trial) {
+  if (auto refused = refuse_hand(prepared.scenario, prepared.name, hand)) return *refused;
+  const SceneDesc& scene = prepared.haptic.scene;
+  const auto found =
+      std::find_if(prepared.haptic.hands.begin(), prepared.haptic.hands.end(),
+                   [&hand](const scenario::HandScript& script) { return script.name == hand; });
+  HandTask task{.path = HandPath({Waypoint{scene.tool.X_WT_start, 0, 0}}),
+                .hand = {.seed = static_cast<std::uint64_t>(prepared.scenario.seed)},
+                .X_HT = scene.tool.X_HT,
+                .mapping = scene.mapping};
+  if (found != prepared.haptic.hands.end()) {
+    task.path = HandPath(found->waypoints);
+    task.hand = found->desc;
+  }
+  task.hand.seed += trial;
+  if (scene.holding_point) task.stick_H = scene.holding_point->axis_H;
+  task.sag_W = Vec3(0, sag(scene), 0);
+  if (scene.tool.weight) {
+    const Vec3 felt_W(0, -scene.tool.mass * kGravity, 0);
+    task.carried_D = -scene.mapping.wrench_in_device({felt_W, Vec3::Zero()}).force;
+  }
+  SimulatedDeviceDesc desc;
+  desc.device = scene.device;
+  desc.tick_s = scene.tick_s;
+  return std::make_unique<SimulatedDevice>(desc, std::move(task));
+}
+
+Result<std::unique_ptr<ReplayDevice>> replay_device(const Prepared& prepared, const std::string& file) {
+  Result<record::HandleMotion> motion = record::read_motion(file);
+  if (!motion) return motion.error();
+  const SceneDesc& scene = prepared.haptic.scene;
+  if (std::abs(motion->tick_s - scene.tick_s) > 1e-9) return another_rate(file, 1 / motion->tick_s);
+  if (motion->space == record::HandleMotion::Space::scene) {
+    for (DeviceSample& sample : motion->samples) sample.X_DH = scene.mapping.handle_in_device(sample.X_DH);
+  }
+  return std::make_unique<ReplayDevice>(scene.device, std::move(motion->samples));
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,68 @@
+#include "engine/app/run/headless_run.h"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "engine/app/cli/interrupt.h"
+#include "engine/app/cli/terminal.h"
+#include "haptics/loop/run_tick.h"
+
+namespace fulcrum::app {
+namespace {
+
+bool goes_on(const RunSink& sink) {
+  return sink.end() == RunSink::End::running && !sink.stopped_by_fault() && !interrupted();
+}
+
+}  // namespace
+
+void run_offline(World& world, Device& device, RunSink& sink) {
+  ProgressBar bar;
+  while (goes_on(sink)) {
+    TickEvent event;
+    run_tick(world, device, {}, event);
+    sink.take(event);
+    bar.show("Running", sink.time() / sink.limit());
+  }
+}
+
+void run_live(World& world, Device& device, RunSink& sink) {
+  LiveLoop loop(world, device);
+  ProgressBar bar;
+  loop.start();
+  while (goes_on(sink)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    TickEvent event;
+    while (goes_on(sink) && loop.next(event)) sink.take(event);
+    sink.flush_if_due();
+    bar.show("Running", sink.time() / sink.limit());
+  }
+  loop.stop();
+  bar.clear();
+  report_live(loop);
+}
+
+void report_grant(const LiveLoop& loop) {
+  if (!loop.grant().scheduling.empty()) complain(loop.grant().scheduling);
+  if (!loop.grant().memory.empty()) complain(loop.grant().memory);
+  if (loop.unrecorded() > 0)
+    complain(std::to_string(loop.unrecorded()) +
+             " ticks ran but were not recorded, because the disk or the display held the main thread up for "
+             "too long.");
+}
+
+void report_live(const LiveLoop& loop) {
+  report_grant(loop);
+  std::fprintf(stderr, "Late ticks: %llu, lost: %llu. Ticks by how late they began:",
+               static_cast<unsigned long long>(loop.late_ticks()),
+               static_cast<unsigned long long>(loop.lost_ticks()));
+  const LateHistogram& histogram = loop.late_histogram();
+  for (std::size_t i = 0; i < histogram.size(); ++i) {
+    if (histogram[i] > 0)
+      std::fprintf(stderr, "  <%llu us: %llu", 1ULL << i, static_cast<unsigned long long>(histogram[i]));
+  }
+  std::fputc('\n', stderr);
+}
+
+}  // namespace fulcrum::app

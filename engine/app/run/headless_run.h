@@ -1,0 +1,17 @@
+#pragma once
+// The loops without a window: as fast as the ticks go, or by the clock.
+
+#include "engine/app/run/run_sink.h"
+#include "haptics/loop/live_loop.h"
+
+namespace fulcrum::app {
+
+void run_offline(World& world, Device& device, RunSink& sink);
+void run_live(World& world, Device& device, RunSink& sink);
+
+// What the operating system refused, and ticks that no record is left of: on stderr.
+void report_grant(const LiveLoop& loop);
+// The same; how late ticks were, how many were lost: on stderr.
+void report_live(const LiveLoop& loop);
+
+}  // namespace fulcrum::app

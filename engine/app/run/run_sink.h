@@ -1,0 +1,68 @@
+#pragma once
+// Where every tick of a run ends up, whatever loop it comes from: judged, recorded, added up.
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/app/picture/afterglow.h"
+#include "engine/app/prepare/prepare.h"
+#include "engine/app/run/penetration.h"
+#include "engine/record/recorder.h"
+#include "engine/record/run_totals.h"
+#include "engine/record/summary.h"
+#include "engine/scenario/task_judge.h"
+#include "haptics/loop/tick_event.h"
+
+namespace fulcrum::app {
+
+class RunSink {
+public:
+  // recorder: none, and nothing is written. limit_s: the trial ends there.
+  RunSink(const Prepared& prepared, std::optional<record::Recorder> recorder, double limit_s);
+
+  void take(const TickEvent& event);
+  void flush_if_due();  // live: every few milliseconds
+
+  enum class End { running, completed, limit };
+  End end() const;
+  // A fault stopped the force in the newest tick.
+  bool stopped_by_fault() const { return last_.stopped; }
+
+  const scenario::TaskState& task() const { return judge_.state(); }
+  std::optional<std::int64_t> hard_touches() const;  // so far; none: the task does not count them
+  const TickRecord& last() const { return last_; }   // before the first: where all begins
+  const Afterglow& afterglow() const { return afterglow_; }
+  // s, of the trial: it rests while the force is stopped.
+  double time() const { return static_cast<double>(ticks_ - stopped_ticks_) * tick_s_; }
+  double limit() const { return limit_s_; }
+
+  // Closes the files and measures the penetration. device, hand, built and left_out are the caller's to add.
+  struct Outcome {
+    record::Summary summary;
+    double time_s = 0;     // of the trial
+    bool recorded = true;  // false: the recording stopped early, and a sentence said so
+  };
+  Outcome finish();
+
+private:
+  void report_recorder();
+
+  const Prepared& prepared_;
+  double tick_s_;
+  double limit_s_;
+  std::int64_t ticks_ = 0, stopped_ticks_ = 0;
+  std::optional<record::Recorder> recorder_;
+  bool recorder_failed_ = false;
+  scenario::TaskJudge judge_;
+  record::RunTotals totals_;
+  PenetrationMeter penetration_;
+  std::vector<std::int64_t> cpu_ns_;
+  std::int64_t late_ticks_ = 0, lost_ticks_ = 0;
+  TickRecord last_;
+  Afterglow afterglow_;
+  bool has_brief_knobs_;
+};
+
+}  // namespace fulcrum::app

@@ -1,0 +1,73 @@
+#include "engine/app/window/prepare_in_window.h"
+
+#include <chrono>
+#include <future>
+#include <mutex>
+#include <utility>
+
+#include "engine/app/cli/interrupt.h"
+#include "engine/app/cli/terminal.h"
+
+namespace fulcrum::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Ends a bake from within its progress.
+struct Closed {};
+
+// What the baking thread says and the window's shows, and the other way about.
+class Progress {
+public:
+  explicit Progress(const std::string& title) : shown_{title, "Reading the models", 0, ""} {}
+
+  void tell(std::string_view what, double fraction) {
+    const std::lock_guard lock(mutex_);
+    if (closed_) throw Closed();
+    shown_.what = "Baking the " + std::string(what);
+    shown_.fraction = fraction;
+    shown_.note = "Once only: the next start finds it in the cache.";
+  }
+  void close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    shown_.what = "Closing";
+  }
+  ui::Busy shown() const {
+    const std::lock_guard lock(mutex_);
+    return shown_;
+  }
+
+private:
+  mutable std::mutex mutex_;
+  ui::Busy shown_;
+  bool closed_ = false;
+};
+
+}  // namespace
+
+PreparedInWindow prepare_in_window(WindowStage& stage, const std::string& name, scenario::Scenario scenario) {
+  Progress progress(scenario.title);
+  auto baking = std::async(std::launch::async, [&]() -> std::optional<Prepared> {
+    try {
+      return prepare(name, std::move(scenario),
+                     [&progress](std::string_view what, double fraction) { progress.tell(what, fraction); });
+    } catch (const Closed&) {
+      return std::nullopt;
+    }
+  });
+  PreparedInWindow result;
+  // Now and then is often enough: the processor has other things to do.
+  while (baking.wait_for(100ms) != std::future_status::ready) {
+    const Result<bool> open = stage.show(progress.shown());
+    if (!open) complain(open.error().sentence);
+    if (open && *open && !interrupted()) continue;
+    result.closed = true;
+    progress.close();
+    break;
+  }
+  result.prepared = baking.get();
+  return result;
+}
+
+}  // namespace fulcrum::app

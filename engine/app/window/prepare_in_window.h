@@ -1,0 +1,19 @@
+#pragma once
+// Reading and baking a scenario while its window says how far that is.
+
+#include <optional>
+#include <string>
+
+#include "engine/app/prepare/prepare.h"
+#include "engine/app/window/window_stage.h"
+
+namespace fulcrum::app {
+
+struct PreparedInWindow {
+  std::optional<Prepared> prepared;  // none: what is wrong is on stderr, or the window was closed
+  bool closed = false;
+};
+
+PreparedInWindow prepare_in_window(WindowStage& stage, const std::string& name, scenario::Scenario scenario);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,343 @@
+#include "engine/app/window/training_window.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <utility>
+
+#include "engine/app/cli/interrupt.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/picture/holding_controls.h"
+#include "engine/app/run/headless_run.h"
+#include "engine/record/percentiles.h"
+#include "engine/ui/cue_panel.h"
+#include "engine/ui/holding_panel.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::size_t kCostWindow = 1000;  // ticks that the shown percentiles are of
+
+std::string lower(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
+// What a key asks of the panel of the holding point.
+std::optional<HoldingKey> holding_key(int key) {
+  switch (key) {
+    case GLFW_KEY_LEFT_BRACKET:
+      return HoldingKey::nearer;
+    case GLFW_KEY_RIGHT_BRACKET:
+      return HoldingKey::farther;
+    case GLFW_KEY_MINUS:
+      return HoldingKey::softer;
+    case GLFW_KEY_EQUAL:
+      return HoldingKey::stiffer;
+    case GLFW_KEY_N:
+      return HoldingKey::method;
+    case GLFW_KEY_H:
+      return HoldingKey::measured;
+    default:
+      return std::nullopt;
+  }
+}
+
+// m: what the trainee has to hit most exactly; where there is no task, a twentieth of the tool.
+double finest_detail(const Prepared& prepared) {
+  double finest = prepared.haptic.scene.tool_shell->max_radius_m / 20;
+  const std::vector<scenario::Checkpoint>& checkpoints = prepared.haptic.task.checkpoints;
+  if (!checkpoints.empty()) finest = std::ranges::min(checkpoints, {}, &scenario::Checkpoint::radius).radius;
+  return finest;
+}
+
+std::vector<ui::KeyLine> key_lines(const ui::OverlayState& state, bool circle) {
+  std::vector<ui::KeyLine> lines = {
+      {"Esc", "stop force and time"}, {"Enter", "go on; the force returns"}, {"R", "start again"},
+      {"1 to 9", "go to a view"},     {"Home", "back to this view's start"}, {"F1", "show or hide this list"},
+  };
+  for (const ui::CueLine& cue : state.cues)
+    lines.insert(lines.end() - 1, {cue.key, "switch the " + lower(cue.name)});
+  if (state.holding) {
+    const std::vector<ui::KeyLine> keys = holding_keys();
+    lines.insert(lines.end() - 1, keys.begin(), keys.end());
+  }
+  if (circle) lines.insert(lines.end() - 1, {"C", "show or hide the circle of confusion"});
+  return lines;
+}
+
+}  // namespace
+
+TrainingWindow::TrainingWindow(WindowStage& stage, const Prepared& prepared,
+                               const scenario::VisualAssembly& visual)
+    : stage_(stage),
+      prepared_(prepared),
+      visual_(visual),
+      camera_(visual.desc.camera),
+      bridge_(visual.desc, prepared.scenario, prepared.haptic.scene),
+      tool_mouse_(input::mouse_steps(finest_detail(prepared))) {}
+
+Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(WindowStage& stage, const Prepared& prepared,
+                                                               const scenario::VisualAssembly& visual,
+                                                               const RunOptions& options) {
+  std::unique_ptr<TrainingWindow> self(new TrainingWindow(stage, prepared, visual));
+  self->circle_ = options.circle;
+  if (auto error = stage.set_scene(visual.desc, self->quality_.quality())) return *error;
+  return self;
+}
+
+TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDevice* mouse, RunSink& sink) {
+  LiveLoop loop(world, device);
+  loop_ = &loop;
+  scene_ = &world.desc();
+  mouse_ = mouse;
+  restart_ = false;
+  slides_ = false;
+  button_ = -1;  // a release while no window listened is not told
+  shown_ = {};
+  cues_ = CueSwitches(*scene_);
+  cpu_ns_.clear();
+  cpu_at_ = 0;
+  late_ = lost_ = 0;
+  resting_ = false;
+  tool_mouse_.reset(scene_->tool.X_WT_start * scene_->tool.X_HT.inverse());
+  ui::WindowEvents events;
+  events.key = [this](int key, int action, int modifiers) {
+    shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
+    control_ = (modifiers & GLFW_MOD_CONTROL) != 0;
+    on_key(key, action);
+  };
+  events.button = [this](int button, int action, int modifiers) {
+    shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
+    button_ = action == GLFW_PRESS ? button : -1;
+    slides_ = false;
+    if (button_ == GLFW_MOUSE_BUTTON_LEFT) on_press();
+    stage_.window().hold_pointer(button_ >= 0);
+  };
+  events.cursor = [this](double x, double y) { on_cursor(x, y); };
+  events.scroll = [this](double, double steps) { on_scroll(steps); };
+  stage_.window().set_events(std::move(events));
+
+  draw(sink, loop);  // the first frame takes long, and its picture is where all begins: before the clock runs
+  loop.start();
+  while (!stage_.window().closing() && !restart_ && !interrupted() && error_.empty()) {
+    stage_.window().poll();
+    TickEvent event;
+    while (loop.next(event)) {
+      if (sink.end() != RunSink::End::running) continue;
+      note_cost(event);
+      sink.take(event);
+    }
+    sink.flush_if_due();
+    if (sink.end() != RunSink::End::running) {
+      come_to_rest(loop);
+    } else {
+      late_ = loop.late_ticks();
+      lost_ = loop.lost_ticks();
+    }
+    draw(sink, loop);
+  }
+  loop.stop();
+  stage_.window().hold_pointer(false);
+  stage_.window().set_events({});
+  if (stage_.window().lost())
+    complain(
+        "the window is gone, for its X server ended or another program closed it: the run ends here, and "
+        "what "
+        "it recorded is kept.");
+  else if (!error_.empty())
+    complain(error_);
+  report_grant(loop);
+  return restart_ ? Leave::restart : Leave::closed;
+}
+
+void TrainingWindow::on_press() {
+  const std::optional<Command> pressed = cues_.press(shown_, stage_.window().pixels(), cursor_x_, cursor_y_);
+  send(pressed);
+  const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
+  const auto held = ui::pressed_holding(shown_, at.width, at.x, at.y);
+  if (held) send(holding_commands(*shown_.holding, *held));
+  slides_ = held && held->part == ui::HoldingPress::Part::place;
+  if (pressed || held) button_ = -1;  // a press on a panel drags nothing in the scene
+}
+
+void TrainingWindow::on_key(int key, int action) {
+  // A modifier's own event comes with the state before it.
+  if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) shift_ = action != GLFW_RELEASE;
+  if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) control_ = action != GLFW_RELEASE;
+  if (action != GLFW_PRESS) return;
+  switch (key) {
+    case GLFW_KEY_ESCAPE:
+      loop_->send({Command::Kind::stop});
+      break;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      loop_->send({Command::Kind::acknowledge});
+      break;
+    case GLFW_KEY_R:
+      restart_ = true;
+      break;
+    case GLFW_KEY_C:
+      circle_shown_ = !circle_shown_;
+      break;
+    case GLFW_KEY_F1:
+      keys_visible_ = !keys_visible_;
+      break;
+    case GLFW_KEY_HOME:
+      camera_.reset();
+      break;
+    default:
+      if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z)
+        send(cues_.toggle(static_cast<char>('A' + (key - GLFW_KEY_A)), shown_));
+      if (const auto holding = holding_key(key); holding && shown_.holding)
+        send(holding_commands(*shown_.holding, *holding));
+      if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
+        const auto view = static_cast<std::size_t>(key - GLFW_KEY_1);
+        if (view < visual_.views.size()) camera_ = render::OrbitCamera(visual_.views[view].camera);
+      }
+  }
+}
+
+void TrainingWindow::send(const std::optional<Command>& command) {
+  if (command) loop_->send(*command);
+}
+
+void TrainingWindow::send(const std::vector<Command>& commands) {
+  for (const Command& command : commands) loop_->send(command);
+}
+
+void TrainingWindow::on_cursor(double x, double y) {
+  const double dx = x - std::exchange(cursor_x_, x), dy = y - std::exchange(cursor_y_, y);
+  if (slides_ && shown_.holding) {
+    const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
+    send(holding_commands(*shown_.holding,
+                          {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at.width, at.x)}));
+  }
+  if (button_ < 0) return;
+  const bool moves_tool = mouse_ != nullptr && button_ != GLFW_MOUSE_BUTTON_MIDDLE;
+  if (moves_tool && tool_rests()) return;
+  if (moves_tool) {
+    const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
+    if (button_ == GLFW_MOUSE_BUTTON_LEFT)
+      tool_mouse_.slide(view, dx, dy);
+    else if (shift_)
+      tool_mouse_.roll(view, dx);
+    else
+      tool_mouse_.turn(view, dx, dy);
+    mouse_->aim(tool_mouse_.X_WH());
+  } else if (shift_) {
+    camera_.pan(static_cast<float>(dx), static_cast<float>(dy));
+  } else {
+    camera_.orbit(static_cast<float>(dx), static_cast<float>(dy));
+  }
+}
+
+void TrainingWindow::on_scroll(double steps) {
+  if (control_ || mouse_ == nullptr) {
+    camera_.zoom(static_cast<float>(steps));
+    return;
+  }
+  if (tool_rests()) return;
+  const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
+  tool_mouse_.reach(view, steps, shift_ ? input::Step::fine : input::Step::whole);
+  mouse_->aim(tool_mouse_.X_WH());
+}
+
+void TrainingWindow::come_to_rest(LiveLoop& loop) {
+  if (!resting_) resting_ = loop.send({Command::Kind::stop});
+  const TickRecord& newest = loop.newest();
+  if (newest.stopped && newest.device_F_H_D.is_zero()) loop.stop();
+}
+
+void TrainingWindow::note_cost(const TickEvent& event) {
+  if (cpu_ns_.size() < kCostWindow)
+    cpu_ns_.push_back(event.cpu_ns);
+  else
+    cpu_ns_[cpu_at_] = event.cpu_ns;
+  cpu_at_ = (cpu_at_ + 1) % kCostWindow;
+}
+
+std::string TrainingWindow::message(const RunSink& sink) const {
+  char text[120];
+  switch (sink.end()) {
+    case RunSink::End::completed:
+      std::snprintf(text, sizeof text, "Completed in %.1f s. R starts again; close the window to end.",
+                    sink.time());
+      return text;
+    case RunSink::End::limit:
+      std::snprintf(text, sizeof text, "Time is up after %.0f s. R starts again; close the window to end.",
+                    sink.limit());
+      return text;
+    case RunSink::End::running:
+      break;
+  }
+  return keys_visible_ ? std::string() : "F1: keys and mouse";
+}
+
+ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunSink& sink) const {
+  ui::OverlayState state = overlay_state(prepared_, *scene_, record, sink.afterglow(), sink.task());
+  state.ticks.rate_Hz = 1.0 / scene_->tick_s;
+  state.ticks.late = late_;
+  state.ticks.lost = lost_;
+  if (!cpu_ns_.empty()) {
+    std::vector<std::int64_t> sorted = cpu_ns_;
+    const record::TickCpu cpu = record::tick_cpu_percentiles(sorted);
+    state.ticks.cpu_p50_us = cpu.p50;
+    state.ticks.cpu_p99_us = cpu.p99;
+  }
+  state.message = message(sink);
+  state.keys_visible = keys_visible_;
+  state.keys = key_lines(state, circle_);
+  if (mouse_ != nullptr) {
+    for (const char* line : input::mouse_help()) state.mapping.emplace_back(line);
+  } else {
+    state.mapping = {"Drag: look around", "Shift + drag: move the view", "Wheel: zoom"};
+  }
+  return state;
+}
+
+render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {
+  render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
+                                           sink.task(), camera_.camera(), shown_.time_s);
+  frame.overlay = &stage_.overlay();
+  return frame;
+}
+
+Result<std::filesystem::path> TrainingWindow::save_picture(const RunSink& sink,
+                                                           const std::filesystem::path& file) {
+  if (const auto laid_out = stage_.overlay().prepare(shown_, stage_.renderer().plan().picture); !laid_out)
+    return Error{laid_out.error()};
+  if (const auto drawn = stage_.renderer().frame(frame_of(sink.last(), sink)); !drawn)
+    return Error{drawn.error()};
+  const auto picture = stage_.renderer().read_back();
+  if (!picture) return Error{picture.error()};
+  if (const auto written = render::write_png(file, picture.value()); !written) return Error{written.error()};
+  return file;
+}
+
+void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
+  const render::Extent size = stage_.window().pixels();
+  if (size.width == 0 || size.height == 0) return;
+  // The newest tick; the sink's where there is none yet, and its last one after the end.
+  const TickRecord& newest = loop.newest();
+  const bool running = sink.end() == RunSink::End::running;
+  const TickRecord& record = running && newest.tick > sink.last().tick ? newest : sink.last();
+  shown_ = overlay_of(record, sink);
+  if (const auto laid_out = stage_.overlay().prepare(shown_, size); !laid_out) {
+    error_ = laid_out.error();
+    return;
+  }
+  const auto drawn = stage_.renderer().frame(frame_of(record, sink), stage_.swapchain(), size);
+  if (!drawn) {
+    error_ = drawn.error();
+    return;
+  }
+  if (drawn.value() && quality_.add(stage_.renderer().last_frame_s())) {
+    if (const auto changed = stage_.renderer().set_quality(quality_.quality()); !changed)
+      error_ = changed.error();
+  }
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,88 @@
+#pragma once
+// The window a trainee works in: the scene, the overlay, the keys, and the mouse as a device.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/mouse/mouse_device.h"
+#include "engine/app/cli/run_options.h"
+#include "engine/app/picture/bridge.h"
+#include "engine/app/run/run_sink.h"
+#include "engine/app/window/cue_switches.h"
+#include "engine/app/window/window_stage.h"
+#include "engine/input/tool_mouse.h"
+#include "engine/render/orbit_camera.h"
+#include "engine/render/quality.h"
+#include "haptics/loop/live_loop.h"
+
+namespace fulcrum::app {
+
+class TrainingWindow {
+public:
+  // All must outlive it. Errors: the scene cannot be drawn.
+  static Result<std::unique_ptr<TrainingWindow>> create(WindowStage& stage, const Prepared& prepared,
+                                                        const scenario::VisualAssembly& visual,
+                                                        const RunOptions& options);
+
+  enum class Leave { closed, restart };
+  // One attempt. mouse: the device, if it is the mouse.
+  Leave run(World& world, Device& device, MouseDevice* mouse, RunSink& sink);
+  // The attempt's last moment, as it was seen, into a PNG. After run().
+  Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
+
+  const render::RenderPlan& plan() const { return stage_.renderer().plan(); }
+
+private:
+  TrainingWindow(WindowStage& stage, const Prepared& prepared, const scenario::VisualAssembly& visual);
+
+  void on_key(int key, int action);
+  void on_press();
+  void on_cursor(double x, double y);
+  void on_scroll(double steps);
+  void send(const std::optional<Command>& command);
+  void send(const std::vector<Command>& commands);
+  void note_cost(const TickEvent& event);
+  // After the end: the force goes as after a stop, then ticks, counters and tool rest.
+  void come_to_rest(LiveLoop& loop);
+  // Whether the tool stays where it is, whatever the mouse does: a stop is a pause.
+  bool tool_rests() const { return shown_.force == ui::Force::stopped; }
+  ui::OverlayState overlay_of(const TickRecord& record, const RunSink& sink) const;
+  std::string message(const RunSink& sink) const;
+  void draw(const RunSink& sink, LiveLoop& loop);
+  render::FrameState frame_of(const TickRecord& record, const RunSink& sink);
+
+  WindowStage& stage_;
+  const Prepared& prepared_;
+  const scenario::VisualAssembly& visual_;
+
+  render::AutoQuality quality_;
+  render::OrbitCamera camera_;
+  FrameBridge bridge_;
+
+  // Of the attempt that runs.
+  LiveLoop* loop_ = nullptr;
+  const SceneDesc* scene_ = nullptr;
+  MouseDevice* mouse_ = nullptr;
+  input::ToolMouse tool_mouse_;
+  std::vector<std::int64_t> cpu_ns_;  // of the newest ticks, a ring
+  std::size_t cpu_at_ = 0;
+  std::uint64_t late_ = 0, lost_ = 0;  // ticks
+  bool resting_ = false;
+
+  int button_ = -1;      // that is down, or -1
+  bool slides_ = false;  // it holds the slider of the holding point
+  bool shift_ = false, control_ = false;
+  double cursor_x_ = 0, cursor_y_ = 0;
+  bool keys_visible_ = false;
+  bool circle_ = false;       // of confusion: it is there
+  bool circle_shown_ = true;  // where it is
+  ui::OverlayState shown_;    // what the panels showed last
+  CueSwitches cues_;
+  bool restart_ = false;
+  std::string error_;  // why drawing stopped
+};
+
+}  // namespace fulcrum::app
