@@ -36,8 +36,8 @@ std::vector<ImpactMaterial> materials_of(const Scenario& scenario) {
   std::vector<ImpactMaterial> materials;
   for (const ModelEntry& model : scenario.models) {
     if (model.role != ModelRole::scene) continue;
-    materials.push_back(scenario.impact_materials.at(
-        model.material.empty() ? scenario.impact_vibration->material : model.material));
+    materials.push_back(
+        scenario.impact_materials.at(model.material.empty() ? scenario.impact_material : model.material));
   }
   return materials;
 }
@@ -150,16 +150,10 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   scene.mapping = scenario.device.mapping;
   scene.device = scenario.device.desc;
   scene.allocation = scenario.device.allocation;
-  scene.torque_substitution = scenario.torque_substitution;
   scene.impact = scenario.impact;
-  if (scenario.impact_vibration) {
-    scene.impact_vibration = scenario.impact_vibration->desc;
-    scene.impact_vibration->materials = materials_of(scenario);
-  }
-  scene.braking_pulse = scenario.braking_pulse;
-  scene.vibrotactile_motion = scenario.vibrotactile_motion;
+  static_cast<EffectDescs&>(scene) = scenario.effects;
+  if (scene.impact_vibration) scene.impact_vibration->materials = materials_of(scenario);
   scene.holding_point = scenario.holding_point;
-  scene.inertia_compensation = scenario.inertia_compensation;
   if (vibrates_at_impacts(scene)) scene.scene_objects = objects_of(scenario, models);
   scene.coupling = suit_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);

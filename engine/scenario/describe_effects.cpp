@@ -72,8 +72,8 @@ void describe_impact(KeyVisitor& visitor, ImpactDetectorDesc& impact) {
                  from_to(0, 10));
 }
 
-void describe_impact_vibration(KeyVisitor& visitor, ImpactVibrationEntry& entry) {
-  ImpactVibrationDesc& effect = entry.desc;
+void describe_impact_vibration(KeyVisitor& visitor, Scenario& scenario) {
+  ImpactVibrationDesc& effect = scenario.effects.impact_vibration.emplace();
   visitor.choice_of({"render", "", "wrench: the blow's force and its moment; torque: the moment alone"},
                     effect.render, kRenders);
   visitor.choice_of(
@@ -88,7 +88,8 @@ void describe_impact_vibration(KeyVisitor& visitor, ImpactVibrationEntry& entry)
   effect.voices = static_cast<std::size_t>(voices);
   visitor.number({"hand_stiffness", "N m/rad", "of the hand that is to turn by 0.02 rad at most"},
                  effect.hand_stiffness, above_to(0, 100));
-  visitor.word({"material", "", "of models that name none: content/materials/MATERIAL.yaml"}, entry.material);
+  visitor.word({"material", "", "of models that name none: content/materials/MATERIAL.yaml"},
+               scenario.impact_material);
 }
 
 void describe_braking_pulse(KeyVisitor& visitor, BrakingPulseDesc& effect) {
@@ -197,26 +198,25 @@ void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material) {
 void describe_effects(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping({"torque_substitution", "", "tells of torque that the device cannot push back"},
                   [&](KeyVisitor& inner) {
-                    describe_torque_substitution(inner, scenario.torque_substitution.emplace());
+                    describe_torque_substitution(inner, scenario.effects.torque_substitution.emplace());
                   });
   visitor.mapping({"impact", "", "what counts as an impact, for the effects that begin at one"},
                   [&](KeyVisitor& inner) { describe_impact(inner, scenario.impact); });
-  visitor.mapping(
-      {"impact_vibration", "", "a vibration that tells where an impact fell"},
-      [&](KeyVisitor& inner) { describe_impact_vibration(inner, scenario.impact_vibration.emplace()); });
+  visitor.mapping({"impact_vibration", "", "a vibration that tells where an impact fell"},
+                  [&](KeyVisitor& inner) { describe_impact_vibration(inner, scenario); });
   visitor.mapping(
       {"braking_pulse", "", "stops the hand at an impact, so that what it strikes feels harder"},
-      [&](KeyVisitor& inner) { describe_braking_pulse(inner, scenario.braking_pulse.emplace()); });
+      [&](KeyVisitor& inner) { describe_braking_pulse(inner, scenario.effects.braking_pulse.emplace()); });
   visitor.mapping({"vibrotactile_motion", "",
                    "resistance told by two vibrators at the finger: a phantom that moves against the sweep"},
                   [&](KeyVisitor& inner) {
-                    describe_vibrotactile_motion(inner, scenario.vibrotactile_motion.emplace());
+                    describe_vibrotactile_motion(inner, scenario.effects.vibrotactile_motion.emplace());
                   });
   visitor.mapping(
       {"holding_point", "", "where the hand holds the tool, along a stick: told, or measured by its strip"},
       [&](KeyVisitor& inner) { describe_holding_point(inner, scenario.holding_point.emplace()); });
   visitor.mapping({"inertia_compensation", "", "makes up for the device's own mass"}, [&](KeyVisitor& inner) {
-    describe_inertia_compensation(inner, scenario.inertia_compensation.emplace());
+    describe_inertia_compensation(inner, scenario.effects.inertia_compensation.emplace());
   });
 }
 

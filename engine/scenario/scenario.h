@@ -81,11 +81,6 @@ struct View {
   bool cut = false;  // shows models cut open, where there are such
 };
 
-struct ImpactVibrationEntry {
-  ImpactVibrationDesc desc;        // all but its materials
-  std::string material = "steel";  // of models that name none
-};
-
 // The exact text of the scenario and of every file of text that it read, so that a tape can embed them.
 struct SourceTexts {
   std::string scenario;  // the key in `files` of the scenario itself
@@ -113,14 +108,11 @@ struct Scenario {
   CouplingGains coupling;
   VelocityEstimatorDesc velocity_estimator;
   DeviceEntry device;
-  std::optional<TorqueSubstitutionDesc> torque_substitution;
+  EffectDescs effects;  // that it names; the materials of impact vibration are looked up below
   ImpactDetectorDesc impact;
-  std::optional<ImpactVibrationEntry> impact_vibration;
-  std::optional<BrakingPulseDesc> braking_pulse;
-  std::optional<VibrotactileMotionDesc> vibrotactile_motion;
-  std::optional<HoldingPointDesc> holding_point;
-  std::optional<InertiaCompensationDesc> inertia_compensation;
+  std::string impact_material = "steel";                   // of models that name none
   std::map<std::string, ImpactMaterial> impact_materials;  // that are named, what their files say
+  std::optional<HoldingPointDesc> holding_point;
   std::vector<Checkpoint> checkpoints;
   double dwell = TaskDesc{}.dwell;   // s
   std::optional<double> hard_touch;  // N

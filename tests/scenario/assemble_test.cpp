@@ -191,11 +191,11 @@ TEST_F(Assemble, AGhostIsThereWhereTheSceneShowsOne) {
   const Scenario scenario = read({"variant=B"});
   const auto models = load_models(scenario);
   ASSERT_TRUE(models) << models.error().sentence;
-  ASSERT_TRUE(scenario.torque_substitution);
-  EXPECT_EQ(scenario.torque_substitution->variant, TorqueVariant::B);
+  ASSERT_TRUE(scenario.effects.torque_substitution);
+  EXPECT_EQ(scenario.effects.torque_substitution->variant, TorqueVariant::B);
   SceneDesc scene;
   EXPECT_FALSE(assemble_visual(scenario, *models, scene)->desc.ghost);
-  scene.torque_substitution = scenario.torque_substitution;
+  scene.torque_substitution = scenario.effects.torque_substitution;
   EXPECT_TRUE(assemble_visual(scenario, *models, scene)->desc.ghost);  // off, and a key away
   scene.device.senses_rotation = false;
   EXPECT_FALSE(assemble_visual(scenario, *models, scene)->desc.ghost);

@@ -190,7 +190,7 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options)
 bool feels_impacts(const scenario::Scenario& scenario, const std::string& device) {
   SceneDesc scene;
   scene.device = device == "mouse" ? MouseDevice::mouse_desc() : scenario.device.desc;
-  if (scenario.impact_vibration) scene.impact_vibration = scenario.impact_vibration->desc;
+  scene.impact_vibration = scenario.effects.impact_vibration;
   return vibrates_at_impacts(scene);
 }
 
