@@ -6,6 +6,7 @@
 
 #include "engine/scenario/assemble.h"
 #include "haptics/bake/surface_samples.h"
+#include "haptics/effects/impact_vibration/impact_vibration_effect.h"
 #include "haptics/world/couple_without_motors.h"
 
 namespace fulcrum::scenario {
@@ -154,7 +155,8 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   static_cast<EffectDescs&>(scene) = scenario.effects;
   if (scene.impact_vibration) scene.impact_vibration->materials = materials_of(scenario);
   scene.holding_point = scenario.holding_point;
-  if (vibrates_at_impacts(scene)) scene.scene_objects = objects_of(scenario, models);
+  if (is_built<ImpactVibrationEffect>(scene, scene.impact_vibration))
+    scene.scene_objects = objects_of(scenario, models);
   scene.coupling = suit_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
   if (const auto warning = lateral_beyond_limit(scene)) result.warnings.push_back(*warning);

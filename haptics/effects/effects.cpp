@@ -27,7 +27,7 @@ void for_each_effect(const EffectDescs& descs, F&& f) {
 template <class F>
 void for_each_built(const PlainScene& scene, const EffectDescs& descs, F&& f) {
   for_each_effect(descs, [&]<class T>(Entry<T> entry, const std::optional<typename T::Desc>& desc) {
-    if (desc && T::why_not(*desc, scene).empty()) f(entry, *desc);
+    if (is_built<T>(scene, desc)) f(entry, *desc);
   });
 }
 

@@ -28,6 +28,12 @@ struct EffectDescs {
   std::optional<InertiaCompensationDesc> inertia_compensation{};
 };
 
+// Whether an effect, such as BrakingPulseEffect, is built: the scene names it and its device can use it.
+template <class T>
+bool is_built(const PlainScene& scene, const std::optional<typename T::Desc>& desc) {
+  return desc && T::why_not(*desc, scene).empty();
+}
+
 // Each figure of those that a scene names, and its range.
 void check_effects(FigureCheck& figures, const EffectDescs& descs);
 

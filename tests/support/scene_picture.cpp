@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "haptics/effects/braking_pulse/braking_pulse_effect.h"
+#include "haptics/effects/impact_vibration/impact_vibration_effect.h"
+#include "haptics/effects/inertia_compensation/inertia_compensation_effect.h"
+#include "haptics/effects/torque_substitution/torque_substitution_effect.h"
+#include "haptics/effects/vibrotactile_motion/vibrotactile_motion_effect.h"
 #include "image_compare.h"
 
 namespace fulcrum::test {
@@ -26,12 +31,13 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
   record.coupling_F_T_W.torque = Vec3(0.02, 0, 0);
   record.device_F_H_D.force = Vec3(0.4, 0.3, 0);
   const SceneDesc& scene = prepared.haptic.scene;
-  if (substitutes_torque(scene)) {
+  if (is_built<TorqueSubstitutionEffect>(scene, scene.torque_substitution)) {
     TorqueCues& torque = record.torque_substitution.emplace();
     torque.vibration_gain = torque.ghost_gain = 1;
   }
-  if (vibrates_at_impacts(scene)) record.impact_vibration.emplace().gain = 1;
-  if (brakes_at_impacts(scene)) {
+  if (is_built<ImpactVibrationEffect>(scene, scene.impact_vibration))
+    record.impact_vibration.emplace().gain = 1;
+  if (is_built<BrakingPulseEffect>(scene, scene.braking_pulse)) {
     record.braking_pulse.emplace().gain = 1;
     record.braking_pulse->moment = true;
   }
@@ -43,8 +49,9 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
     holding.limit = 400;
     record.contact_stiffness = scene.contact.stiffness;
   }
-  if (compensates_inertia(scene)) record.inertia_compensation.emplace().method = InertiaMethod::acceleration;
-  if (moves_vibration(scene)) {
+  if (is_built<InertiaCompensationEffect>(scene, scene.inertia_compensation))
+    record.inertia_compensation.emplace().method = InertiaMethod::acceleration;
+  if (is_built<VibrotactileMotionEffect>(scene, scene.vibrotactile_motion)) {
     VibrotactileCues& touch = record.vibrotactile_motion.emplace();
     touch.gain = 1;
     touch.command.level = {0.4 * scene.vibrotactile_motion->strength,

@@ -4,6 +4,7 @@
 
 #include "engine/app/picture/bridge.h"
 #include "engine/app/prepare/prepare.h"
+#include "engine/app/prepare/tape_header.h"
 #include "engine/scenario/followed.h"
 
 namespace fulcrum::test {
@@ -116,13 +117,13 @@ TEST(Levels, AreThereWithTheMouseWhereAFingerSweeps) {
   ASSERT_TRUE(sweep);
   const SceneDesc scene = app::scene_for_device(*sweep, "mouse");
   EXPECT_TRUE(scenario::draws_levels(scene));
-  EXPECT_TRUE(vibrates_channels(scene));
+  EXPECT_TRUE(app::channel_recording(scene));
   EXPECT_FALSE(scene.device.renders_force);
   const std::optional<app::Prepared> fallback = app::prepare(
       "sweep", std::vector<std::string>{"vibrotactile_motion.as=fallback", "device.model=two_channel"});
   ASSERT_TRUE(fallback);
-  EXPECT_TRUE(vibrates_channels(fallback->haptic.scene));
-  EXPECT_FALSE(vibrates_channels(app::scene_for_device(*fallback, "mouse")));
+  EXPECT_TRUE(app::channel_recording(fallback->haptic.scene));
+  EXPECT_FALSE(app::channel_recording(app::scene_for_device(*fallback, "mouse")));
 }
 
 }  // namespace

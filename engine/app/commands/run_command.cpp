@@ -14,6 +14,7 @@
 #include "engine/app/window/prepare_in_window.h"
 #include "engine/app/window/training_window.h"
 #include "engine/record/run_folder.h"
+#include "haptics/effects/impact_vibration/impact_vibration_effect.h"
 
 namespace fulcrum::app {
 namespace {
@@ -191,7 +192,7 @@ bool feels_impacts(const scenario::Scenario& scenario, const std::string& device
   SceneDesc scene;
   scene.device = device == "mouse" ? MouseDevice::mouse_desc() : scenario.device.desc;
   scene.impact_vibration = scenario.effects.impact_vibration;
-  return vibrates_at_impacts(scene);
+  return is_built<ImpactVibrationEffect>(scene, scene.impact_vibration);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "engine/scenario/followed.h"
 #include "engine/scenario/level_bars.h"
 #include "engine/scenario/to_glm.h"
+#include "haptics/effects/torque_substitution/torque_substitution_effect.h"
 #include "haptics/math/functions.h"
 #include "haptics/safety/faults.h"
 #include "haptics/safety/guard.h"
@@ -160,7 +161,8 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
   state.cues = cue_lines(scene, record, afterglow);
   if (!detects_impacts(scene)) state.cue_title = "Fingertip";
-  state.tells_torque = vibrates_for_torque(scene) || shows_ghost(scene);
+  state.tells_torque = is_built<TorqueSubstitutionEffect>(scene, scene.torque_substitution) &&
+                       (scene.device.renders_force || scene.device.senses_rotation);
   const TorqueCues torque = record.torque_substitution.value_or(TorqueCues());
   if (state.tells_torque) state.variant = variant_text(torque);
   state.torque_bad = torque.bad;
