@@ -29,31 +29,10 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
   if (!sample.connected) faults |= kDeviceLost;
   bool acknowledged = acknowledged_;
   for (const Command& command : commands) {
-    switch (command.kind) {
-      case Command::Kind::stop:
-        faults |= kStopRequested;
-        acknowledged = false;
-        break;
-      case Command::Kind::watchdog:
-        faults |= kWatchdog;
-        acknowledged = false;
-        break;
-      case Command::Kind::acknowledge:
-        acknowledged = true;
-        break;
-      case Command::Kind::vibration_gain:
-      case Command::Kind::ghost_gain:
-      case Command::Kind::impact_gain:
-      case Command::Kind::pulse_gain:
-      case Command::Kind::pulse_moment:
-      case Command::Kind::vibrotactile_gain:
-      case Command::Kind::hold_at:
-      case Command::Kind::hold_measured:
-      case Command::Kind::contact_stiffness:
-      case Command::Kind::compensation:
-      case Command::Kind::caught_up:
-        break;
-    }
+    if (command.kind == Command::Kind::stop) faults |= kStopRequested;
+    if (command.kind == Command::Kind::watchdog) faults |= kWatchdog;
+    if (command.kind == Command::Kind::stop || command.kind == Command::Kind::watchdog) acknowledged = false;
+    if (command.kind == Command::Kind::acknowledge) acknowledged = true;
   }
   acknowledged_ = acknowledged && stopped_ && faults == 0;
   if (faults != 0) stop(faults);
