@@ -183,6 +183,15 @@ void describe_inertia_compensation(KeyVisitor& visitor, InertiaCompensationDesc&
   });
 }
 
+void describe_texture(KeyVisitor& visitor, TextureDesc& effect) {
+  visitor.number({"wavelength", "m", "from ridge to ridge"}, effect.wavelength, above_to(0, 1));
+  visitor.number({"height", "m", "of a ridge over the smooth surface"}, effect.height, from_to(0, 1));
+  visitor.vector({"direction", "", "across the ridges, in the scene; of any length"}, effect.direction_W,
+                 kPosition);
+  visitor.rule("direction", effect.direction_W.norm() > 0, "must not be zero");
+  visitor.number({"gain", "", "of the force; 0: off at the start"}, effect.gain, kFraction);
+}
+
 }  // namespace
 
 void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material) {
@@ -218,6 +227,8 @@ void describe_effects(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping({"inertia_compensation", "", "makes up for the device's own mass"}, [&](KeyVisitor& inner) {
     describe_inertia_compensation(inner, scenario.effects.inertia_compensation.emplace());
   });
+  visitor.mapping({"texture", "", "ridges that are felt while sliding, on surfaces that are smooth"},
+                  [&](KeyVisitor& inner) { describe_texture(inner, scenario.effects.texture.emplace()); });
 }
 
 }  // namespace fulcrum::scenario

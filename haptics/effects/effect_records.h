@@ -6,6 +6,7 @@
 #include "haptics/effects/braking_pulse/pulse_cues.h"
 #include "haptics/effects/impact_vibration/impact_cues.h"
 #include "haptics/effects/inertia_compensation/inertia_cues.h"
+#include "haptics/effects/texture/texture_record.h"
 #include "haptics/effects/torque_substitution/torque_cues.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_cues.h"
 
@@ -18,12 +19,13 @@ struct EffectRecords {
   std::optional<PulseCues> braking_pulse{};
   std::optional<VibrotactileCues> vibrotactile_motion{};
   std::optional<InertiaCues> inertia_compensation{};
+  std::optional<TextureRecord> texture{};
 };
 
 template <class V>
 void describe(V& values, const EffectRecords& records) {
   const auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion,
-               inertia_compensation] = records;
+               inertia_compensation, texture] = records;
   const auto describe_built = [&values](const auto& record) {
     if (record) describe(values, *record);
   };
@@ -32,6 +34,7 @@ void describe(V& values, const EffectRecords& records) {
   describe_built(braking_pulse);
   describe_built(vibrotactile_motion);
   describe_built(inertia_compensation);
+  describe_built(texture);
 }
 
 }  // namespace fulcrum

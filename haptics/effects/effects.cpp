@@ -3,6 +3,7 @@
 #include "haptics/effects/braking_pulse/braking_pulse_effect.h"
 #include "haptics/effects/impact_vibration/impact_vibration_effect.h"
 #include "haptics/effects/inertia_compensation/inertia_compensation_effect.h"
+#include "haptics/effects/texture/texture_effect.h"
 #include "haptics/effects/torque_substitution/torque_substitution_effect.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_motion_effect.h"
 
@@ -21,6 +22,7 @@ void for_each_effect(const EffectDescs& descs, F&& f) {
   f(Entry<BrakingPulseEffect>(), descs.braking_pulse);
   f(Entry<VibrotactileMotionEffect>(), descs.vibrotactile_motion);
   f(Entry<InertiaCompensationEffect>(), descs.inertia_compensation);
+  f(Entry<TextureEffect>(), descs.texture);
 }
 
 // Of those alone that are built.

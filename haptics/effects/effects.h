@@ -11,6 +11,7 @@
 #include "haptics/effects/effect_records.h"
 #include "haptics/effects/impact_vibration/impact_vibration.h"
 #include "haptics/effects/inertia_compensation/inertia_compensation.h"
+#include "haptics/effects/texture/texture.h"
 #include "haptics/effects/torque_substitution/torque_substitution.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_motion.h"
 #include "haptics/math/result.h"
@@ -26,6 +27,7 @@ struct EffectDescs {
   std::optional<BrakingPulseDesc> braking_pulse{};
   std::optional<VibrotactileMotionDesc> vibrotactile_motion{};
   std::optional<InertiaCompensationDesc> inertia_compensation{};
+  std::optional<TextureDesc> texture{};
 };
 
 // Whether an effect, such as BrakingPulseEffect, is built: the scene names it and its device can use it.
