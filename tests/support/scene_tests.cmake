@@ -1,7 +1,7 @@
 # fulcrum_scene_tests(NAME): what every shipped scenario with models of its own is asked: make_NAME --check, its route and
 # checkpoints, the bake, its hands (hands_test.sh) and the goldens of its views (picture_test.cpp).
 function(fulcrum_scene_tests name)
-  add_executable(${name}_tests picture_test.cpp ../support/scene_picture.cpp $<TARGET_OBJECTS:fulcrum_vulkan_main>)
+  add_executable(${name}_tests picture_test.cpp ${CMAKE_SOURCE_DIR}/tests/support/scene_picture.cpp $<TARGET_OBJECTS:fulcrum_vulkan_main>)
   target_link_libraries(${name}_tests PRIVATE fulcrum::app fulcrum_image_compare GTest::gtest fulcrum::options)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_SOURCE_DIR})
   target_compile_definitions(${name}_tests PRIVATE FULCRUM_GOLDENS="${CMAKE_CURRENT_SOURCE_DIR}/golden"

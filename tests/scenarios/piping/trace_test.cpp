@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "haptics/math/number_text.h"
-#include "tests/piping/piping.h"
+#include "tests/scenarios/piping/piping.h"
 
 namespace fulcrum::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "tests/haptics/motion/sweep.h"
 
-#include "tests/piping/path_audit.h"
-#include "tests/piping/piping.h"
+#include "tests/scenarios/piping/path_audit.h"
+#include "tests/scenarios/piping/piping.h"
 
 namespace fulcrum::test {
 namespace {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The expert completes the task: twelve knocks against one peg each, then the row, whose five pegs are met within 20 ms,
 # all gently. The clumsy hand does not complete it, and bangs.
-. "$(dirname "$0")/../support/hands.sh"
+. "$(dirname "$0")/../../support/hands.sh"
 run_hand knock expert 0 8
 touches expert | awk '
   { print; if ($2 < 0.1 || $2 > 0.4 || $4 != (NR == 13 ? 5 : 1)) { print "FAILED: that is no such knock"; bad = 1 } }

@@ -2,7 +2,7 @@
 # The expert completes the task without a hard touch; the clumsy hand does not, touches hard, and neither gets more than
 # 0.1 mm into what it touches. What the summary says of hard touches is what the trace ends with, and a replay says the
 # same.
-. "$(dirname "$0")/../support/hands.sh"
+. "$(dirname "$0")/../../support/hands.sh"
 run() { # HAND CODE
   run_hand ear "$1" "$2" 7.9
   awk -F, -v hard="$(figure "$box/$1/summary.json" hard_touches)" '

@@ -2,7 +2,7 @@
 # The expert sweeps three times to the right and to the left with the target's 200 mm/s: in every pass the levels follow the
 # law where they are updated, to 1 %, the phantom goes against the sweep, and beyond the window and off the glass there is
 # nothing. The clumsy hand is far too fast, lifts off and turns round in the window: the same holds.
-. "$(dirname "$0")/../support/hands.sh"
+. "$(dirname "$0")/../../support/hands.sh"
 
 # HAND LEAST_PASSES: every change of the levels is an update, from where the finger was then.
 levels() {

@@ -2,7 +2,7 @@
 # The expert completes the task with six taps, each with about 0.15 m/s and in one place, and each is braked: in the tick
 # of contact and in no other, by what the motors have, against the hand's way. The clumsy hand does not complete it, and
 # strikes hard and often; its pulses keep to the same limits.
-. "$(dirname "$0")/../support/hands.sh"
+. "$(dirname "$0")/../../support/hands.sh"
 
 # HAND: its pulses. Every motor within its limit in every tick; the port as passive as it must be.
 pulses() {

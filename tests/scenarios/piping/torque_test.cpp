@@ -8,7 +8,7 @@
 
 #include "engine/app/prepare/tape_header.h"
 #include "engine/record/trace_reader.h"
-#include "tests/piping/piping.h"
+#include "tests/scenarios/piping/piping.h"
 
 namespace fulcrum::test {
 namespace {

@@ -2,7 +2,7 @@
 # The expert touches the ball at three places of the stick and moves the hand along it while it presses; the clumsy hand
 # holds so loosely that the strip loses it while it presses, and the point fades to the scene's own. Neither makes the
 # commanded wrench step, nor the loop give out energy.
-. "$(dirname "$0")/../support/hands.sh"
+. "$(dirname "$0")/../../support/hands.sh"
 
 # HAND: what must hold in every tick, and what the holding point did while the ball was touched.
 watch() {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene_picture.h"
-#include "tests/piping/piping.h"
+#include "tests/scenarios/piping/piping.h"
 
 namespace fulcrum::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "engine/app/run/penetration.h"
 #include "engine/scenario/task_judge.h"
-#include "tests/piping/path_audit.h"
-#include "tests/piping/piping.h"
+#include "tests/scenarios/piping/path_audit.h"
+#include "tests/scenarios/piping/piping.h"
 
 namespace fulcrum::test {
 namespace {

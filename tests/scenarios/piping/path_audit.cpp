@@ -1,4 +1,4 @@
-#include "tests/piping/path_audit.h"
+#include "tests/scenarios/piping/path_audit.h"
 
 #include <algorithm>
 #include <cmath>
