@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "haptics/math/border.h"
+#include "haptics/math/bisect.h"
 #include "haptics/math/functions.h"
-#include "haptics/safety/energy_ledger.h"
+#include "haptics/safety/passivity_observer.h"
 
 namespace fulcrum::analysis {
 namespace {
@@ -109,14 +109,14 @@ bool settles(const WallLoop& loop, const Wall& wall, double v0) {
 double simulated_stiffness_limit(const WallLoop& loop, double B, double v0) {
   // An undamped mass on a spring that is integrated by ticks flies apart at 4 m / T^2.
   const double unstable = 4 * loop.axis.mass / (loop.tick_s * loop.tick_s);
-  return border_below(unstable, kSoftest, kPrecision, [&](double K) { return settles(loop, {K, B}, v0); });
+  return end_below(unstable, kSoftest, kPrecision, [&](double K) { return settles(loop, {K, B}, v0); });
 }
 
 std::vector<double> port_energy(const WallLoop& loop, const Wall& wall, double v0, int ticks) {
   Vec6 step = Vec6::Zero();
   step[0] = loop.axis.encoder_step;
-  EnergyLedger ledger(step, true, false);
-  EnergyLedger::Port port;
+  PassivityObserver ledger(step, true, false);
+  PassivityObserver::Port port;
   port.open = true;
   ledger.book(Vec6::Zero(), port);
   SimulatedWall run(loop, wall, v0);

@@ -10,7 +10,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr std::size_t kMostIndices = 150'000'000;  // of all parts: a small file may name one mesh very often
+constexpr std::size_t kMaxIndices = 150'000'000;  // of all parts: a small file may name one mesh very often
 
 constexpr double kFarthest_m =
     1e5;  // of a vertex: nothing that a hand reaches, in whatever unit it was drawn
@@ -228,7 +228,7 @@ private:
       ModelPart part = part_from(file_, primitive);
       part.name = node.name.empty() ? mesh.name : node.name;
       indices_ += part.indices.size();
-      if (indices_ > kMostIndices) {
+      if (indices_ > kMaxIndices) {
         throw GltfFault("it shows more than 50 million triangles; simplify it before export");
       }
       place(part, X_MN);

@@ -18,7 +18,7 @@ namespace fulcrum::record {
 namespace {
 
 // Ticks that may be filled in for lost ones: a damaged time must not fill the memory.
-constexpr std::int64_t kMostLost = 1'000'000;
+constexpr std::int64_t kMaxLost = 1'000'000;
 
 // The tick and the seven numbers of a pose, by name.
 constexpr std::array<const char*, 8> kColumns = {"timestamp",  "handle/p/x", "handle/p/y", "handle/p/z",
@@ -32,7 +32,7 @@ struct TimedSample {
 };
 
 Error too_many_lost(const std::filesystem::path& path) {
-  return {path.string() + ": more than " + std::to_string(kMostLost) +
+  return {path.string() + ": more than " + std::to_string(kMaxLost) +
           " ticks are missing in between. Cut the file where the motion stops."};
 }
 
@@ -50,7 +50,7 @@ Result<HandleMotion> motion_of_tape(const std::filesystem::path& path) {
   std::int64_t lost = 0;
   for (const TapeEntry& entry : tape->entries) {
     if (!motion.samples.empty()) {
-      if (entry.lost_before > kMostLost - lost) {
+      if (entry.lost_before > kMaxLost - lost) {
         return too_many_lost(path);
       }
       lost += entry.lost_before;
@@ -171,7 +171,7 @@ Result<HandleMotion> motion_of_trace(const std::filesystem::path& path) {
   motion.complete = trace->complete();
   for (const TimedSample& row : *rows) {
     const double tick = std::round((row.time - rows->front().time) / motion.tick_s);
-    if (!(tick < static_cast<double>(std::ssize(*rows) + kMostLost))) {
+    if (!(tick < static_cast<double>(std::ssize(*rows) + kMaxLost))) {
       return too_many_lost(path);
     }
     while (static_cast<double>(motion.samples.size()) < tick) {

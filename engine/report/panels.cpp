@@ -9,7 +9,7 @@ namespace fulcrum::report {
 namespace {
 
 constexpr double kWidth = 760, kNames = 150, kGap = 14, kSide = 16;  // px
-constexpr double kTop = 12, kHead = 24, kMost = 150;
+constexpr double kTop = 12, kHead = 24, kMax = 150;
 
 std::string word(double x, double y, const char* anchor, const std::string& text) {
   return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor + "\">" +
@@ -54,7 +54,7 @@ std::string svg(const Panels& panels) {
   const Legend legend(keys, 0, kWidth);
   const auto columns = static_cast<double>(panels.columns.size()),
              rows = static_cast<double>(panels.rows.size());
-  const double size = std::min(kMost, (kWidth - kNames - kSide) / columns - kGap), pitch = size + kGap;
+  const double size = std::min(kMax, (kWidth - kNames - kSide) / columns - kGap), pitch = size + kGap;
   const double first = kTop + legend.height() + kHead + kSide;
   const double height = first + rows * (pitch + kSide);
   std::string words, drawn;

@@ -23,8 +23,9 @@ struct LoadedModels {
   MassProperties tool;        // of unit density, about T; `centre` is zero
   Vec3 p_MT =
       Vec3::Zero();  // (3) m, the centre of mass in the tool model's frame M; axes of T are those of M
-  std::vector<std::string> notes;   // sentences: the tool's model was recentred, by how much
-  std::vector<std::string> mended;  // sentences: what was wrong with the tool's surface, and what was guessed
+  std::vector<std::string> notes;  // sentences: the tool's model was recentred, by how much
+  std::vector<std::string>
+      repaired;  // sentences: what was wrong with the tool's surface, and what was guessed
 };
 
 Result<LoadedModels> load_models(const Scenario& scenario);
@@ -44,7 +45,7 @@ struct HapticAssembly {
   std::vector<std::string> notes;  // sentences: from the cache or baked in how long
   // Sentences: what runs, and may not do what its author wants; what is wrong with the cache.
   std::vector<std::string> warnings;
-  std::vector<std::string> mended;  // sentences: what was wrong with surfaces, and what was guessed
+  std::vector<std::string> repaired;  // sentences: what was wrong with surfaces, and what was guessed
 };
 
 // `what` is being baked, "distance field"; `fraction` runs from 0 to 1, in whole percents. Called on the

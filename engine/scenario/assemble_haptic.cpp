@@ -138,8 +138,8 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   auto solid = scene_solid(scenario, models);
   if (!solid) return solid.error();
   result.scene_W = std::move(*solid);
-  result.mended = models.mended;
-  result.mended.insert(result.mended.end(), result.scene_W.notes.begin(), result.scene_W.notes.end());
+  result.repaired = models.repaired;
+  result.repaired.insert(result.repaired.end(), result.scene_W.notes.begin(), result.scene_W.notes.end());
 
   const Pose X_MT{Quat::Identity(), models.p_MT};
   SceneDesc& scene = result.scene;
@@ -157,7 +157,7 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   scene.holding_point = scenario.holding_point;
   if (is_built<ImpactVibrationEffect>(scene, scene.impact_vibration))
     scene.scene_objects = objects_of(scenario, models);
-  scene.coupling = suit_coupling(scenario.coupling, scene);
+  scene.coupling = tune_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
   if (const auto warning = lateral_beyond_limit(scene)) result.warnings.push_back(*warning);
 

@@ -84,7 +84,7 @@ void describe_impact_vibration(KeyVisitor& visitor, Scenario& scenario) {
   visitor.number({"gain", "", "of the amplitude; 0: off at the start"}, effect.gain, kFraction);
   auto voices = static_cast<std::int64_t>(effect.voices);
   visitor.integer({"voices", "", "that sound together at most; one more drops the weakest"}, voices, 1,
-                  static_cast<std::int64_t>(ImpactVoices::kMost));
+                  static_cast<std::int64_t>(ImpactVoices::kMax));
   effect.voices = static_cast<std::size_t>(voices);
   visitor.number({"hand_stiffness", "N m/rad", "of the hand that is to turn by 0.02 rad at most"},
                  effect.hand_stiffness, above_to(0, 100));
@@ -102,7 +102,7 @@ void describe_braking_pulse(KeyVisitor& visitor, BrakingPulseDesc& effect) {
   if (hand) effect.hand_mass = *hand;
   if (body) effect.hand_mass = BrakingPulse::kHandOfBody * *body;
   std::int64_t ticks = effect.ticks;
-  visitor.integer({"ticks", "", "N, that it takes"}, ticks, 1, BrakingPulse::kMostTicks);
+  visitor.integer({"ticks", "", "N, that it takes"}, ticks, 1, BrakingPulse::kMaxTicks);
   effect.ticks = static_cast<int>(ticks);
   visitor.vector({"grasp", "m", "where the hand holds the handle, in the handle's frame"}, effect.p_HG,
                  kPosition);

@@ -1,6 +1,6 @@
 #pragma once
 // What is wrong with a file, where, and what to do about it. A reader collects every fault of a file, not
-// only the first, so that a file is mended in one go.
+// only the first, so that a file is repaired in one go.
 
 #include <string>
 #include <utility>

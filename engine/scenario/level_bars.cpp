@@ -19,7 +19,7 @@ constexpr float kHeight = 0.03F;    // m, of a bar at its strongest
 constexpr float kRadius = 0.0026F;  // m, likewise
 constexpr float kAside = 0.024F;    // m, from the finger's middle
 constexpr float kFoot = 0.0018F;    // m, over what is touched
-constexpr float kLeast = 1e-5F;     // m: a transform must not flatten
+constexpr float kMin = 1e-5F;       // m: a transform must not flatten
 
 void add(render::VisualDesc& desc, render::Mesh&& mesh, std::size_t material, std::size_t follows,
          std::uint32_t layers) {
@@ -70,7 +70,7 @@ Quat level_turn(const Vec3& axis_W) {
 glm::mat4 level_pose(const Pose& X_WF, int side, double level) {
   glm::mat4 X = to_glm(X_WF);
   X[3] = X * glm::vec4(static_cast<float>(side) * kAside, kFoot, 0.0F, 1.0F);
-  X[1] *= std::max(kLeast, kHeight * static_cast<float>(std::clamp(level, 0.0, 1.0)));
+  X[1] *= std::max(kMin, kHeight * static_cast<float>(std::clamp(level, 0.0, 1.0)));
   return X;
 }
 

@@ -40,7 +40,7 @@ Result<LoadedModels> load_models(const Scenario& scenario) {
     const TriangleMesh mesh_M = to_triangle_mesh(loaded.models.back());
     const auto solid_M = solid_of(entry, mesh_M);
     if (!solid_M) return solid_M.error();
-    for (const std::string& note : solid_M->notes) loaded.mended.push_back(at(entry, note).sentence);
+    for (const std::string& note : solid_M->notes) loaded.repaired.push_back(at(entry, note).sentence);
     loaded.p_MT = mass_properties(*solid_M).centre;
     TriangleMesh mesh_T = mesh_M;
     for (Vec3& vertex : mesh_T.vertices) vertex -= loaded.p_MT;

@@ -105,7 +105,7 @@ Result<Node*> child(Node& node, const std::string& parent_path, const std::strin
   }
   if (node.kind != Node::Kind::mapping) {
     return Error{in_quotes(parent_path) + " is " + found(node) +
-                 " in the file, not a mapping; mend that first"};
+                 " in the file, not a mapping; repair that first"};
   }
   return &node.entries.emplace_back(NodeEntry{part, mark, {Node::Kind::null, mark, {}, false, {}, {}}}).value;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "haptics/math/shortened.h"
+#include "haptics/math/clamp_norm.h"
 
 namespace fulcrum {
 namespace {

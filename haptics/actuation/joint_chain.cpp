@@ -7,9 +7,9 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kReached = 1e-12;       // m
-constexpr double kOutOfReach = 1e-6;     // m
-constexpr double kLeastDamping = 1e-12;  // of the trace; so little that the last steps are Newton's
+constexpr double kReached = 1e-12;     // m
+constexpr double kOutOfReach = 1e-6;   // m
+constexpr double kMinDamping = 1e-12;  // of the trace; so little that the last steps are Newton's
 constexpr double kRelax = 1e-3, kStiffen = 1e3;
 constexpr int kSteps = 12;
 
@@ -61,7 +61,7 @@ JointChain::Offset JointChain::offset(const Pose& X_DE, const Placed& placed) co
 
 // Levenberg-Marquardt steps within the stops: a joint at one of them that would go on is left where it is.
 double JointChain::descend(const Pose& X_DE, JointAngles& angles, int steps) const noexcept {
-  double damping = kLeastDamping;
+  double damping = kMinDamping;
   Placed placed = place(angles);
   Offset away = offset(X_DE, placed);
   for (int step = 0; step < steps && !(away.norm() < kReached); ++step) {
@@ -87,7 +87,7 @@ double JointChain::descend(const Pose& X_DE, JointAngles& angles, int steps) con
       angles = there;
       placed = placed_there;
       away = away_there;
-      damping = std::max(kLeastDamping, damping * kRelax);
+      damping = std::max(kMinDamping, damping * kRelax);
     } else {
       damping *= kStiffen;
     }

@@ -9,12 +9,12 @@ namespace {
 
 using Square = JointChain::Jacobian;
 
-// J^-T, with singular values no smaller than kLeastLever.
+// J^-T, with singular values no smaller than kMinLever.
 Square inverse_transposed(const Square& J) noexcept {
   const Square inverse = J.partialPivLu().inverse();
-  if (inverse.norm() * Mechanism::kLeastLever < 1) return inverse.transpose();  // false for what is no number
+  if (inverse.norm() * Mechanism::kMinLever < 1) return inverse.transpose();  // false for what is no number
   const Eigen::JacobiSVD<Square> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.singularValues().cwiseMax(Mechanism::kLeastLever).cwiseInverse().asDiagonal() *
+  return svd.matrixU() * svd.singularValues().cwiseMax(Mechanism::kMinLever).cwiseInverse().asDiagonal() *
          svd.matrixV().transpose();
 }
 

@@ -8,7 +8,7 @@
 // follows from the change of coordinates.
 //
 // At a stretch or a fold J is singular: the links themselves take the force there, and a motor's lever on it
-// grows without end. It is held at what kLeastLever allows, so that efforts stay finite and go on smoothly.
+// grows without end. It is held at what kMinLever allows, so that efforts stay finite and go on smoothly.
 
 #include <optional>
 #include <string>
@@ -52,7 +52,7 @@ public:
   // m, how far an arm's end stays from where the handle holds it; above 0 out of reach.
   double out_of_reach() const { return out_of_reach_; }
 
-  static constexpr double kLeastLever = 2e-3;  // m
+  static constexpr double kMinLever = 2e-3;  // m
 
 private:
   struct Arm {

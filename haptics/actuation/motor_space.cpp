@@ -44,7 +44,7 @@ void MotorSpace::factorise_rows(const WrenchMatrix& wrenches, double lever) noex
   complete_ = rank == kRows;
 
   spare_.setZero();
-  for (int column = rank, kept = 0; column < kMotors && kept < kMostSpare; ++column) {
+  for (int column = rank, kept = 0; column < kMotors && kept < kMaxSpare; ++column) {
     const Effort direction = Q.col(column).cwiseProduct(live_);  // the others' share is felt as little
     if (direction.norm() > kOwn) spare_.col(kept++) = direction;
   }

@@ -12,8 +12,8 @@ namespace fulcrum {
 class MotorSpace {
 public:
   // What the efforts of a device with eight motors and six rows have to spare.
-  static constexpr int kMostSpare = 2;
-  using Spare = Eigen::Matrix<double, kMaxMotors, kMostSpare>;
+  static constexpr int kMaxSpare = 2;
+  using Spare = Eigen::Matrix<double, kMaxMotors, kMaxSpare>;
 
   explicit MotorSpace(const Actuators& actuators);
 

@@ -9,8 +9,8 @@ namespace fulcrum {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNothing = 1e-13;   // of a row whose largest coefficient is 1
-constexpr double kLeastSize = 1e-9;  // of F beside M and the other way about: neither share is left undecided
+constexpr double kNothing = 1e-13;  // of a row whose largest coefficient is 1
+constexpr double kMinSize = 1e-9;   // of F beside M and the other way about: neither share is left undecided
 
 // row . (u, v, z1, z2) <= bound, with u = F (1 - gamma) and v = M (1 - mu).
 struct Bound {
@@ -181,8 +181,8 @@ Shares solve_shares(const ShareProblem& problem) noexcept {
   const Effort whole = problem.force_effort + problem.moment_effort;
   shares.effort = whole;
   if (largest > 0) {
-    const double F = std::max(problem.force_size / largest, kLeastSize);
-    const double M = std::max(problem.moment_size / largest, kLeastSize);
+    const double F = std::max(problem.force_size / largest, kMinSize);
+    const double M = std::max(problem.moment_size / largest, kMinSize);
     const ShareProblem::Torque& torque = problem.torque;
     const Point short_by = solve(problem, whole, -problem.force_effort / F, -problem.moment_effort / M,
                                  {F * (1 - problem.largest_force_share), 0}, {F, M},

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "haptics/bake/bulges.h"
 #include "haptics/bake/covering.h"
+#include "haptics/bake/curvature_refinement.h"
 #include "haptics/bake/point_grid.h"
 #include "haptics/bake/sentence.h"
 #include "haptics/bake/sharp_features.h"
@@ -17,7 +17,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kMostPoints = 4e6;
+constexpr double kMaxPoints = 4e6;
 constexpr double kSamplesPerPoint = 32.0;
 // Random discs that keep a distance r and leave no gap number .697/r^2 per area (jamming at 54.7 % of the
 // plane, E. L. Hinrichsen, J. Feder, T. Jossang, J. Stat. Phys. 44, 1986). At this many spacings they number
@@ -59,10 +59,10 @@ Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& des
   const double spacing_squared = desc.spacing_m * desc.spacing_m;
   const double area = surface_area(solid.mesh);
   const double expected = kPointsPerSpacingSquared * area / spacing_squared;
-  if (expected > kMostPoints) {
+  if (expected > kMaxPoints) {
     return Error{"A pointshell with " + spell_mm(desc.spacing_m) + " spacing would have about " +
                  spell(expected) + " points: use a spacing of " +
-                 spell_mm(1.05 * desc.spacing_m * std::sqrt(expected / kMostPoints)) + " or more."};
+                 spell_mm(1.05 * desc.spacing_m * std::sqrt(expected / kMaxPoints)) + " or more."};
   }
 
   // Corners and sharp edges first, then darts: a sample becomes a point where no point is near.
@@ -75,10 +75,10 @@ Result<Pointshell> bake_pointshell(const Solid& solid, const PointshellDesc& des
     if (near.index == PointGrid::kNone) grid.add(sample);
   }
 
-  if (std::isfinite(desc.deviation) && !cover_bulges(solid, samples, desc.deviation, desc.spacing_m,
-                                                     static_cast<std::size_t>(kMostPoints), grid)) {
+  if (std::isfinite(desc.deviation) && !refine_by_curvature(solid, samples, desc.deviation, desc.spacing_m,
+                                                            static_cast<std::size_t>(kMaxPoints), grid)) {
     return Error{"A pointshell from which the surface stands out by at most " + spell_mm(desc.deviation) +
-                 " would have more than " + spell(kMostPoints) + " points: allow a larger deviation."};
+                 " would have more than " + spell(kMaxPoints) + " points: allow a larger deviation."};
   }
 
   // Each sample's area goes to the nearest point that faces its way, which no farther than its own disc there
@@ -101,7 +101,7 @@ Result<Pointshell> bake_edges(const Solid& solid, const PointshellDesc& desc) {
   const std::vector<SurfacePoint> points =
       sharp_points(solid, desc.sharp_angle_rad, desc.spacing_m, SharpEdgeKind::convex);
   if (points.empty()) return Error{"there is no sharp edge: leave edges out."};
-  if (static_cast<double>(points.size()) > kMostPoints) {
+  if (static_cast<double>(points.size()) > kMaxPoints) {
     return Error{"points " + spell_mm(desc.spacing_m) + " apart would be " +
                  spell(static_cast<double>(points.size())) + ": put them farther apart."};
   }

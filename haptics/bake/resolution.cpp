@@ -18,9 +18,9 @@ constexpr double kVoxelsPerWall =
 constexpr double kRoom = 0.997;  // for the rounding of a wall of exactly three
 constexpr double kVoxelsPerError = 20.0;
 constexpr double kSamples = 2000.0;
-constexpr double kRounding = 1e-9;     // m, of distances, and more
-constexpr double kKept = 0.95;         // of the surface
-constexpr double kMostChosen = 512e6;  // bytes
+constexpr double kRounding = 1e-9;    // m, of distances, and more
+constexpr double kKept = 0.95;        // of the surface
+constexpr double kMaxChosen = 512e6;  // bytes
 // Bricks are 8 voxels wide, and a band of two voxels on either side meets some 13 voxels' worth of them: 9^3
 // values for 8^3 cells over 13 voxels.
 constexpr double kValuesPerFace = 19.0;  // of a voxel
@@ -100,7 +100,7 @@ public:
   Choice(const Solid& solid, const TriangleDistance& exact, const ThinSpot& thinnest, const FieldDesc& desc)
       : solid_(solid), exact_(exact), thinnest_(thinnest), desc_(desc) {
     const double bytes_per_value = desc.format == FieldFormat::int16 ? 2.0 : 4.0;
-    affordable_ = std::sqrt(bytes_per_value * kValuesPerFace * surface_area(solid.mesh) / kMostChosen);
+    affordable_ = std::sqrt(bytes_per_value * kValuesPerFace * surface_area(solid.mesh) / kMaxChosen);
   }
 
   Result<Resolution> make() {
@@ -108,7 +108,7 @@ public:
     if (affordable_ > thin) {
       return Error{"A wall near " + spell(thinnest_.place) + " is " + spell_mm(thinnest_.thickness_m) +
                    " thick, and three voxels across it would make a field of about " +
-                   spell(kMostChosen * 1e-9 * math::square(affordable_ / thin)) +
+                   spell(kMaxChosen * 1e-9 * math::square(affordable_ / thin)) +
                    " GB: make the wall thicker, divide the scene, or give a voxel of " +
                    spell_mm(rounded_down(thin)) + " or less yourself."};
     }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "haptics/bake/edge_pairing.h"
-#include "haptics/bake/mend.h"
+#include "haptics/bake/repair.h"
 #include "haptics/bake/sentence.h"
 #include "haptics/bake/surfaces.h"
 #include "haptics/bake/weld.h"
@@ -16,9 +16,9 @@ namespace {
 constexpr double kFlat = 1e-12;  // volume over the cube of the diagonal: below it is rounding
 constexpr double kScrap = 0.01;  // of the whole area
 
-// The bodies that do not close are mended, each other one stays as it is. Answers the notes.
-Result<std::vector<std::string>> mend_bodies(TriangleMesh& welded, const EdgeFans& fans,
-                                             const std::vector<std::uint32_t>& across) {
+// The bodies that do not close are repaired, each other one stays as it is. Answers the notes.
+Result<std::vector<std::string>> repair_bodies(TriangleMesh& welded, const EdgeFans& fans,
+                                               const std::vector<std::uint32_t>& across) {
   Sets bodies(welded.triangles.size());
   fans.for_each([&bodies](std::span<const HalfEdge> fan) {
     for (const HalfEdge& edge : fan) bodies.join(fan[0].place / 3, edge.place / 3);
@@ -31,11 +31,11 @@ Result<std::vector<std::string>> mend_bodies(TriangleMesh& welded, const EdgeFan
   std::vector<Triangle> whole;
   for (std::uint32_t t = 0; t < welded.triangles.size(); ++t)
     (faulty[bodies.find(t)] ? broken.triangles : whole).push_back(welded.triangles[t]);
-  Result<Mended> mended = mend(std::move(broken));
-  if (!mended) return mended.error();
-  whole.insert(whole.end(), mended->mesh.triangles.begin(), mended->mesh.triangles.end());
+  Result<Repaired> repaired = repair_mesh(std::move(broken));
+  if (!repaired) return repaired.error();
+  whole.insert(whole.end(), repaired->mesh.triangles.begin(), repaired->mesh.triangles.end());
   welded.triangles = std::move(whole);
-  return std::move(mended->notes);
+  return std::move(repaired->notes);
 }
 
 double area_of(const Solid& solid, const SolidComponent& component) {
@@ -104,9 +104,9 @@ Result<Solid> build_solid(const TriangleMesh& soup) {
   std::optional<EdgeFans> fans(welded.triangles);
   std::vector<std::uint32_t> across = pair_edges(welded, *fans);
   if (std::find(across.begin(), across.end(), kNoIndex) != across.end()) {
-    Result<std::vector<std::string>> mended = mend_bodies(welded, *fans, across);
-    if (!mended) return mended.error();
-    notes = std::move(*mended);
+    Result<std::vector<std::string>> repaired = repair_bodies(welded, *fans, across);
+    if (!repaired) return repaired.error();
+    notes = std::move(*repaired);
     is_mended = true;
     fans.emplace(welded.triangles);
     across = pair_edges(welded, *fans);

@@ -33,14 +33,14 @@ struct Solid {
   std::vector<Triangle> neighbours;
   std::vector<SolidComponent> components;
   std::uint32_t dropped_triangles = 0;  // two corners in one place
-  std::vector<std::string> notes;       // sentences: what was mended, and where inside had to be guessed
+  std::vector<std::string> notes;       // sentences: what was repaired, and where inside had to be guessed
 
   Box3 bounds() const;
 };
 
 // Welds vertices at equal positions, pairs edges, and checks each connected surface. An edge that 2n
-// triangles share, n each way, is n edges of surfaces that touch there. What does not close is mended
-// (haptics/bake/mend.h); a surface inside out is a cavity of the component that holds it, or is turned; one
+// triangles share, n each way, is n edges of surfaces that touch there. What does not close is repaired
+// (haptics/bake/repair.h); a surface inside out is a cavity of the component that holds it, or is turned; one
 // that crosses itself is cut back to the boundary of what it winds around. Refused, with numbers, a place and
 // a remedy: no triangles, indices out of range, vertices that are not finite, surfaces without volume or with
 // one side, sheets, wide holes.

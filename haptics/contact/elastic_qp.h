@@ -23,7 +23,7 @@ struct QpRow {
 
 class ElasticQp {
 public:
-  static constexpr std::size_t kMostActive = 7;  // rows that push at once: the motion's six and the slack
+  static constexpr std::size_t kMaxActive = 7;  // rows that push at once: the motion's six and the slack
 
   // metric: (6) diag(m), each positive. slack: rho, positive and large beside the metric over the rows.
   ElasticQp(const Vec6& metric, double slack);
@@ -42,7 +42,7 @@ public:
   Solution solve(const Vec6& goal, std::span<const QpRow> rows, std::span<double> multipliers) noexcept;
 
 private:
-  static constexpr int kDimension = static_cast<int>(kMostActive);
+  static constexpr int kDimension = static_cast<int>(kMaxActive);
   using Vec7 = Eigen::Matrix<double, kDimension, 1>;
   using Mat7 = Eigen::Matrix<double, kDimension, kDimension>;
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include "haptics/math/border.h"
+#include "haptics/math/bisect.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum {
@@ -74,11 +74,11 @@ double exact_growth(const WallLoop& loop, const Wall& wall, const std::optional<
 }
 
 double exact_stiffness_limit(const WallLoop& loop, double B) {
-  return border_above(kSoftest, kPrecision, [&](double K) { return exact_growth(loop, {K, B}) < 0; });
+  return end_above(kSoftest, kPrecision, [&](double K) { return exact_growth(loop, {K, B}) < 0; });
 }
 
 double exact_damping_limit(const WallLoop& loop) {
-  return border_above(kSoftest, kPrecision, [&](double B) { return exact_growth(loop, {kSoftest, B}) < 0; });
+  return end_above(kSoftest, kPrecision, [&](double B) { return exact_growth(loop, {kSoftest, B}) < 0; });
 }
 
 }  // namespace fulcrum

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/math/clamp_norm.h"
 #include "haptics/math/rotation.h"
-#include "haptics/math/shortened.h"
 
 namespace fulcrum {
 namespace {
@@ -88,7 +88,7 @@ void SimulatedDevice::write(const DeviceCommand& command) noexcept {
   const auto delay = static_cast<std::size_t>(desc_.bus_delay_ticks);
   const DeviceCommand& due = sent_[(at_ + kDelay - delay) % kDelay];
   const Wrench& F = due.F_H_D;
-  advance({shortened(F.force, desc_.device.max_force), shortened(F.torque, desc_.device.max_torque)},
+  advance({clamp_norm(F.force, desc_.device.max_force), clamp_norm(F.torque, desc_.device.max_torque)},
           due.cues);
   at_ = (at_ + 1) % kDelay;
   measure();

@@ -3,22 +3,22 @@
 
 #include <optional>
 
-#include "haptics/effects/braking_pulse/pulse_cues.h"
-#include "haptics/effects/impact_vibration/impact_cues.h"
-#include "haptics/effects/inertia_compensation/inertia_cues.h"
+#include "haptics/effects/braking_pulse/pulse_record.h"
+#include "haptics/effects/impact_vibration/impact_vibration_record.h"
+#include "haptics/effects/inertia_compensation/inertia_record.h"
 #include "haptics/effects/texture/texture_record.h"
-#include "haptics/effects/torque_substitution/torque_cues.h"
-#include "haptics/effects/vibrotactile_motion/vibrotactile_cues.h"
+#include "haptics/effects/torque_substitution/torque_record.h"
+#include "haptics/effects/vibrotactile_motion/vibrotactile_record.h"
 
 namespace fulcrum {
 
 // Of those that are built.
 struct EffectRecords {
-  std::optional<TorqueCues> torque_substitution{};
-  std::optional<ImpactCues> impact_vibration{};
-  std::optional<PulseCues> braking_pulse{};
-  std::optional<VibrotactileCues> vibrotactile_motion{};
-  std::optional<InertiaCues> inertia_compensation{};
+  std::optional<TorqueRecord> torque_substitution{};
+  std::optional<ImpactVibrationRecord> impact_vibration{};
+  std::optional<PulseRecord> braking_pulse{};
+  std::optional<VibrotactileRecord> vibrotactile_motion{};
+  std::optional<InertiaRecord> inertia_compensation{};
   std::optional<TextureRecord> texture{};
 };
 

@@ -9,8 +9,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kMostSurprise = 9;  // three standard deviations: one outlier is not a change of mind
-constexpr double kFastest = 0.1;     // of the process noise a tick, for each unit of surprise
+constexpr double kMaxSurprise = 9;  // three standard deviations: one outlier is not a change of mind
+constexpr double kFastest = 0.1;    // of the process noise a tick, for each unit of surprise
 
 }  // namespace
 
@@ -61,7 +61,7 @@ Vec4 AccelerationEstimator::adapted_gain(Adaptation& axis, double predicted, dou
   const Mat4 left = correct * P * correct.transpose() + gain * gain.transpose();
   axis.P = 0.5 * (left + left.transpose());
   const double innovation = seen - predicted;
-  const double surprise = std::min(innovation * innovation / S, kMostSurprise) - 1;
+  const double surprise = std::min(innovation * innovation / S, kMaxSurprise) - 1;
   const double most = desc_.range * desc_.range;
   axis.more *= 1 + std::min(tick_s_ / desc_.adapt_time, kFastest) * surprise;
   axis.more = std::clamp(axis.more, 1 / most, most);

@@ -14,7 +14,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLeastIndex = 1e-9, kMostIndex = 1e6;
+constexpr double kMinIndex = 1e-9, kMaxIndex = 1e6;
 constexpr int kDoublings = 60;
 
 using Mat8 = Eigen::Matrix<double, 8, 8>;
@@ -68,8 +68,7 @@ Mat4 riccati(const Mat4& F, const Mat4& Q) {
 }  // namespace
 
 KalmanModel kalman_model(double jerk, double noise, double jerk_time, double tick_s) {
-  const double index =
-      std::clamp(jerk * tick_s * tick_s * std::sqrt(tick_s) / noise, kLeastIndex, kMostIndex);
+  const double index = std::clamp(jerk * tick_s * tick_s * std::sqrt(tick_s) / noise, kMinIndex, kMaxIndex);
   KalmanModel model;
   model.F_of_constant_jerk << 1, 1, 0.5, 1.0 / 6, 0, 1, 1, 0.5, 0, 0, 1, 1, 0, 0, 0, 1;
   if (jerk_time <= 0) {

@@ -165,13 +165,13 @@ std::size_t DistanceField::bytes() const {
 void quantise(FieldData& data) {
   // A stored brick has a point within half a brick's diagonal and the band; its values span its diagonal.
   const double largest = data.band_m + std::numbers::sqrt3 * (kBrickCells + 1) * data.voxel_m;
-  constexpr double kMost = 32767;
+  constexpr double kMax = 32767;
   data.format = FieldFormat::int16;
-  data.quantum_m = static_cast<double>(static_cast<float>(largest / kMost));
+  data.quantum_m = static_cast<double>(static_cast<float>(largest / kMax));
   data.values_int16.reserve(data.values_float.size());
   for (const float value : data.values_float)
     data.values_int16.push_back(static_cast<std::int16_t>(
-        std::clamp(std::round(static_cast<double>(value) / data.quantum_m), -kMost, kMost)));
+        std::clamp(std::round(static_cast<double>(value) / data.quantum_m), -kMax, kMax)));
   data.values_float = {};
   for (float& error : data.slot_error_m)
     error = std::nextafter(static_cast<float>(static_cast<double>(error) + 0.5 * data.quantum_m), 1.0f);

@@ -177,7 +177,7 @@ Vec6 ConstrainedMotion::friction() const noexcept {
 
 Vec6 ConstrainedMotion::rub_along(Vec6 step, const Vec6& under) noexcept {
   const Pose& X_WT = tool_.state().X_WT;
-  std::array<RubbingPoint, ElasticQp::kMostActive> points;
+  std::array<RubbingPoint, ElasticQp::kMaxActive> points;
   for (std::size_t i = 0; i < pushing_count_; ++i) {
     const Contact& contact = contacts_.contacts()[pushing_[i].contact];
     const Vec3 p_T = X_WT.inverse() * contact.p_W;

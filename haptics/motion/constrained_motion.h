@@ -71,7 +71,7 @@ private:
     Vec3 r_W = Vec3::Zero();         // (3) m, from T
     Vec3 friction_W = Vec3::Zero();  // (3) N
   };
-  using AllPushing = std::array<Pushing, ElasticQp::kMostActive>;
+  using AllPushing = std::array<Pushing, ElasticQp::kMaxActive>;
   AllPushing pushing_{};  // at the last solution, in the order of the shell
   std::size_t pushing_count_ = 0;
   std::array<Contact, kMaxContacts> touching_;

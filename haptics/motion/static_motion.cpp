@@ -2,8 +2,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "haptics/math/clamp_norm.h"
 #include "haptics/math/number_text.h"
-#include "haptics/math/shortened.h"
 #include "haptics/motion/motion_limit.h"
 #include "haptics/motion/query_part.h"
 #include "haptics/safety/faults.h"
@@ -83,8 +83,8 @@ Vec6 StaticMotion::newton_step(const Pose& X_WG) noexcept {
   const Vec6 d = tool_.to_hand(X_WG);
   const Vec3 pull = saturated_spring(d.head<3>(), coupling_.stiffness, coupling_.max_force);
   const Vec3 twist =
-      shortened(saturated_spring(d.tail<3>(), coupling_.angular_stiffness, coupling_.max_torque),
-                tool_.coupling().torque_limit());
+      clamp_norm(saturated_spring(d.tail<3>(), coupling_.angular_stiffness, coupling_.max_torque),
+                 tool_.coupling().torque_limit());
   around.K.diagonal().head<3>().array() += secant(pull, d.head<3>(), coupling_.stiffness);
   around.K.diagonal().tail<3>().array() += secant(twist, d.tail<3>(), coupling_.angular_stiffness);
   Vec6 force;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/math/shortened.h"
+#include "haptics/math/clamp_norm.h"
 
 namespace fulcrum {
 namespace {
@@ -61,14 +61,14 @@ Wrench Guard::limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept 
   const Wrench ramped = wanted_F_H_D * gain_;
 
   Wrench F;
-  F.force = shortened(ramped.force, device_.renders_force ? device_.max_force : 0.0);
-  F.torque = shortened(ramped.torque, device_.renders_torque ? device_.max_torque : 0.0);
+  F.force = clamp_norm(ramped.force, device_.renders_force ? device_.max_force : 0.0);
+  F.torque = clamp_norm(ramped.torque, device_.renders_torque ? device_.max_torque : 0.0);
   // An axis that the device has not is left out, which is no event; a limit that it has and that acts is one.
   if (device_.renders_force && F.force != ramped.force) faults |= kForceClamped;
   if (device_.renders_torque && F.torque != ramped.torque) faults |= kTorqueClamped;
 
-  const Vec3 force_step = shortened(F.force - last_.force, steps_.force);
-  const Vec3 torque_step = shortened(F.torque - last_.torque, steps_.torque);
+  const Vec3 force_step = clamp_norm(F.force - last_.force, steps_.force);
+  const Vec3 torque_step = clamp_norm(F.torque - last_.torque, steps_.torque);
   const Wrench slewed{last_.force + force_step, last_.torque + torque_step};
   constexpr double rounding = 1e-12;
   if ((slewed.force - F.force).norm() > rounding || (slewed.torque - F.torque).norm() > rounding) {

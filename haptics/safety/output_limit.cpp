@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/math/shortened.h"
+#include "haptics/math/clamp_norm.h"
 
 namespace fulcrum {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/math/shortened.h"
+#include "haptics/math/clamp_norm.h"
 
 namespace fulcrum {
 
@@ -48,7 +48,7 @@ Wrench TransientBudget::allow(const Wrench& wanted, const Vec6& moved) noexcept 
   const Spent sum = window();
   at_ = at_ + 1 == spent_.size() ? 0 : at_ + 1;
 
-  const Wrench F{shortened(wanted.force, peak_), shortened(wanted.torque, peak_torque_)};
+  const Wrench F{clamp_norm(wanted.force, peak_), clamp_norm(wanted.torque, peak_torque_)};
   const Wrench impulse = sum.impulse + F * tick_s_;
   const bool pushes =
       impulse.force.norm() > peak_ * figures_.push || impulse.torque.norm() > peak_torque_ * figures_.push;

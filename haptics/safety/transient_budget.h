@@ -6,8 +6,8 @@
 //     impulse     |sum F dt| at most the peak for `push`: none pushes to one side for longer
 //     length      sum |F| dt at most the peak for `length`
 //     energy      given to the hand, by force and by torque each: what one takes is no credit for the other
-// A force or torque beyond the first is shortened. A wrench that would go beyond another is left out, in this
-// tick and until there is room for it.
+// A force or torque beyond the first is clamp_norm. A wrench that would go beyond another is left out, in
+// this tick and until there is room for it.
 
 #include <array>
 #include <cstddef>

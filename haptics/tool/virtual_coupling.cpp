@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/math/clamp_norm.h"
 #include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
-#include "haptics/math/shortened.h"
 
 namespace fulcrum {
 
@@ -30,9 +30,9 @@ Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyStat
   F.force = saturated_spring(offset_, desc_.stiffness, desc_.max_force) - damping_ * (tool.V_WT.v - V_WG.v);
   F.torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
              angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
-  F.force = shortened(F.force, desc_.max_force);
-  full_torque_ = shortened(F.torque, desc_.max_torque);
-  F.torque = shortened(full_torque_, torque_limit_);
+  F.force = clamp_norm(F.force, desc_.max_force);
+  full_torque_ = clamp_norm(F.torque, desc_.max_torque);
+  F.torque = clamp_norm(full_torque_, torque_limit_);
   return F;
 }
 
@@ -44,13 +44,13 @@ Wrench VirtualCoupling::pull_at_grip(const Pose& X_WG, const Twist& V_WG, const 
   const Vec3 wanted_v_W = V_WG.v + V_WG.w.cross(wanted_lever_W);
   Wrench F;
   F.force =
-      shortened(saturated_spring(offset_, desc_.stiffness, desc_.max_force) - damping_ * (v_W - wanted_v_W),
-                desc_.max_force);
+      clamp_norm(saturated_spring(offset_, desc_.stiffness, desc_.max_force) - damping_ * (v_W - wanted_v_W),
+                 desc_.max_force);
   const Vec3 torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
                       angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
-  full_torque_ = shortened(torque, desc_.max_torque);
+  full_torque_ = clamp_norm(torque, desc_.max_torque);
   moment_ = lever_W_.cross(F.force);
-  F.torque = shortened(full_torque_, torque_limit_) + moment_;
+  F.torque = clamp_norm(full_torque_, torque_limit_) + moment_;
   return F;
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "haptics/device/linear_loop.h"
-#include "haptics/math/border.h"
+#include "haptics/math/bisect.h"
 #include "haptics/math/number_text.h"
 
 namespace fulcrum {
@@ -74,7 +74,7 @@ double limit_of(const Way& way, const SceneDesc& desc) {
     const FreeTool tool{way.stiffness * way.tool, desc.integrator};
     return exact_growth(loop, wall(way.tool), tool) < kNeutral;
   };
-  return border_above(kSoftest, kPrecision, holds);
+  return end_above(kSoftest, kPrecision, holds);
 }
 
 // N/m or N m/rad of the coupling. `otherwise`: where nothing limits it.
@@ -133,7 +133,7 @@ StiffnessLimits coupling_limits(const SceneDesc& desc) {
           desc.device.renders_torque ? limit_of(about(desc), desc) : kInfinity};
 }
 
-CouplingDesc suit_coupling(const CouplingGains& given, const SceneDesc& desc) {
+CouplingDesc tune_coupling(const CouplingGains& given, const SceneDesc& desc) {
   SceneDesc with = desc;
   with.coupling.damping_ratio = given.damping_ratio;
   const StiffnessLimits limits = coupling_limits(with);

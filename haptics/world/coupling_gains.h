@@ -34,7 +34,7 @@ struct CouplingGains {
 // still from one encoder count to the next, 2 f_c / D (Diolaiti et al., IEEE Trans. Robotics 22(2), 2006). As
 // much angular stiffness as lets the tool turn as fast as it moves, within the same limits. Springs that
 // saturate just below the device's limits. desc: all but its coupling.
-CouplingDesc suit_coupling(const CouplingGains& given, const SceneDesc& desc);
+CouplingDesc tune_coupling(const CouplingGains& given, const SceneDesc& desc);
 
 // A sentence if a stiffness is beyond its limit.
 std::optional<std::string> beyond_limits(const SceneDesc& desc);

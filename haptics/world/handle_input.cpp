@@ -112,10 +112,10 @@ void HandleInput::touch(const ContactCentroid& centroid) noexcept {
                      (mapping_.position_scale * mapping_.force_scale);
 }
 
-std::optional<HoldingCues> HandleInput::holding() const noexcept {
+std::optional<HoldingRecord> HandleInput::holding() const noexcept {
   if (!holding_point_) return std::nullopt;
-  return HoldingCues{holding_point_->place(), holding_point_->p_HG(), holding_point_->state(), strip_ohm_,
-                     stiffness_limit_};
+  return HoldingRecord{holding_point_->place(), holding_point_->p_HG(), holding_point_->state(), strip_ohm_,
+                       stiffness_limit_};
 }
 
 }  // namespace fulcrum

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "haptics/contact/contact_centroid.h"
-#include "haptics/estimate/counted_motion.h"
-#include "haptics/estimate/holding_cues.h"
+#include "haptics/estimate/encoder_motion.h"
 #include "haptics/estimate/holding_point.h"
+#include "haptics/estimate/holding_record.h"
 #include "haptics/estimate/velocity.h"
 #include "haptics/scene/plain_scene.h"
 #include "haptics/tick/command.h"
@@ -36,7 +36,7 @@ public:
   const VelocityEstimator& velocity() const { return velocity_; }
   // Null: the scene names none.
   const HoldingPoint* holding_point() const { return holding_point_ ? &*holding_point_ : nullptr; }
-  std::optional<HoldingCues> holding() const noexcept;
+  std::optional<HoldingRecord> holding() const noexcept;
 
 private:
   Pose map(const DeviceSample& sample, bool usable) noexcept;
@@ -46,7 +46,7 @@ private:
   Pose X_HT_;
   double tick_s_;
   VelocityEstimator velocity_;
-  CountedMotion counted_;
+  EncoderMotion counted_;
   std::optional<HoldingPoint> holding_point_;
   std::optional<HoldingPointDesc> holding_desc_;
   std::optional<StructureDesc> structure_;

@@ -10,10 +10,10 @@
 #include <span>
 
 #include "haptics/actuation/allocator.h"
-#include "haptics/safety/energy_ledger.h"
 #include "haptics/safety/guard.h"
 #include "haptics/safety/output_limit.h"
-#include "haptics/safety/passivity_control.h"
+#include "haptics/safety/passivity_controller.h"
+#include "haptics/safety/passivity_observer.h"
 #include "haptics/safety/rendered.h"
 #include "haptics/tick/command.h"
 #include "haptics/tick/handle_motion.h"
@@ -78,13 +78,13 @@ private:
 
   MappingDesc mapping_;
   bool renders_force_, renders_torque_, grasped_;
-  double tool_weight_;        // N
+  double tool_weight_;          // N
   Wrench handle_weight_F_H_D_;  // that holds it up
   Allocator motors_;
   Guard guard_;
   OutputLimit output_limit_;
-  EnergyLedger ledger_;
-  PassivityControl passivity_;
+  PassivityObserver ledger_;
+  PassivityController passivity_;
 
   // Of this tick, on the handle about H, in D.
   Wrench unlimited_F_H_D_, resistance_F_H_D_;

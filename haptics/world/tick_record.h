@@ -8,7 +8,7 @@
 #include "haptics/contact/impact.h"
 #include "haptics/device/device.h"
 #include "haptics/effects/effect_records.h"
-#include "haptics/estimate/holding_cues.h"
+#include "haptics/estimate/holding_record.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 #include "haptics/tick/quantity.h"
@@ -35,7 +35,7 @@ struct PlainRecord {
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
   std::optional<ImpactTick> impact{};         // where impacts are detected
-  std::optional<HoldingCues> holding{};       // where the scene names a holding point
+  std::optional<HoldingRecord> holding{};     // where the scene names a holding point
   std::optional<double> contact_stiffness{};  // N/m, of a region, where the scene has levels of it
   std::optional<double>
       contact_stiffness_wanted{};  // N/m, likewise: asked for, in force once nothing touches

@@ -10,7 +10,7 @@ namespace fulcrum {
 namespace {
 
 // Of the stiffness that the device renders.
-std::string let_go_text(const SceneDesc& desc) {
+std::string free_handle_limit_text(const SceneDesc& desc) {
   const double limit = coupling_limits(desc).stiffness;
   if (!std::isfinite(limit)) return "";
   return "; let go, it holds up to " +
@@ -71,7 +71,7 @@ BuiltPart coupling_part(const SceneDesc& desc) {
         " and " + number_text(desc.coupling.angular_stiffness * desc.mapping.energy_scale()) + " N m/rad";
   return {"coupling",
           number_text(desc.coupling.stiffness) + " N/m, " + number_text(desc.coupling.angular_stiffness) +
-              " N m/rad; the device renders " + rendered + let_go_text(desc),
+              " N m/rad; the device renders " + rendered + free_handle_limit_text(desc),
           sizeof(VirtualCoupling)};
 }
 
@@ -118,7 +118,7 @@ std::vector<BuiltPart> World::parts() const {
            method_name(desc_.allocation.method),
        sizeof(Allocator)},
       {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control, output limit: always built",
-       sizeof(Guard) + sizeof(CountedMotion) + sizeof(EnergyLedger) + sizeof(PassivityControl) +
+       sizeof(Guard) + sizeof(EncoderMotion) + sizeof(PassivityObserver) + sizeof(PassivityController) +
            sizeof(OutputLimit)},
   };
   if (coupled(desc_.contact.response)) parts.insert(parts.begin() + 2, coupling_part(desc_));

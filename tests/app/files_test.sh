@@ -63,7 +63,7 @@ export XDG_CACHE_HOME=$work/cache
 [ -z "$(find cache -name '*.part')" ] || fail "a bake leaves a part"
 for file in cache/fulcrum/*; do echo damage >>"$file"; done
 expect 3 'the cached bake .* was damaged' "$FULCRUM" run ./own --headless --seconds 0.1 --out E
-"$FULCRUM" run ./own --headless --seconds 0.1 --out F 2>&1 | grep -q 'damaged' && fail "a mended cache is called damaged"
+"$FULCRUM" run ./own --headless --seconds 0.1 --out F 2>&1 | grep -q 'damaged' && fail "a repaired cache is called damaged"
 rm -r cache && touch cache
 for command in "run ./own --headless --seconds 0.1 --out G" "explain ./own" "replay E/tape --out H"; do
   # shellcheck disable=SC2086

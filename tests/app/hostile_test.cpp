@@ -290,7 +290,7 @@ SceneDesc changed(SceneDesc scene, const DeviceDesc& device, ContactResponse res
     if (!scene.braking_pulse) scene.braking_pulse.emplace();
     scene.braking_pulse->p_HG = Vec3(0.02, 0.08, 0.05);
   }
-  scene.coupling = suit_coupling({}, scene);
+  scene.coupling = tune_coupling({}, scene);
   couple_without_motors(scene);
   return scene;
 }

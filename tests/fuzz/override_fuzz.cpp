@@ -8,10 +8,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fulcrum::scenario;
-  constexpr std::size_t kMostOptions = 16;  // more of them only take longer
+  constexpr std::size_t kMaxOptions = 16;  // more of them only take longer
   std::istringstream lines(std::string(reinterpret_cast<const char*>(data), size));
   std::vector<std::string> overrides;
-  for (std::string line; overrides.size() < kMostOptions && std::getline(lines, line);)
+  for (std::string line; overrides.size() < kMaxOptions && std::getline(lines, line);)
     overrides.push_back(line);
   static const SourceTexts texts = fuzz::example_with("sure.yaml", "fulcrum: 1\nwaypoints: [{}]\n");
   fuzz::expect_answer(load_scenario_texts(texts, "/nowhere", overrides), texts);

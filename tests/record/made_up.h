@@ -43,9 +43,9 @@ inline void write(const std::filesystem::path& path, std::string_view text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-class MadeUp {
+class SyntheticRun {
 public:
-  explicit MadeUp(std::uint64_t seed) : random_(seed) {}
+  explicit SyntheticRun(std::uint64_t seed) : random_(seed) {}
 
   double number() { return std::ldexp(static_cast<double>(static_cast<std::int64_t>(random_())), -62); }
   Vec3 vector() { return {number(), number(), number()}; }

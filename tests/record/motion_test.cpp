@@ -23,7 +23,7 @@ bool same(const Pose& a, const Pose& b) {
 TEST(Motion, OfATapeIsItsSamples) {
   const TemporaryFolder folder;
   Result<TapeWriter> writer = TapeWriter::create(folder / "tape", made_up_header());
-  MadeUp made_up(1);
+  SyntheticRun made_up(1);
   std::vector<DeviceSample> samples;
   for (int i = 0; i < 5; ++i) {
     samples.push_back(made_up.sample());
@@ -46,7 +46,7 @@ TEST(Motion, OfATraceIsItsHandleBitForBit) {
   const TemporaryFolder folder;
   Result<TraceWriter> writer =
       TraceWriter::create(folder / "trace.csv", TraceColumns(0.001, {}, {TickRecord()}));
-  MadeUp made_up(2);
+  SyntheticRun made_up(2);
   std::vector<TickRecord> records;
   for (int tick = 0; tick < 100; ++tick) {
     records.push_back(made_up.record(tick));

@@ -36,7 +36,7 @@ std::int64_t rows_in(const std::filesystem::path& csv) {
 void run_ticks(Recorder& recorder, std::int64_t from, std::int64_t to) {
   const Command stop{Command::Kind::stop};
   for (std::int64_t tick = from; tick < to; ++tick) {
-    MadeUp made_up(static_cast<std::uint64_t>(tick));
+    SyntheticRun made_up(static_cast<std::uint64_t>(tick));
     const TickRecord record = made_up.record(tick);
     const DeviceSample sample = made_up.sample();
     recorder.tick({.record = record,
@@ -55,7 +55,7 @@ std::int64_t expect_agreement(const std::filesystem::path& folder) {
   EXPECT_EQ(rows, std::ssize(tape->entries));
   EXPECT_EQ(rows, rows_in(folder / "timing.csv"));
   for (std::size_t i = 0; i < tape->entries.size(); ++i) {
-    EXPECT_EQ(tape->entries[i].digest, digest(MadeUp(i).record(static_cast<std::int64_t>(i))));
+    EXPECT_EQ(tape->entries[i].digest, digest(SyntheticRun(i).record(static_cast<std::int64_t>(i))));
   }
   return rows;
 }

@@ -15,7 +15,7 @@ namespace fulcrum::record {
 namespace {
 
 TEST(Digest, SeesEveryField) {
-  const TickRecord original = MadeUp(1).record(3);
+  const TickRecord original = SyntheticRun(1).record(3);
   const std::vector<std::function<void(TickRecord&)>> changes = {
       [](TickRecord& r) { r.tick = 4; },
       [](TickRecord& r) { r.X_WH.q.w() = std::nextafter(r.X_WH.q.w(), 2); },
@@ -52,7 +52,7 @@ TEST(Digest, SeesNoPadding) {
   alignas(TickRecord) unsigned char storage[2][sizeof(TickRecord)];
   std::fill(std::begin(storage[0]), std::end(storage[0]), 0x00);
   std::fill(std::begin(storage[1]), std::end(storage[1]), 0xff);
-  const TickRecord original = MadeUp(1).record(3);
+  const TickRecord original = SyntheticRun(1).record(3);
   const TickRecord* const a = new (storage[0]) TickRecord(original);
   const TickRecord* const b = new (storage[1]) TickRecord(original);
   EXPECT_EQ(digest(*a), digest(*b));
@@ -62,7 +62,7 @@ class Replay : public testing::Test {
 protected:
   Replay() {
     Result<TraceWriter> trace = TraceWriter::create(folder_ / "trace.csv", columns_);
-    MadeUp made_up(5);
+    SyntheticRun made_up(5);
     for (int tick = 0; tick < 10; ++tick) {
       run_.push_back(made_up.record(tick));
       trace->row({run_.back(), 0});

@@ -53,7 +53,7 @@ void mend_all(std::string& text) {
 std::string small_tape() {
   const TemporaryFolder folder;
   Result<TapeWriter> writer = TapeWriter::create(folder / "tape", made_up_header());
-  MadeUp made_up(1);
+  SyntheticRun made_up(1);
   const Command stop{Command::Kind::stop};
   for (int i = 0; i < 12; ++i) {
     writer->entry(made_up.sample(), std::span(&stop, i % 2 == 0 ? 1 : 0), 0, 1);

@@ -18,7 +18,7 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 }
 
 std::vector<TapeEntry> made_up_entries(int count) {
-  MadeUp made_up(7);
+  SyntheticRun made_up(7);
   std::vector<TapeEntry> entries;
   for (int i = 0; i < count; ++i) {
     TapeEntry& entry = entries.emplace_back();

@@ -167,7 +167,7 @@ TEST(Trace, TimesAreThoseOnePrints) {
 }
 
 TEST(Trace, EveryColumnShowsItsField) {
-  MadeUp made_up(1);
+  SyntheticRun made_up(1);
   TickRecord r = made_up.record(5);
   r.X_WH.q = Quat(0.5, -0.5, 0.5, -0.5);
   r.X_WT.p.y() = -0.25;
@@ -214,7 +214,7 @@ TEST(Trace, FileIsHeaderAndRowsAndItsHash) {
   const TraceColumns columns = plain();
   Result<TraceWriter> writer = TraceWriter::create(folder / "trace.csv", columns);
   ASSERT_TRUE(writer);
-  MadeUp made_up(2);
+  SyntheticRun made_up(2);
   std::string expected = columns.header();
   for (int tick = 0; tick < 1000; ++tick) {
     const TickRecord record = made_up.record(tick);
@@ -235,7 +235,7 @@ TEST(Trace, WhatIsTakenBackIsNeitherInTheFileNorInTheHash) {
   const TraceColumns columns(1e-3, {}, {TickRecord()});
   Result<TraceWriter> writer = TraceWriter::create(folder / "trace.csv", columns);
   ASSERT_TRUE(writer);
-  MadeUp made_up(3);
+  SyntheticRun made_up(3);
   const TickRecord kept = made_up.record(0), dropped = made_up.record(1);
   writer->row({kept, 0});
   ASSERT_FALSE(writer->flush());

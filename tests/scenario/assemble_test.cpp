@@ -146,7 +146,7 @@ TEST_F(Assemble, TellsAboutTheBakes) {
   EXPECT_NE(second->notes[2].find("from the cache"), std::string::npos) << second->notes[2];
 }
 
-TEST_F(Assemble, TellsWhatWasMended) {
+TEST_F(Assemble, TellsWhatWasRepaired) {
   folder_.write("scenarios/peg/block.glb", box_glb({-0.1F, -0.02F, -0.1F}, {0.1F, 0.0F, 0.1F}, true));
   folder_.write("scenarios/peg/peg.glb", box_glb({-0.005F, 0.0F, -0.005F}, {0.005F, 0.04F, 0.005F}, true));
   const Scenario scenario = read(kCoarse);
@@ -154,11 +154,11 @@ TEST_F(Assemble, TellsWhatWasMended) {
   ASSERT_TRUE(models) << models.error().sentence;
   const auto haptic = assemble_haptic(scenario, *models, cache_);
   ASSERT_TRUE(haptic) << haptic.error().sentence;
-  ASSERT_EQ(haptic->mended.size(), 2u);
-  EXPECT_TRUE(
-      haptic->mended[0].ends_with("model 'peg': 1 triangle was wound against the rest and has been turned."))
-      << haptic->mended[0];
-  EXPECT_EQ(haptic->mended[1],
+  ASSERT_EQ(haptic->repaired.size(), 2u);
+  EXPECT_TRUE(haptic->repaired[0].ends_with(
+      "model 'peg': 1 triangle was wound against the rest and has been turned."))
+      << haptic->repaired[0];
+  EXPECT_EQ(haptic->repaired[1],
             "the models that are touched: 1 triangle was wound against the rest and has been turned.");
   EXPECT_NEAR(haptic->scene.scene_field->distance(Vec3(0, -0.005, 0)), -0.005, 1e-4);
 }

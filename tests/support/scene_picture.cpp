@@ -32,7 +32,7 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
   record.device_F_H_D.force = Vec3(0.4, 0.3, 0);
   const SceneDesc& scene = prepared.haptic.scene;
   if (is_built<TorqueSubstitutionEffect>(scene, scene.torque_substitution)) {
-    TorqueCues& torque = record.torque_substitution.emplace();
+    TorqueRecord& torque = record.torque_substitution.emplace();
     torque.vibration_gain = torque.ghost_gain = 1;
   }
   if (is_built<ImpactVibrationEffect>(scene, scene.impact_vibration))
@@ -42,7 +42,7 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
     record.braking_pulse->moment = true;
   }
   if (scene.holding_point) {
-    HoldingCues& holding = record.holding.emplace();
+    HoldingRecord& holding = record.holding.emplace();
     holding.place = HandPath(expert->waypoints).grip(time).hold;
     holding.p_HG = holding.place * scene.holding_point->axis_H;
     holding.state = HoldingState::measured;
@@ -52,7 +52,7 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
   if (is_built<InertiaCompensationEffect>(scene, scene.inertia_compensation))
     record.inertia_compensation.emplace().method = InertiaMethod::acceleration;
   if (is_built<VibrotactileMotionEffect>(scene, scene.vibrotactile_motion)) {
-    VibrotactileCues& touch = record.vibrotactile_motion.emplace();
+    VibrotactileRecord& touch = record.vibrotactile_motion.emplace();
     touch.gain = 1;
     touch.command.level = {0.4 * scene.vibrotactile_motion->strength,
                            0.9 * scene.vibrotactile_motion->strength};

@@ -12,16 +12,17 @@ namespace {
 constexpr double kParallel = 0.087155742747658174;  // sine of 5 degrees, as in impact_vibration.h
 
 // What an impact feels like.
-struct Felt {
+struct Percept {
   Vec3 axis;  // (3) unit; of the force where there is no moment
   bool turns;
   double frequency_Hz;
 };
 
-std::vector<Felt> felt_from(std::span<const ImpactSite> sites, const Vec3& p_T, const AmbiguityDesc& desc) {
+std::vector<Percept> felt_from(std::span<const ImpactSite> sites, const Vec3& p_T,
+                               const AmbiguityDesc& desc) {
   double reach = 0;
   for (const ImpactSite& site : sites) reach = std::max(reach, (site.p_T - p_T).norm());
-  std::vector<Felt> felt;
+  std::vector<Percept> felt;
   for (const ImpactSite& site : sites) {
     const Vec3 p = site.p_T - p_T, lever = p.cross(site.nhat_T);
     const double r = p.norm();
@@ -35,7 +36,7 @@ std::vector<Felt> felt_from(std::span<const ImpactSite> sites, const Vec3& p_T, 
 }  // namespace
 
 PointScore score_point(std::span<const ImpactSite> sites, const Vec3& p_T, const AmbiguityDesc& desc) {
-  const std::vector<Felt> felt = felt_from(sites, p_T, desc);
+  const std::vector<Percept> felt = felt_from(sites, p_T, desc);
   const double same_axis = math::cos(desc.axis_apart);
   PointScore score;
   score.p_T = p_T;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kKept = 1e4;      // what a newton beside the direction counts, where that is kept
 constexpr double kAtRest = 1e-10;  // of |A^T b|: a smaller gradient is none
-constexpr int kMostRounds = 200;
+constexpr int kMaxRounds = 200;
 
 Mat3 cross_matrix(const Vec3& r) {
   Mat3 S;
@@ -27,7 +27,7 @@ Eigen::VectorXd bounded_least_squares(const Eigen::MatrixXd& A, const Eigen::Vec
   std::vector<int> bound(static_cast<std::size_t>(n), 0);  // -1, 1: at a limit
   const auto at = [&bound](Index i) -> int& { return bound[static_cast<std::size_t>(i)]; };
   const double small = kAtRest * (A.transpose() * b).norm();
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     std::vector<Index> free;
     for (Index i = 0; i < n; ++i) {
       if (at(i) == 0) free.push_back(i);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/math/border.h"
+#include "haptics/math/bisect.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum::analysis::uniformity {
@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kPrecision = 1e-4;  // of a limit
-constexpr double kLeastJerk = 1e-3;  // of a filter whose unit of noise is 1 um: a second of lag
-constexpr double kMostJerk = 1e6;    // likewise: a tick
+constexpr double kMinJerk = 1e-3;    // of a filter whose unit of noise is 1 um: a second of lag
+constexpr double kMaxJerk = 1e6;     // likewise: a tick
 constexpr double kUnit = 1e-6;       // m, of the filter's states; no eigenvalue knows it
-constexpr int kMostTicks = 200;
+constexpr int kMaxTicks = 200;
 
 // Motion over a tick under a held force: s' = A s + B F, s = (x, v).
 struct Tick {
@@ -102,16 +102,15 @@ double first_order_lag(const InertiaLoop& loop) {
 double largest_filter_lag(const InertiaLoop& loop) {
   const auto unstable = [&loop](double jerk) { return growth(loop, filter_of(jerk, loop.tick_s)) >= 0; };
   // From the quickest filter on, to the first that is too slow.
-  if (unstable(kMostJerk)) return 0;
-  for (double jerk = kMostJerk; jerk > kLeastJerk; jerk /= 2) {
-    if (unstable(jerk / 2))
-      return filter_of(border_between(jerk / 2, jerk, kPrecision, unstable), loop.tick_s).lag;
+  if (unstable(kMaxJerk)) return 0;
+  for (double jerk = kMaxJerk; jerk > kMinJerk; jerk /= 2) {
+    if (unstable(jerk / 2)) return filter_of(bisect(jerk / 2, jerk, kPrecision, unstable), loop.tick_s).lag;
   }
   return kUnlimited;
 }
 
 double largest_delay(const InertiaLoop& loop) {
-  for (int ticks = 1; ticks <= kMostTicks; ++ticks) {
+  for (int ticks = 1; ticks <= kMaxTicks; ++ticks) {
     if (growth(loop, ticks) >= 0) return (ticks - 1) * loop.tick_s;
   }
   return kUnlimited;

@@ -66,18 +66,18 @@ double size(const Wrench& F) {
   return math::hypot(F.force.norm(), F.torque.norm() / kArm);
 }
 
-struct Felt {
+struct ResponseCost {
   std::vector<Wrench> wrenches;
   double cpu_us = 0;  // a pose
 };
 
 template <class Query>
-Felt feel(Query query, const std::vector<Pose>& poses) {
+ResponseCost feel(Query query, const std::vector<Pose>& poses) {
   ContactDesc desc;
   desc.dissipation = 0;
   PenaltyResponse response(desc, RigidBody(0.15, Mat3::Identity() * 1e-4), 1e-3, Integrator::implicit_euler);
   ContactSet set;
-  Felt felt;
+  ResponseCost felt;
   const double us = best_us([&] {
     felt.wrenches.clear();
     for (const Pose& X_WT : poses) {
@@ -89,7 +89,7 @@ Felt feel(Query query, const std::vector<Pose>& poses) {
   return felt;
 }
 
-double error(const Felt& felt, const Felt& truth) {
+double error(const ResponseCost& felt, const ResponseCost& truth) {
   double off = 0, all = 0;
   for (std::size_t i = 0; i < truth.wrenches.size(); ++i) {
     off += math::square(size(felt.wrenches[i] + -truth.wrenches[i]));
@@ -138,13 +138,13 @@ std::vector<WorkStudy> study_piping(const PipingParts& piping, bool quick) {
   const std::vector<Pose> poses = touching_poses(ContactQuery(shell, exact), piping.X_WT, quick ? 20 : 100);
   if (poses.empty()) return {};
 
-  const auto compare = [&](WorkStudy& study, const std::vector<double>& values, const Felt& truth,
+  const auto compare = [&](WorkStudy& study, const std::vector<double>& values, const ResponseCost& truth,
                            const auto& at) {
     std::vector<WorkPoint> classic;
     for (const double value : values) {
       const auto [points_T, field] = at(1e-3 * value);
-      const Felt ours = feel(ContactQuery(points_T, field), poses);
-      const Felt voxels = feel(VoxelQuery(points_T, field), poses);
+      const ResponseCost ours = feel(ContactQuery(points_T, field), poses);
+      const ResponseCost voxels = feel(VoxelQuery(points_T, field), poses);
       study.points.push_back({"distance field", value, error(ours, truth), ours.cpu_us});
       classic.push_back({"classic voxels", value, error(voxels, truth), voxels.cpu_us});
     }

@@ -9,7 +9,7 @@
 #include "engine/analysis/workprecision/workprecision.h"
 #include "haptics/math/functions.h"
 #include "haptics/math/split_mix.h"
-#include "haptics/safety/energy_ledger.h"
+#include "haptics/safety/passivity_observer.h"
 
 namespace fulcrum::analysis::workprecision {
 namespace {
@@ -74,8 +74,8 @@ double by_whole_counts(const Trembling& hand) {
 double by_ledger(const Trembling& hand, double count) {
   Vec6 steps = Vec6::Zero(), d = Vec6::Zero();
   steps[0] = count;
-  EnergyLedger ledger(steps, true, false);
-  EnergyLedger::Port port;
+  PassivityObserver ledger(steps, true, false);
+  PassivityObserver::Port port;
   port.open = true;
   port.F_H_D.force.x() = hand.first_force;
   ledger.book(d, port);

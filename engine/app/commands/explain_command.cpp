@@ -93,7 +93,7 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
                                                {"measured_with_hand", hand},
                                                {"built", to_json(list.built)},
                                                {"left_out", to_json(list.left_out)},
-                                               {"mended", prepared->haptic.mended}}
+                                               {"repaired", prepared->haptic.repaired}}
                             .dump(2)
                             .c_str());
     return kCompleted;
@@ -106,8 +106,8 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
       "  A whole tick takes %.1f us of the processor, in the mean over the '%s' hand's motion.\n\n%s\n",
       tick_us, hand.c_str(), bold("Left out").c_str());
   print_table(list.left_out, false);
-  if (!prepared->haptic.mended.empty()) std::printf("\n%s\n", bold("Mended").c_str());
-  for (const std::string& note : prepared->haptic.mended) std::printf("  %s\n", note.c_str());
+  if (!prepared->haptic.repaired.empty()) std::printf("\n%s\n", bold("Repaired").c_str());
+  for (const std::string& note : prepared->haptic.repaired) std::printf("  %s\n", note.c_str());
   for (const std::string& note : prepared->haptic.notes) std::printf("%s\n", dim(note).c_str());
   return kCompleted;
 }

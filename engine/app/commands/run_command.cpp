@@ -51,10 +51,10 @@ Result<scenario::VisualAssembly> assemble_shown(const Prepared& prepared, const 
 }
 
 // One attempt, from opened files to closed ones.
-class Attempt {
+class RunSession {
 public:
   // What is wrong is on stderr.
-  static std::unique_ptr<Attempt> begin(const Prepared& prepared, const RunOptions& options) {
+  static std::unique_ptr<RunSession> begin(const Prepared& prepared, const RunOptions& options) {
     const SceneDesc scene = scene_for_device(prepared, options.device);
     Result<std::unique_ptr<Device>> device = make_device(prepared, scene, options);
     if (!device) return refuse(device.error());
@@ -67,8 +67,8 @@ public:
     if (!results) return refuse(results.error());
     const double limit =
         std::min(prepared.scenario.time_limit, options.seconds.value_or(prepared.scenario.time_limit));
-    return std::unique_ptr<Attempt>(
-        new Attempt(prepared, options, std::move(*device), std::move(*world), std::move(*results), limit));
+    return std::unique_ptr<RunSession>(
+        new RunSession(prepared, options, std::move(*device), std::move(*world), std::move(*results), limit));
   }
 
   World& world() { return world_; }
@@ -95,8 +95,8 @@ public:
   }
 
 private:
-  Attempt(const Prepared& prepared, const RunOptions& options, std::unique_ptr<Device> device, World world,
-          OpenResults results, double limit)
+  RunSession(const Prepared& prepared, const RunOptions& options, std::unique_ptr<Device> device, World world,
+             OpenResults results, double limit)
       : prepared_(prepared),
         options_(options),
         device_(std::move(device)),
@@ -104,7 +104,7 @@ private:
         folder_(std::move(results.folder)),
         sink_(prepared, std::move(results.recorder), limit) {}
 
-  static std::unique_ptr<Attempt> refuse(const Error& error) {
+  static std::unique_ptr<RunSession> refuse(const Error& error) {
     complain(error.sentence);
     return nullptr;
   }
@@ -118,7 +118,7 @@ private:
 };
 
 int run_headless(const Prepared& prepared, const RunOptions& options) {
-  const std::unique_ptr<Attempt> attempt = Attempt::begin(prepared, options);
+  const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, options);
   if (!attempt) return kError;
   if (options.realtime)
     run_live(attempt->world(), attempt->device(), attempt->sink());
@@ -157,7 +157,7 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options)
   }
   if (!ready.prepared) return kError;
   const Prepared& prepared = *ready.prepared;
-  for (const std::string& note : prepared.haptic.mended) complain(note);
+  for (const std::string& note : prepared.haptic.repaired) complain(note);
   const Result<scenario::VisualAssembly> visual =
       assemble_shown(prepared, scene_for_device(prepared, options.device), options);
   if (!visual) {
@@ -174,7 +174,7 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options)
   for (int number = 1;; ++number) {
     if (number > 1 && !options.out.empty())
       attempt_options.out = options.out / ("attempt-" + std::to_string(number));
-    const std::unique_ptr<Attempt> attempt = Attempt::begin(prepared, attempt_options);
+    const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, attempt_options);
     if (!attempt) return kError;
     const TrainingWindow::Leave leave = (*window)->run(
         attempt->world(), attempt->device(), dynamic_cast<MouseDevice*>(&attempt->device()), attempt->sink());
@@ -232,7 +232,7 @@ int run_command(const RunOptions& given) {
   }
   const std::optional<Prepared> prepared = prepare(options.scenario, std::move(*scenario));
   if (!prepared) return kError;
-  for (const std::string& note : prepared->haptic.mended) complain(note);
+  for (const std::string& note : prepared->haptic.repaired) complain(note);
   catch_interrupts();
   return run_headless(*prepared, options);
 }

@@ -49,7 +49,7 @@ std::vector<ui::MotorBar> motor_bars(const MechanismDesc& mechanism, const TickR
   return bars;
 }
 
-std::string variant_text(const TorqueCues& cues) {
+std::string variant_text(const TorqueRecord& cues) {
   const bool vibration = cues.vibration_gain > 0, ghost = cues.ghost_gain > 0;
   if (ghost) return vibration ? "variant C" : "";
   return vibration ? "variant B" : "variant A";
@@ -93,14 +93,14 @@ glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const
   const Pose X_WF{q_WF_, X_WH.p};         // of the level bars
   const auto level_at = [&](int side, std::size_t channel) {
     const double level =
-        record.vibrotactile_motion.value_or(VibrotactileCues()).command.level[channel] / strongest_;
+        record.vibrotactile_motion.value_or(VibrotactileRecord()).command.level[channel] / strongest_;
     return scenario::level_pose(X_WF, side, level);
   };
   switch (body) {
     case scenario::kFollowsGuide:
       return scenario::to_glm({Quat::Identity(), scenario::guide_place(*guide_, time)});
     case scenario::kFollowsHoldingPoint:
-      return scenario::to_glm({X_WH.q, X_WH * record.holding.value_or(HoldingCues()).p_HG});
+      return scenario::to_glm({X_WH.q, X_WH * record.holding.value_or(HoldingRecord()).p_HG});
     case scenario::kFollowsLevelFrame:
       return scenario::to_glm(X_WF);
     case scenario::kFollowsLeftLevel:
@@ -126,7 +126,7 @@ render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow&
   state.X_WM = X_WM_;
   state.markers = marker_states_;
   if (ghost_q_HT_)
-    state.ghost = {static_cast<float>(record.torque_substitution.value_or(TorqueCues()).ghost),
+    state.ghost = {static_cast<float>(record.torque_substitution.value_or(TorqueRecord()).ghost),
                    scenario::to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
   state.camera = camera;
   state.time_s = time;
@@ -163,7 +163,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   if (!detects_impacts(scene)) state.cue_title = "Fingertip";
   state.tells_torque = is_built<TorqueSubstitutionEffect>(scene, scene.torque_substitution) &&
                        (scene.device.renders_force || scene.device.senses_rotation);
-  const TorqueCues torque = record.torque_substitution.value_or(TorqueCues());
+  const TorqueRecord torque = record.torque_substitution.value_or(TorqueRecord());
   if (state.tells_torque) state.variant = variant_text(torque);
   state.torque_bad = torque.bad;
   if (scenario::draws_arms(prepared.scenario, scene))

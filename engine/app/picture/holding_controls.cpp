@@ -20,7 +20,7 @@ std::string at_mm(const char* words, double place) {
   return text;
 }
 
-std::string sensed_words(const SceneDesc& scene, const HoldingCues& cues) {
+std::string sensed_words(const SceneDesc& scene, const HoldingRecord& cues) {
   switch (cues.state) {
     case HoldingState::set:
       return scene.device.strip ? "the strip is not listened to" : "told: the device has no strip";
@@ -61,7 +61,7 @@ double level_beside(const ui::HoldingPanel& shown, int by) {
 
 std::optional<ui::HoldingPanel> holding_panel(const SceneDesc& scene, const TickRecord& record) {
   if (!scene.holding_point || !record.holding) return std::nullopt;
-  const HoldingCues& cues = *record.holding;
+  const HoldingRecord& cues = *record.holding;
   ui::HoldingPanel panel;
   panel.place = cues.place;
   panel.low = scene.holding_point->low;

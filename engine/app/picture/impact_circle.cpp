@@ -51,7 +51,7 @@ glm::mat4 piece_pose(std::size_t piece, const StruckPlace& struck, const Pose& X
 
 std::optional<StruckPlace> struck_place(const TickRecord& record, const Vec3& p_TH, double time) {
   if (!record.impact || record.impact->count == 0 || !record.impact_vibration) return std::nullopt;
-  const ImpactCues& cues = *record.impact_vibration;
+  const ImpactVibrationRecord& cues = *record.impact_vibration;
   if (cues.gain == 0 || cues.frequency_Hz == 0) return std::nullopt;
   const Pose X_TW = record.X_WT.inverse();
   StruckPlace struck{.time = time,

@@ -41,7 +41,7 @@ double mean_over(const std::vector<T>& ticks, F&& f) {
 }
 
 // A difference of two measured times can come out below what it must be.
-constexpr double kLeast_us = 0.01;
+constexpr double kMin_us = 0.01;
 
 double follow_us(const PlainScene& scene, const std::vector<DeviceSample>& samples) {
   HandleInput input(scene);
@@ -172,12 +172,12 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
       unused += again->advance(X_WG, {}, faults).contact_F_T_W.force.x();
       detector.process({.X_WT = place.X_WT, .X_WG = X_WG, .V_WG = {}, .touching = again->touching()});
     });
-    us["impacts"] = std::max(both_us - response_us, kLeast_us);
+    us["impacts"] = std::max(both_us - response_us, kMin_us);
   }
   if (scene.holding_point) {
     PlainScene without = scene;
     without.holding_point.reset();
-    us["holding point"] = std::max(follow_us(scene, samples) - follow_us(without, samples), kLeast_us);
+    us["holding point"] = std::max(follow_us(scene, samples) - follow_us(without, samples), kMin_us);
   }
   const auto budget_us = [&](TransientSource source) {
     return mean_us(moments, [&](const Moment& m) {

@@ -16,7 +16,7 @@
 
 #include "haptics/contact/impact.h"
 #include "haptics/device/mapping.h"
-#include "haptics/effects/braking_pulse/pulse_cues.h"
+#include "haptics/effects/braking_pulse/pulse_record.h"
 #include "haptics/math/pose.h"
 #include "haptics/tick/command.h"
 
@@ -32,7 +32,7 @@ struct BrakingPulseDesc {
 
 class BrakingPulse {
 public:
-  static constexpr int kMostTicks = 50;
+  static constexpr int kMaxTicks = 50;
   static constexpr double kHandOfBody = 0.006;  // D. A. Winter, as the paper cites him
 
   // mapping: of the device, whose hand is slower than the scene's by position_scale.
@@ -56,11 +56,11 @@ public:
 
   void apply(const Command& command) noexcept;
 
-  const PulseCues& cues() const { return cues_; }  // all but what was commanded, and its energy
+  const PulseRecord& record() const { return record_; }  // all but what was commanded, and its energy
   const BrakingPulseDesc& desc() const { return desc_; }
 
 private:
-  static constexpr std::size_t kMost = 16;  // pulses at a time; one more takes the place of the oldest
+  static constexpr std::size_t kMax = 16;  // pulses at a time; one more takes the place of the oldest
   struct Pulse {
     Vec3 p_G = Vec3::Zero();     // (3) m, where it strikes, in the frame that the hand wants for the tool
     Vec3 nhat_W = Vec3::Zero();  // (3) unit
@@ -72,9 +72,9 @@ private:
   BrakingPulseDesc desc_;
   MappingDesc mapping_;
   double force_per_speed_;  // N for each m/s in the scene
-  std::array<Pulse, kMost> pulses_{};
+  std::array<Pulse, kMax> pulses_{};
   std::size_t next_ = 0;
-  PulseCues cues_;
+  PulseRecord record_;
 };
 
 }  // namespace fulcrum

@@ -12,7 +12,7 @@ std::string BrakingPulseEffect::why_not(const Desc& /*desc*/, const PlainScene& 
 void BrakingPulseEffect::check(FigureCheck& figures, const Desc& pulse) {
   const auto& [hand_mass, ticks, p_HG, moment, gain] = pulse;
   figures.above("braking_pulse.hand_mass", hand_mass);
-  figures.from_to("braking_pulse.ticks", ticks, 1, BrakingPulse::kMostTicks);
+  figures.from_to("braking_pulse.ticks", ticks, 1, BrakingPulse::kMaxTicks);
   figures.finite("braking_pulse.grasp", p_HG);
   figures.from_to("braking_pulse.gain", gain, 0, 1);
 }
@@ -33,20 +33,20 @@ std::vector<TransientSource> BrakingPulseEffect::transients(const Desc& /*desc*/
 
 std::vector<Knob> BrakingPulseEffect::knobs(const Desc& desc, const PlainScene& scene,
                                             const EffectRecords& records) {
-  const PulseCues cues = records.braking_pulse.value_or(PulseCues());
+  const PulseRecord record = records.braking_pulse.value_or(PulseRecord());
   std::vector<Knob> knobs{{.kind = Command::Kind::pulse_gain,
                            .name = "Pulse",
                            .key = 'B',
-                           .gain = cues.gain,
+                           .gain = record.gain,
                            .on = desc.gain > 0 ? desc.gain : 1,
-                           .level = cues.force_share,
+                           .level = record.force_share,
                            .brief = true}};
   if (scene.device.renders_torque)
     knobs.push_back({.kind = Command::Kind::pulse_moment,
                      .name = "Moment",
                      .key = 'M',
-                     .gain = cues.moment ? 1.0 : 0.0,
-                     .level = cues.moment_share,
+                     .gain = record.moment ? 1.0 : 0.0,
+                     .level = record.moment_share,
                      .brief = true});
   return knobs;
 }
@@ -73,14 +73,14 @@ Settled BrakingPulseEffect::settle(const EffectTick& /*tick*/, const Rendered& r
 }
 
 void BrakingPulseEffect::record(EffectRecords& records) const noexcept {
-  PulseCues& cues = records.braking_pulse.emplace(effect_.cues());
-  cues.F_H_D = rendered_.F_H_D;
-  if (!cues.wanted_F_H_D.is_zero()) {
-    cues.force_share = rendered_.force_share;
-    cues.moment_share = rendered_.moment_share;
+  PulseRecord& record = records.braking_pulse.emplace(effect_.record());
+  record.F_H_D = rendered_.F_H_D;
+  if (!record.wanted_F_H_D.is_zero()) {
+    record.force_share = rendered_.force_share;
+    record.moment_share = rendered_.moment_share;
   }
-  cues.energy = rendered_.force_energy;
-  cues.moment_energy = rendered_.torque_energy;
+  record.energy = rendered_.force_energy;
+  record.moment_energy = rendered_.torque_energy;
 }
 
 BuiltPart BrakingPulseEffect::part() const {

@@ -8,7 +8,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double kLowest_Hz = 12;
-constexpr double kLeastOfFirst = 0.1;
+constexpr double kMinOfFirst = 0.1;
 constexpr double kBetaL[] = {1.8751040687119611, 4.6940911329741746, 7.8547574382376126};
 
 // At x = part L; +-2 at the free end.
@@ -32,7 +32,7 @@ VibrationModes vibration_modes(DistanceModel model, double frequency_Hz, double 
     const double ratio = beta_L / kBetaL[0];
     result.modes[result.count++] = {frequency_Hz * ratio * ratio, mode_shape(beta_L, part) / 2};
   }
-  result.modes[0].amplitude = std::max(result.modes[0].amplitude, kLeastOfFirst);
+  result.modes[0].amplitude = std::max(result.modes[0].amplitude, kMinOfFirst);
   return result;
 }
 

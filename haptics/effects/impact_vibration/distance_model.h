@@ -24,12 +24,12 @@ namespace fulcrum {
 enum class DistanceModel { beam, sinusoid };
 
 struct VibrationModes {
-  static constexpr std::size_t kMost = 3;
+  static constexpr std::size_t kMax = 3;
   struct Mode {
     double frequency_Hz = 0;
     double amplitude = 0;  // of 1; its sign is its phase
   };
-  std::array<Mode, kMost> modes{};
+  std::array<Mode, kMax> modes{};
   std::size_t count = 0;
 };
 

@@ -16,17 +16,17 @@ constexpr double kSamples = 2.5;                    // a period
 
 ImpactVibration::ImpactVibration(const ImpactVibrationDesc& desc, const ImpactSurroundings& around)
     : desc_(desc), around_(around), voices_(desc.voices, around.tick_s), gain_(kSwell, around.tick_s) {
-  cues_.gain = desc.gain;
+  record_.gain = desc.gain;
 }
 
 Wrench ImpactVibration::process(std::span<const Impact> impacts, const Vec3& p_WH, bool engaged) noexcept {
-  const double gain = engaged ? cues_.gain : 0.0;
+  const double gain = engaged ? record_.gain : 0.0;
   const Wrench F_H_D = voices_.next() * gain_.towards(gain);
   if (gain > 0) {
     for (const Impact& impact : impacts) start(impact, p_WH);
   }
-  cues_.voices = static_cast<std::int32_t>(voices_.sounding());
-  cues_.dropped = voices_.dropped();
+  record_.voices = static_cast<std::int32_t>(voices_.sounding());
+  record_.dropped = voices_.dropped();
   return F_H_D;
 }
 
@@ -51,10 +51,10 @@ void ImpactVibration::start(const Impact& impact, const Vec3& p_WH) noexcept {
   if (!std::isfinite(r) || !amplitude_D.is_finite() || amplitude_D.is_zero() || modes.count == 0) return;
 
   if (!voices_.start(amplitude_D, modes, material.decay)) return;
-  cues_.frequency_Hz = modes.modes[0].frequency_Hz;
-  cues_.radius = r;
-  cues_.axis_W = turns ? Vec3(lever_W.normalized()) : Vec3(Vec3::Zero());
-  cues_.amplitude_D = amplitude_D;
+  record_.frequency_Hz = modes.modes[0].frequency_Hz;
+  record_.radius = r;
+  record_.axis_W = turns ? Vec3(lever_W.normalized()) : Vec3(Vec3::Zero());
+  record_.amplitude_D = amplitude_D;
 }
 
 // What the device renders of it, no stronger than a hand is to be shaken, the modes at their strongest
@@ -75,7 +75,7 @@ Wrench ImpactVibration::capped(const Wrench& amplitude_D, const VibrationModes& 
 }
 
 void ImpactVibration::apply(const Command& command) noexcept {
-  if (command.kind == Command::Kind::impact_gain) cues_.gain = command.gain();
+  if (command.kind == Command::Kind::impact_gain) record_.gain = command.gain();
 }
 
 double highest_vibration(double bandwidth_Hz, double tick_s) noexcept {

@@ -25,8 +25,8 @@
 #include "haptics/contact/impact.h"
 #include "haptics/device/mapping.h"
 #include "haptics/effects/impact_vibration/distance_model.h"
-#include "haptics/effects/impact_vibration/impact_cues.h"
 #include "haptics/effects/impact_vibration/impact_material.h"
+#include "haptics/effects/impact_vibration/impact_vibration_record.h"
 #include "haptics/effects/impact_vibration/impact_voices.h"
 #include "haptics/math/pose.h"
 #include "haptics/signal/ramp.h"
@@ -40,7 +40,7 @@ struct ImpactVibrationDesc {
   ImpactRender render = ImpactRender::wrench;
   DistanceModel distance = DistanceModel::sinusoid;
   double gain = 1;            // of the amplitude; 0: named but off
-  std::size_t voices = 8;     // 1 to ImpactVoices::kMost
+  std::size_t voices = 8;     // 1 to ImpactVoices::kMax
   double hand_stiffness = 1;  // N m/rad, of the hand that is to turn by the published angles
   std::vector<ImpactMaterial> materials{ImpactMaterial()};  // of each object of the scene, by its number
 };
@@ -67,7 +67,9 @@ public:
 
   void apply(const Command& command) noexcept;
 
-  const ImpactCues& cues() const { return cues_; }  // all but what was commanded, and its energy
+  const ImpactVibrationRecord& record() const {
+    return record_;
+  }  // all but what was commanded, and its energy
   const ImpactSurroundings& around() const { return around_; }
 
 private:
@@ -78,7 +80,7 @@ private:
   ImpactSurroundings around_;
   ImpactVoices voices_;
   Ramp gain_;
-  ImpactCues cues_;
+  ImpactVibrationRecord record_;
 };
 
 // Hz that device and tick can render: no higher than the device's bandwidth, and with 2.5 samples a period;

@@ -33,7 +33,7 @@ void ImpactVibrationEffect::check(FigureCheck& figures, const Desc& vibration) {
   const auto& [render, distance, gain, voices, hand_stiffness, materials] = vibration;
   figures.from_to("impact_vibration.gain", gain, 0, 1);
   figures.from_to("impact_vibration.voices", static_cast<double>(voices), 1,
-                  static_cast<double>(ImpactVoices::kMost));
+                  static_cast<double>(ImpactVoices::kMax));
   figures.above("impact_vibration.hand_stiffness", hand_stiffness);
   for (const ImpactMaterial& material : materials) {
     const auto& [title, attack, decay, frequency_Hz] = material;
@@ -80,7 +80,7 @@ std::vector<TransientSource> ImpactVibrationEffect::transients(const Desc& /*des
 
 std::vector<Knob> ImpactVibrationEffect::knobs(const Desc& desc, const PlainScene& scene,
                                                const EffectRecords& records) {
-  const ImpactCues cues = records.impact_vibration.value_or(ImpactCues());
+  const ImpactVibrationRecord record = records.impact_vibration.value_or(ImpactVibrationRecord());
   const double peak = figures_of(TransientSource::impact_vibration).peak;
   const auto part = [peak](const Vec3& v, double largest) {  // of what one voice may have at its strongest
     return largest > 0 ? v.norm() / (0.5 * peak * largest) : 0.0;
@@ -88,10 +88,10 @@ std::vector<Knob> ImpactVibrationEffect::knobs(const Desc& desc, const PlainScen
   return {{.kind = Command::Kind::impact_gain,
            .name = "Impacts",
            .key = 'I',
-           .gain = cues.gain,
+           .gain = record.gain,
            .on = desc.gain > 0 ? desc.gain : 1,
-           .level = std::min(1.0, std::max(part(cues.F_H_D.force, scene.device.max_force),
-                                           part(cues.F_H_D.torque, scene.device.max_torque)))}};
+           .level = std::min(1.0, std::max(part(record.F_H_D.force, scene.device.max_force),
+                                           part(record.F_H_D.torque, scene.device.max_torque)))}};
 }
 
 ImpactVibrationEffect::ImpactVibrationEffect(const Desc& desc, const PlainScene& scene)
@@ -108,9 +108,9 @@ Settled ImpactVibrationEffect::settle(const EffectTick& /*tick*/, const Rendered
 }
 
 void ImpactVibrationEffect::record(EffectRecords& records) const noexcept {
-  ImpactCues& cues = records.impact_vibration.emplace(effect_.cues());
-  cues.F_H_D = rendered_.F_H_D;
-  cues.energy = rendered_.energy;
+  ImpactVibrationRecord& record = records.impact_vibration.emplace(effect_.record());
+  record.F_H_D = rendered_.F_H_D;
+  record.energy = rendered_.energy;
 }
 
 BuiltPart ImpactVibrationEffect::part() const {

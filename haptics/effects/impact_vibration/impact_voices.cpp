@@ -44,7 +44,7 @@ Wrench ImpactVoices::next() noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     Voice& voice = voices_[i];
     double level = 0;
-    for (std::size_t n = 0; n < VibrationModes::kMost; ++n) level += voice.weights[n] * voice.sines[n].next();
+    for (std::size_t n = 0; n < VibrationModes::kMax; ++n) level += voice.weights[n] * voice.sines[n].next();
     sum += voice.amplitude * level;
     voice.energy *= voice.kept;
     if (voice.energy > voice.least) voices_[kept++] = voice;

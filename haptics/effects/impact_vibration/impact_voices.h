@@ -18,9 +18,9 @@ namespace fulcrum {
 
 class ImpactVoices {
 public:
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
-  ImpactVoices(std::size_t limit, double tick_s) : limit_(limit), tick_s_(tick_s) {}  // limit: 1 to kMost
+  ImpactVoices(std::size_t limit, double tick_s) : limit_(limit), tick_s_(tick_s) {}  // limit: 1 to kMax
 
   // Sounds from the next call of next() on; false: it was the weakest, and is dropped. amplitude: of a mode
   // of amplitude 1. decay: 1/s, above 0.
@@ -34,8 +34,8 @@ public:
 private:
   struct Voice {
     Wrench amplitude;
-    std::array<DecayingSine, VibrationModes::kMost> sines;
-    std::array<double, VibrationModes::kMost> weights{};
+    std::array<DecayingSine, VibrationModes::kMax> sines;
+    std::array<double, VibrationModes::kMax> weights{};
     double energy = 0;  // left
     double kept = 0;    // of the energy, each tick
     double least = 0;   // energy at which it ends
@@ -43,7 +43,7 @@ private:
 
   std::size_t limit_;
   double tick_s_;
-  std::array<Voice, kMost> voices_{};
+  std::array<Voice, kMax> voices_{};
   std::size_t count_ = 0;
   std::int64_t dropped_ = 0;
 };

@@ -26,7 +26,7 @@
 #include <optional>
 #include <vector>
 
-#include "haptics/effects/inertia_compensation/inertia_cues.h"
+#include "haptics/effects/inertia_compensation/inertia_record.h"
 #include "haptics/estimate/acceleration.h"
 #include "haptics/math/wrench.h"
 #include "haptics/signal/ramp.h"
@@ -76,7 +76,7 @@ public:
   // Whether a scene's method, or one that it can be switched to, needs the acceleration.
   static bool filters(const InertiaCompensationDesc& desc);
   const AccelerationEstimator* filter() const { return filter_ ? &*filter_ : nullptr; }
-  const InertiaCues& cues() const { return cues_; }
+  const InertiaRecord& record() const { return record_; }
   const InertiaCompensationDesc& desc() const { return desc_; }
   const Figures& figures() const { return figures_; }
 
@@ -99,7 +99,7 @@ private:
   double given_ = 0;           // J, G less the damping's part
   Vec3 way_D_ = Vec3::Zero();  // (3) m, in the window of damping that is open
   int ticks_ = 0;              // of that window
-  InertiaCues cues_;
+  InertiaRecord record_;
 };
 
 }  // namespace fulcrum

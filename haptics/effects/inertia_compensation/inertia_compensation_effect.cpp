@@ -85,14 +85,14 @@ Wrench InertiaCompensationEffect::correct(const EffectTick& tick) noexcept {
 Settled InertiaCompensationEffect::settle(const EffectTick& tick, const Rendered& rendered) noexcept {
   effect_.book({rendered.force_part, rendered.torque_part}, tick.handle.moved_D, tick.handle.within_tick_D,
                tick.handle.sample_age);
-  const InertiaCues& cues = effect_.cues();
-  return {.correction_F_H_D = {cues.force_D, cues.torque_D},
+  const InertiaRecord& record = effect_.record();
+  return {.correction_F_H_D = {record.force_D, record.torque_D},
           .torque_limit = std::nullopt,
-          .faults = cues.faded ? kCompensationFaded : 0u};
+          .faults = record.faded ? kCompensationFaded : 0u};
 }
 
 void InertiaCompensationEffect::record(EffectRecords& records) const noexcept {
-  records.inertia_compensation = effect_.cues();
+  records.inertia_compensation = effect_.record();
 }
 
 BuiltPart InertiaCompensationEffect::part() const {

@@ -15,8 +15,8 @@
 #include <optional>
 
 #include "haptics/effects/torque_substitution/torque_classifier.h"
-#include "haptics/effects/torque_substitution/torque_cues.h"
 #include "haptics/effects/torque_substitution/torque_limit.h"
+#include "haptics/effects/torque_substitution/torque_record.h"
 #include "haptics/effects/torque_substitution/vibration_cue.h"
 #include "haptics/math/pose.h"
 #include "haptics/tick/command.h"
@@ -86,7 +86,7 @@ public:
 
   void apply(const Command& command) noexcept;
 
-  const TorqueCues& cues() const { return cues_; }  // all but the energy
+  const TorqueRecord& record() const { return record_; }  // all but the energy
   bool vibrates() const { return vibration_.has_value(); }
   bool shows_ghost() const { return shows_ghost_; }
   bool limits() const { return limit_.has_value(); }
@@ -103,7 +103,7 @@ private:
   double ghost_above_, ghost_below_;  // N m
   Ramp ghost_;
   bool ghost_wanted_ = false;
-  TorqueCues cues_;
+  TorqueRecord record_;
 };
 
 }  // namespace fulcrum

@@ -86,22 +86,22 @@ std::vector<TransientSource> TorqueSubstitutionEffect::transients(const Desc& /*
 
 std::vector<Knob> TorqueSubstitutionEffect::knobs(const Desc& desc, const PlainScene& scene,
                                                   const EffectRecords& records) {
-  const TorqueCues cues = records.torque_substitution.value_or(TorqueCues());
+  const TorqueRecord record = records.torque_substitution.value_or(TorqueRecord());
   std::vector<Knob> knobs;
   if (scene.device.renders_force)
     knobs.push_back({.kind = Command::Kind::vibration_gain,
                      .name = "Vibration",
                      .key = 'V',
-                     .gain = cues.vibration_gain,
+                     .gain = record.vibration_gain,
                      .on = desc.vibration_gain > 0 ? desc.vibration_gain : 1,
-                     .level = desc.amplitude > 0 ? cues.vibration / desc.amplitude : 0});
+                     .level = desc.amplitude > 0 ? record.vibration / desc.amplitude : 0});
   if (scene.device.senses_rotation)
     knobs.push_back({.kind = Command::Kind::ghost_gain,
                      .name = "Ghost",
                      .key = 'G',
-                     .gain = cues.ghost_gain,
+                     .gain = record.ghost_gain,
                      .on = desc.ghost_gain > 0 ? desc.ghost_gain : 1,
-                     .level = cues.ghost});
+                     .level = record.ghost});
   return knobs;
 }
 
@@ -133,12 +133,12 @@ Settled TorqueSubstitutionEffect::settle(const EffectTick& /*tick*/, const Rende
 
 void TorqueSubstitutionEffect::command(const EffectTick& tick, double /*gain*/, bool /*stopped*/,
                                        DeviceCommand& command) noexcept {
-  const TorqueCues& cues = effect_.cues();
-  command.cues = {cues.vibration, cues.ghost, q_DW_ * -tick.answer.turn_W};
+  const TorqueRecord& record = effect_.record();
+  command.cues = {record.vibration, record.ghost, q_DW_ * -tick.answer.turn_W};
 }
 
 void TorqueSubstitutionEffect::record(EffectRecords& records) const noexcept {
-  records.torque_substitution.emplace(effect_.cues()).energy = energy_;
+  records.torque_substitution.emplace(effect_.record()).energy = energy_;
 }
 
 BuiltPart TorqueSubstitutionEffect::part() const {

@@ -11,8 +11,8 @@ namespace fulcrum {
 
 class SweepDirection {
 public:
-  static constexpr double kLeast = 0.25e-3;  // m
-  static constexpr double kRest = 0.15;      // s
+  static constexpr double kMin = 0.25e-3;  // m
+  static constexpr double kRest = 0.15;    // s
 
   SweepDirection(double least, double tick_s) : least_(least), tick_s_(tick_s) {}
 

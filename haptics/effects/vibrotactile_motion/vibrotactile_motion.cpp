@@ -13,7 +13,7 @@ namespace {
 // is short, a tenth of it.
 double least_turn(const VibrotactileMotionDesc& desc, double position_scale) {
   const double scale = desc.use == VibrotactileUse::sweep ? position_scale : 1.0;
-  return std::min(SweepDirection::kLeast * scale, 0.1 * desc.law.window);
+  return std::min(SweepDirection::kMin * scale, 0.1 * desc.law.window);
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ VibrotactileMotion::VibrotactileMotion(const VibrotactileMotionDesc& desc, const
       way_direction_(least_turn(desc, position_scale), tick_s),
       force_(1 / desc.update_Hz, tick_s) {
   desc_.axis_W.normalize();
-  cues_.gain = desc_.gain;
+  record_.gain = desc_.gain;
   if (channels == nullptr) return;
   left_ = channels->find("left").value_or(0);
   right_ = channels->find("right").value_or(0);
@@ -37,7 +37,7 @@ VibrotactileMotion::VibrotactileMotion(const VibrotactileMotionDesc& desc, const
 VibrotactileMotion::Place VibrotactileMotion::sweep(const Tick& tick) noexcept {
   Place place;
   const double x = desc_.axis_W.dot(tick.p_WH - desc_.centre_W);
-  cues_.x = x;
+  record_.x = x;
   place.speed = desc_.axis_W.dot(tick.v_WH);
   place.direction = way_direction_.update(x);
   place.x = place.direction * x;
@@ -63,13 +63,13 @@ VibrotactileMotion::Place VibrotactileMotion::fall_back(const Tick& tick) noexce
     begin_ = way_ - place.direction * place.x;
     place.begins = resisted;
   }
-  cues_.x = resisted ? place.direction * place.x : 0.0;
+  record_.x = resisted ? place.direction * place.x : 0.0;
   return place;
 }
 
 Vec3 VibrotactileMotion::process(const Tick& tick) noexcept {
   const Place place = desc_.use == VibrotactileUse::sweep ? sweep(tick) : fall_back(tick);
-  cues_.direction = place.direction;
+  record_.direction = place.direction;
 
   const int inside = place.share > 0 ? place.direction : 0;
   if (place.begins) onset_ = trailing_onset(desc_.law, place.speed);
@@ -88,9 +88,9 @@ Vec3 VibrotactileMotion::process(const Tick& tick) noexcept {
   }
 
   if (desc_.lateral_force == 0) return Vec3::Zero();
-  const double force = desc_.lateral_force * force_.towards(inside != 0 && cues_.gain > 0 ? 1.0 : 0.0);
-  cues_.force = -std::clamp(place.speed / desc_.full_speed, -1.0, 1.0) * force;
-  return cues_.force * desc_.axis_W;
+  const double force = desc_.lateral_force * force_.towards(inside != 0 && record_.gain > 0 ? 1.0 : 0.0);
+  record_.force = -std::clamp(place.speed / desc_.full_speed, -1.0, 1.0) * force;
+  return record_.force * desc_.axis_W;
 }
 
 void VibrotactileMotion::update(const Place& place) noexcept {
@@ -102,23 +102,23 @@ void VibrotactileMotion::update(const Place& place) noexcept {
 }
 
 const VibrotactileCommand& VibrotactileMotion::render(double guard_gain, bool stopped) noexcept {
-  cues_.missing = 0;
-  if (channels_ == 0) return cues_.command;
+  record_.missing = 0;
+  if (channels_ == 0) return record_.command;
   const auto give = [this](std::size_t channel, double wanted) {
-    cues_.command.level[channel] = std::min(wanted, reach_[channel]);
-    cues_.missing = std::max(cues_.missing, wanted - cues_.command.level[channel]);
+    record_.command.level[channel] = std::min(wanted, reach_[channel]);
+    record_.missing = std::max(record_.missing, wanted - record_.command.level[channel]);
   };
-  const double strength = desc_.strength * cues_.gain * guard_gain;
+  const double strength = desc_.strength * record_.gain * guard_gain;
   give(left_, strength * left_share_);
   give(right_, strength * right_share_);
-  cues_.command.glide = stopped ? std::min(tick_s_, kStopFall) : glide_;
-  cues_.command.stopping = stopped;
-  return cues_.command;
+  record_.command.glide = stopped ? std::min(tick_s_, kStopFall) : glide_;
+  record_.command.stopping = stopped;
+  return record_.command;
 }
 
 void VibrotactileMotion::apply(const Command& command) noexcept {
   if (command.kind != Command::Kind::vibrotactile_gain || channels_ == 0) return;
-  cues_.gain = command.gain();
+  record_.gain = command.gain();
   changed_ = true;
 }
 

@@ -22,8 +22,8 @@
 
 #include "haptics/device/vibrotactile_desc.h"
 #include "haptics/effects/vibrotactile_motion/sweep_direction.h"
-#include "haptics/effects/vibrotactile_motion/vibrotactile_cues.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_law.h"
+#include "haptics/effects/vibrotactile_motion/vibrotactile_record.h"
 #include "haptics/math/linear.h"
 #include "haptics/signal/ramp.h"
 #include "haptics/tick/command.h"
@@ -76,7 +76,7 @@ public:
   void apply(const Command& command) noexcept;
 
   const VibrotactileMotionDesc& desc() const { return desc_; }
-  const VibrotactileCues& cues() const { return cues_; }
+  const VibrotactileRecord& record() const { return record_; }
 
 private:
   struct Place {
@@ -105,7 +105,7 @@ private:
   double phase_ = 0;                                     // of the time between two updates
   bool changed_ = false;                                 // the gain was
   double left_share_ = 0, right_share_ = 0, glide_ = 0;  // of the strength; s, as of the last update
-  VibrotactileCues cues_;
+  VibrotactileRecord record_;
 };
 
 }  // namespace fulcrum

@@ -87,13 +87,13 @@ std::vector<LeftOut> VibrotactileMotionEffect::left_out(const Desc& desc, const 
 std::vector<Knob> VibrotactileMotionEffect::knobs(const Desc& desc, const PlainScene& scene,
                                                   const EffectRecords& records) {
   if (!scene.device.vibrotactile) return {};
-  const VibrotactileCues cues = records.vibrotactile_motion.value_or(VibrotactileCues());
+  const VibrotactileRecord record = records.vibrotactile_motion.value_or(VibrotactileRecord());
   return {{.kind = Command::Kind::vibrotactile_gain,
            .name = "Touch",
            .key = 'T',
-           .gain = cues.gain,
+           .gain = record.gain,
            .on = desc.gain > 0 ? desc.gain : 1,
-           .level = std::ranges::max(cues.command.level) / desc.strength}};
+           .level = std::ranges::max(record.command.level) / desc.strength}};
 }
 
 VibrotactileMotionEffect::VibrotactileMotionEffect(const Desc& desc, const PlainScene& scene)
@@ -124,7 +124,7 @@ void VibrotactileMotionEffect::command(const EffectTick& /*tick*/, double gain, 
 }
 
 void VibrotactileMotionEffect::record(EffectRecords& records) const noexcept {
-  records.vibrotactile_motion = effect_.cues();
+  records.vibrotactile_motion = effect_.record();
 }
 
 BuiltPart VibrotactileMotionEffect::part() const {

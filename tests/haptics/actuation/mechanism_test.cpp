@@ -180,8 +180,7 @@ TEST(Mechanism, StretchedFoldedAndOutOfReachWrenchesAreFinite) {
     for (int i = 0; i < 300; ++i) {
       mechanism.follow(random_pose(random, i % 3 == 0 ? 5.0 : 0.5, 3));
       EXPECT_TRUE(mechanism.wrenches().allFinite());
-      EXPECT_LE(mechanism.wrenches().topRows<3>().colwise().norm().maxCoeff(),
-                1.001 / Mechanism::kLeastLever);
+      EXPECT_LE(mechanism.wrenches().topRows<3>().colwise().norm().maxCoeff(), 1.001 / Mechanism::kMinLever);
     }
   }
 }
@@ -195,7 +194,7 @@ TEST(Mechanism, GoesToItsStopAndBackWithoutAJump) {
   for (int i = 0; i <= 4000; ++i) {
     const double out = 0.2 * std::sin(std::numbers::pi * i / 4000);
     mechanism.follow({Quat::Identity(), Vec3(0, 0.3 * out, out)});
-    largest = std::max(largest, (mechanism.wrenches() - last).norm() * Mechanism::kLeastLever);
+    largest = std::max(largest, (mechanism.wrenches() - last).norm() * Mechanism::kMinLever);
     last = mechanism.wrenches();
   }
   EXPECT_LT(largest, 0.1);  // of the largest that there is

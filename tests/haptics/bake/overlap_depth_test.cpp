@@ -35,8 +35,8 @@ TriangleMesh mesh_of(const std::vector<Box>& boxes) {
 class Scene {
 public:
   Scene(const TriangleMesh& scene_W, const TriangleMesh& tool_T)
-      : scene_W_(mended(scene_W)),
-        tool_T_(mended(tool_T)),
+      : scene_W_(repaired(scene_W)),
+        tool_T_(repaired(tool_T)),
         field_(*bake_field(scene_W_, {.voxel_m = 0.6e-3, .threads = 1})),
         overlap_(scene_W_, tool_T_, field_) {}
   const OverlapDepth* operator->() const { return &overlap_; }

@@ -6,7 +6,7 @@ namespace fulcrum::test {
 namespace {
 
 Result<Resolution> choose(const TriangleMesh& mesh, const FieldDesc& desc) {
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   const TriangleDistance exact(solid);
   return choose_resolution(solid, exact, thinnest_wall(solid, exact, 1), desc);
 }
@@ -17,21 +17,21 @@ TriangleMesh plate(double thickness) {
 
 TEST(Resolution, ThreeVoxelsFitIntoTheThinnestWallOrItIsRefused) {
   for (const double voxel : {0.51e-3, 0.7e-3, 1e-3}) {
-    const auto field = bake_field(mended(plate(1.5e-3)), {voxel});
+    const auto field = bake_field(repaired(plate(1.5e-3)), {voxel});
     ASSERT_FALSE(field) << voxel;
     EXPECT_NE(
         field.error().sentence.find("is 1.5 mm thick, and needs three voxels across: use a voxel of 0.5 mm"),
         std::string::npos)
         << field.error().sentence;
   }
-  const auto field = bake_field(mended(plate(1.5e-3)), {0.5e-3});
+  const auto field = bake_field(repaired(plate(1.5e-3)), {0.5e-3});
   ASSERT_TRUE(field) << field.error().sentence;
   EXPECT_EQ(field->voxel_reason(), VoxelReason::given);
   EXPECT_EQ(field->band_m(), 1e-3);
 }
 
 TEST(Resolution, AThinWallChoosesTheVoxel) {
-  const auto field = bake_field(mended(plate(0.8e-3)), {});
+  const auto field = bake_field(repaired(plate(0.8e-3)), {});
   ASSERT_TRUE(field) << field.error().sentence;
   EXPECT_NEAR(field->voxel_m(), 0.26e-3, 1e-12);
   EXPECT_EQ(field->voxel_reason(), VoxelReason::thinnest_wall);
@@ -43,7 +43,7 @@ TEST(Resolution, AThinWallChoosesTheVoxel) {
 // asked.
 TEST(Resolution, TheWantedErrorChoosesTheVoxelAndIsKept) {
   const double R = 0.001;
-  const Solid ball = mended(shapes::sphere(Vec3(0.001, 0.002, 0.003), R, 100));
+  const Solid ball = repaired(shapes::sphere(Vec3(0.001, 0.002, 0.003), R, 100));
   const TriangleDistance exact(ball);
   double before = 0.0;
   for (const double error : {5e-5, 1.25e-5}) {
@@ -85,7 +85,7 @@ TEST(Resolution, MemoryBoundsTheVoxelButNotAWall) {
 }
 
 TEST(Resolution, TheEstimateOfMemoryIsOne) {
-  const auto field = bake_field(mended(shapes::box(Vec3::Zero(), Vec3::Constant(0.1))), {1e-3});
+  const auto field = bake_field(repaired(shapes::box(Vec3::Zero(), Vec3::Constant(0.1))), {1e-3});
   ASSERT_TRUE(field);
   EXPECT_NEAR(static_cast<double>(field->bytes()) / (2.0 * 19.0 * 0.06 / 1e-6), 1.0, 0.35);
 }

@@ -63,7 +63,7 @@ TEST(SelfCrossing, AStarOfOneStrokeIsItsOutline) {
   }
   const auto truth = [&](const Vec3& p) { return prism_truth(outline, p); };
   const TriangleMesh mesh = prism(stroke);
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   EXPECT_TRUE(tells(solid, "crosses itself")) << all_notes(solid);
   expect_distance(solid, truth, 1e-9);
   expect_field(solid, truth, 1e-3);
@@ -83,7 +83,7 @@ TEST(SelfCrossing, AStarOfOneStrokeIsItsOutline) {
 // One lobe of an eight is wound the wrong way.
 TEST(SelfCrossing, WhatIsInsideOutIsToldAndOutside) {
   const std::vector<Vec2> eight{{-0.02, -0.01}, {0.03, 0.015}, {0.03, -0.015}, {-0.02, 0.01}};
-  const Solid solid = mended(prism({eight[0], eight[3], eight[2], eight[1]}));
+  const Solid solid = repaired(prism({eight[0], eight[3], eight[2], eight[1]}));
   EXPECT_TRUE(tells(solid, "inside out")) << all_notes(solid);
   const TriangleDistance exact(solid);
   const double left = exact.signed_distance(Vec3(-0.015, 0, 0)),
@@ -122,7 +122,7 @@ TEST(SelfCrossing, AKnottedTubeIsAUnion) {
     }
     return least;
   };
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   ASSERT_EQ(solid.components.size(), 1u);
   EXPECT_TRUE(tells(solid, "crosses itself")) << all_notes(solid);
   std::vector<Vec3> surface, swallowed;
@@ -155,7 +155,7 @@ TEST(SelfCrossing, BoxesWeldedWhereTheyOverlapAreAUnion) {
   const Vec3 a1(0.04, 0.02, 0.02), b1(0.02, 0.04, 0.02);
   TriangleMesh mesh = shapes::box(Vec3::Zero(), a1);
   shapes::append(mesh, shapes::box(Vec3::Zero(), b1));
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   const TriangleDistance exact(solid);
   for (const Vec3& p : places_about(solid, 6000)) {
     const double truth =
@@ -169,7 +169,7 @@ TEST(SelfCrossing, BoxesWeldedWhereTheyOverlapAreAUnion) {
 }
 
 TEST(SelfCrossing, TouchingIsNotCrossing) {
-  const Solid ring = mended(shapes::torus(0.03, 0.01, 60, 24));
+  const Solid ring = repaired(shapes::torus(0.03, 0.01, 60, 24));
   EXPECT_TRUE(ring.notes.empty()) << all_notes(ring);
   EXPECT_TRUE(ring.components[0].shell.triangles.empty());
 }

@@ -15,7 +15,7 @@ namespace fulcrum::test {
 
 using Truth = std::function<double(const Vec3&)>;  // signed distance in m
 
-inline Solid mended(const TriangleMesh& mesh) {
+inline Solid repaired(const TriangleMesh& mesh) {
   auto solid = build_solid(mesh);
   EXPECT_TRUE(solid) << solid.error().sentence;
   return solid ? *solid : Solid{};

@@ -56,8 +56,8 @@ TEST(ImpactVibration, BeginsInTheNextTickAndIsTheClosedForm) {
   const Impact impact = blow(p, n, 0.2);
   EXPECT_TRUE(made.process({&impact, 1}, Vec3::Zero()).is_zero());
   const double f = 12 + 28 * (1 - p.norm() / 0.3), w = 2 * std::numbers::pi * f;
-  EXPECT_NEAR(made.cues().frequency_Hz, f, 1e-12);
-  EXPECT_NEAR(made.cues().radius, p.norm(), 1e-15);
+  EXPECT_NEAR(made.record().frequency_Hz, f, 1e-12);
+  EXPECT_NEAR(made.record().radius, p.norm(), 1e-15);
   for (int i = 1; i < 1300; ++i) {
     const Wrench F = made.process({}, Vec3::Zero());
     const double g = std::exp(-5 * i * kTick) * std::sin(w * i * kTick);
@@ -100,14 +100,14 @@ TEST(ImpactVibration, AxisIsAcrossLeverAndNormal) {
         ++parallel;
         EXPECT_TRUE(F_W.torque.isZero(0));
         EXPECT_NEAR(F_W.force.normalized().dot(n), 1, 1e-9);
-        EXPECT_EQ(made.cues().axis_W, Vec3::Zero());
+        EXPECT_EQ(made.record().axis_W, Vec3::Zero());
         continue;
       }
       const Vec3 axis = e.cross(n).normalized();
       EXPECT_LT(std::acos(std::min(1.0, F_W.torque.normalized().dot(axis))), 0.01 * kDegree);
-      EXPECT_NEAR(made.cues().axis_W.dot(axis), 1, 1e-9);
+      EXPECT_NEAR(made.record().axis_W.dot(axis), 1, 1e-9);
       EXPECT_EQ(F_W.force.isZero(0), render == ImpactRender::torque);
-      EXPECT_NEAR(made.cues().amplitude_D.torque.norm(), 0.5 * 0.01 * 0.3 * r * e.cross(n).norm(), 1e-12);
+      EXPECT_NEAR(made.record().amplitude_D.torque.norm(), 0.5 * 0.01 * 0.3 * r * e.cross(n).norm(), 1e-12);
     }
     EXPECT_GT(parallel, 100);
   }
@@ -123,7 +123,7 @@ TEST(ImpactVibration, NoLeverNoNumberAndNoSpeedAreHarmless) {
       ImpactVibration made = effect(d);
       const Impact at_hand = blow(Vec3::Zero(), Vec3::UnitY(), 0.2);
       made.process({&at_hand, 1}, Vec3::Zero());
-      EXPECT_EQ(made.cues().voices, 1) << "felt as a force";
+      EXPECT_EQ(made.record().voices, 1) << "felt as a force";
       EXPECT_GT(made.process({}, Vec3::Zero()).force.y(), 0);
       const Impact broken[] = {
           {.p_W = Vec3::Constant(nan), .nhat_W = Vec3::UnitY(), .speed = 0.2, .object = 0},
@@ -132,7 +132,7 @@ TEST(ImpactVibration, NoLeverNoNumberAndNoSpeedAreHarmless) {
           {.p_W = Vec3::UnitX(), .nhat_W = Vec3::UnitY(), .speed = 0, .object = 0},
           {.p_W = Vec3::UnitX(), .nhat_W = Vec3::Zero(), .speed = 0.2, .object = 0}};
       made.process(broken, Vec3::Zero());
-      EXPECT_EQ(made.cues().voices, 1);
+      EXPECT_EQ(made.record().voices, 1);
       for (int i = 0; i < 100; ++i) ASSERT_TRUE(made.process({}, Vec3::Zero()).is_finite());
     }
   }
@@ -146,7 +146,7 @@ TEST(ImpactVibration, AHardBlowIsNoStrongerThanPublished) {
     ImpactVibration made = effect(d, a);
     const Impact impact = blow(p, Vec3::UnitY(), 10);
     made.process({&impact, 1}, Vec3::Zero());
-    return made.cues().amplitude_D;
+    return made.record().amplitude_D;
   };
   EXPECT_NEAR(amplitude(around(), Vec3(0.24, 0, 0)).torque.norm(), 0.02, 1e-12);
   EXPECT_NEAR(amplitude(around(), Vec3(0.24, 0, 0), 0.5).torque.norm(), 0.01, 1e-12);
@@ -168,7 +168,7 @@ TEST(ImpactVibration, EachObjectSoundsAsItsMaterial) {
     impact.object = object;
     made.process({&impact, 1}, Vec3::Zero());
     const bool second = object == 1 || object == 7;
-    EXPECT_NEAR(made.cues().amplitude_D.force.y(), second ? 0.002 : 0.001, 1e-15) << object;
+    EXPECT_NEAR(made.record().amplitude_D.force.y(), second ? 0.002 : 0.001, 1e-15) << object;
   }
 }
 
@@ -189,7 +189,7 @@ TEST(ImpactVibration, WhatCannotBeRenderedIsLeftOut) {
   a.highest_Hz = 30;
   ImpactVibration silent = effect(d, a);
   silent.process({&impact, 1}, Vec3::Zero());
-  EXPECT_EQ(silent.cues().voices, 0);
+  EXPECT_EQ(silent.record().voices, 0);
   EXPECT_EQ(highest_vibration(500, 1e-3), 400.0);
   EXPECT_EQ(highest_vibration(150, 1e-3), 150.0);
 }
@@ -211,10 +211,10 @@ TEST(ImpactVibration, FiveImpactsWithinTwentyMillisecondsAllSound) {
     const Wrench F = made.process({&impact, now ? 1u : 0u}, Vec3::Zero());
     ASSERT_NEAR((F.force - sum.force).norm() + (F.torque - sum.torque).norm(), 0, 1e-15);
     if (tick >= 16 && tick < 100) {
-      EXPECT_EQ(made.cues().voices, 5);
+      EXPECT_EQ(made.record().voices, 5);
     }
   }
-  EXPECT_EQ(made.cues().dropped, 0);
+  EXPECT_EQ(made.record().dropped, 0);
 }
 
 TEST(ImpactVibration, OneMoreDropsTheWeakestAndIsCounted) {
@@ -224,26 +224,26 @@ TEST(ImpactVibration, OneMoreDropsTheWeakestAndIsCounted) {
   std::vector<Impact> impacts;
   for (const double speed : {0.3, 0.1, 0.2}) impacts.push_back(blow(Vec3(0.1, 0, 0), Vec3::UnitY(), speed));
   made.process(impacts, Vec3::Zero());
-  EXPECT_EQ(made.cues().voices, 3);
+  EXPECT_EQ(made.record().voices, 3);
   const auto strike = [&made](double speed) {
     const Impact impact = blow(Vec3(0.1, 0, 0), Vec3::UnitY(), speed);
     return made.process({&impact, 1}, Vec3::Zero());
   };
   strike(0.05);  // weaker than all
-  EXPECT_EQ(made.cues().dropped, 1);
-  EXPECT_NEAR(made.cues().amplitude_D.force.y(), 0.01 * 0.2, 1e-15) << "what was dropped is not the newest";
+  EXPECT_EQ(made.record().dropped, 1);
+  EXPECT_NEAR(made.record().amplitude_D.force.y(), 0.01 * 0.2, 1e-15) << "what was dropped is not the newest";
   strike(0.25);  // instead of 0.1
-  EXPECT_EQ(made.cues().dropped, 2);
-  EXPECT_EQ(made.cues().voices, 3);
+  EXPECT_EQ(made.record().dropped, 2);
+  EXPECT_EQ(made.record().voices, 3);
   // 0.3 and 0.2, two ticks older than 0.25.
-  const double w = 2 * std::numbers::pi * made.cues().frequency_Hz;
+  const double w = 2 * std::numbers::pi * made.record().frequency_Hz;
   const auto g = [w](int n) { return std::exp(-5 * n * kTick) * std::sin(w * n * kTick); };
   EXPECT_NEAR(made.process({}, Vec3::Zero()).force.y(), 0.01 * ((0.3 + 0.2) * g(3) + 0.25 * g(1)), 1e-15);
   // What is left counts: 0.3 has faded below 0.1 after log(3) / 5 s, and more.
   for (int i = 0; i < 260; ++i) made.process({}, Vec3::Zero());
   strike(0.1);
-  EXPECT_EQ(made.cues().dropped, 3);
-  EXPECT_NEAR(made.cues().amplitude_D.force.y(), 0.01 * 0.1, 1e-15);
+  EXPECT_EQ(made.record().dropped, 3);
+  EXPECT_NEAR(made.record().amplitude_D.force.y(), 0.01 * 0.1, 1e-15);
 }
 
 TEST(ImpactVibration, AVoiceEndsAtAThousandth) {
@@ -251,7 +251,7 @@ TEST(ImpactVibration, AVoiceEndsAtAThousandth) {
   const Impact impact = blow(Vec3(0.1, 0, 0), Vec3::UnitY(), 0.2);
   made.process({&impact, 1}, Vec3::Zero());
   int ticks = 0;
-  while (made.cues().voices == 1 && ticks < 5000) {
+  while (made.record().voices == 1 && ticks < 5000) {
     made.process({}, Vec3::Zero());
     ++ticks;
   }
@@ -273,7 +273,7 @@ TEST(ImpactVibration, IsSwitchedWithoutAClick) {
   }
   EXPECT_TRUE(last.is_zero());
   made.process({&impact, 1}, Vec3::Zero());
-  EXPECT_EQ(made.cues().voices, 1) << "none begins while it is off";
+  EXPECT_EQ(made.record().voices, 1) << "none begins while it is off";
 }
 
 }  // namespace

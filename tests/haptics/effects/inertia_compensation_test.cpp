@@ -101,10 +101,10 @@ TEST(InertiaCompensation, LendsTheHandleItsMotion) {
   Accelerated handle = accelerated(InertiaMethod::acceleration, Vec3::Zero(), Vec3::Zero(), false);
   handle.run(3000);
   const double lent = 0.5 * 0.25 * 9;
-  EXPECT_NEAR(handle.compensation.cues().energy, 0, 0.01 * lent);  // the ramp's part, until g is 1
-  const double before = handle.compensation.cues().energy;
+  EXPECT_NEAR(handle.compensation.record().energy, 0, 0.01 * lent);  // the ramp's part, until g is 1
+  const double before = handle.compensation.record().energy;
   handle.run(1000);
-  EXPECT_NEAR(handle.compensation.cues().energy, before, 1e-3 * lent);
+  EXPECT_NEAR(handle.compensation.record().energy, before, 1e-3 * lent);
 }
 
 // Shaken so fast that the filter is late: the account fills, the gain is gone in 20 ms, and it does not come
@@ -126,15 +126,15 @@ TEST(InertiaCompensation, FadesWhereItWouldAddEnergy) {
     given += last.dot(moved);
     last = compensation.process(tick).force;
     compensation.book({}, motion(moved), motion(moved), 0);
-    most = std::max(most, compensation.cues().energy);
-    if (full < 0 && compensation.cues().faded) full = i;
-    if (full >= 0 && gone < 0 && compensation.cues().gain == 0) gone = i;
+    most = std::max(most, compensation.record().energy);
+    if (full < 0 && compensation.record().faded) full = i;
+    if (full >= 0 && gone < 0 && compensation.record().gain == 0) gone = i;
   }
   ASSERT_GT(full, 0);
   EXPECT_LE(gone - full, 20);
-  EXPECT_TRUE(compensation.cues().faded);
-  EXPECT_EQ(compensation.cues().gain, 0);
-  EXPECT_GT(compensation.cues().energy, 0.5e-3);
+  EXPECT_TRUE(compensation.record().faded);
+  EXPECT_EQ(compensation.record().gain, 0);
+  EXPECT_GT(compensation.record().energy, 0.5e-3);
   EXPECT_LT(given, 1.5e-3);  // in all, once nothing is lent any more
   EXPECT_LT(most, 1.5e-3);
 }
@@ -155,7 +155,7 @@ TEST(InertiaCompensation, DampingPaysAndFlickerDoesNot) {
       before = tick.p_DH.x();
       compensation.book({}, motion(moved), motion(moved), 0);
     }
-    return compensation.cues().energy;
+    return compensation.record().energy;
   };
   const double even = run([](int i) { return 1e-2 * i * kTick; });  // at 10 mm/s
   EXPECT_LT(even, 0);
@@ -183,7 +183,7 @@ TEST(InertiaCompensation, BooksTheForceThatALateSampleTellsOf) {
       if (i > late) given += forces[static_cast<std::size_t>(i - late - 1)] * moved.y();
     }
     const double lent = 0.5 * 0.25 * std::pow(compensation.filter()->velocity().norm(), 2);
-    EXPECT_NEAR(compensation.cues().energy, given - lent, 1e-12 + 1e-6 * std::abs(given)) << late;
+    EXPECT_NEAR(compensation.record().energy, given - lent, 1e-12 + 1e-6 * std::abs(given)) << late;
   }
 }
 
@@ -193,13 +193,13 @@ TEST(InertiaCompensation, BuildsTheFilterOnlyWhereItCanBeNeeded) {
   InertiaCompensation arm({.method = InertiaMethod::arm, .switchable = false}, figures);
   EXPECT_EQ(arm.filter(), nullptr);
   arm.apply({Command::Kind::compensation, 2});
-  EXPECT_EQ(arm.cues().method, InertiaMethod::arm);
+  EXPECT_EQ(arm.record().method, InertiaMethod::arm);
   InertiaCompensation any({.method = InertiaMethod::none}, figures);
   any.apply({Command::Kind::compensation, 2});
-  EXPECT_EQ(any.cues().method, InertiaMethod::acceleration);
+  EXPECT_EQ(any.record().method, InertiaMethod::acceleration);
   for (const double nonsense : {-1.0, 3.0, std::numeric_limits<double>::quiet_NaN(), 1e300})
     any.apply({Command::Kind::compensation, nonsense});
-  EXPECT_EQ(any.cues().method, InertiaMethod::acceleration);
+  EXPECT_EQ(any.record().method, InertiaMethod::acceleration);
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST(TorqueSubstitution, TheGhostComesAndGoesWithHysteresisAndAFade) {
     // From 0.03 to 0.07 N m and back, twice, with a flutter that crosses each bound many times.
     const double swing = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / 2000.0);
     const double angle = 0.022 + 0.03 * swing + 0.0005 * std::sin(0.5 * i);
-    const TorqueCues cues = *step(world, at(turned(angle)), {}).record.torque_substitution;
+    const TorqueRecord cues = *step(world, at(turned(angle)), {}).record.torque_substitution;
     EXPECT_LE(std::abs(cues.ghost - last), 0.0100001);
     const int now = cues.ghost > last ? 1 : cues.ghost < last ? -1 : direction;
     turns += now != direction;

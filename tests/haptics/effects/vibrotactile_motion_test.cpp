@@ -23,7 +23,7 @@ VibrotactileDesc two_channels() {
 
 struct Moment {
   double time, x;  // s; m
-  VibrotactileCues cues;
+  VibrotactileRecord cues;
   bool updated;  // a new level was told
 };
 
@@ -44,7 +44,7 @@ std::vector<Moment> swept(
     motion.process(tick);
     const VibrotactileCommand& command = motion.render(1, false);
     const bool updated = moments.empty() || command.level != moments.back().cues.command.level;
-    moments.push_back({t, x(t), motion.cues(), updated});
+    moments.push_back({t, x(t), motion.record(), updated});
   }
   return moments;
 }
@@ -117,7 +117,7 @@ TEST(VibrotactileMotion, LevelsAreTheLawsAtEachUpdate) {
           double last = -1;  // s, of the last update
           for (const Moment& m : moments) {
             const int heading =
-                m.time > 3 * tick_s + SweepDirection::kLeast / speed ? direction : m.cues.direction;
+                m.time > 3 * tick_s + SweepDirection::kMin / speed ? direction : m.cues.direction;
             EXPECT_EQ(m.cues.direction, heading);
             const std::array<double, 2> law = expected(desc, m.x, direction);
             const bool in = law[0] + law[1] > 0;
@@ -185,7 +185,7 @@ TEST(VibrotactileMotion, TurnsRoundWithTheHandAndEntersAgain) {
   for (const Moment& m : swept(desc, 1e-3, 1.28, x)) {
     const double v = x(m.time + 1e-6) - x(m.time - 1e-6);
     const int direction = v > 0 ? 1 : -1;
-    const bool turning = m.cues.direction != direction;  // for as long as it takes to go back by kLeast
+    const bool turning = m.cues.direction != direction;  // for as long as it takes to go back by kMin
     if (turning) {
       EXPECT_LT(std::abs(std::abs(m.x) - 0.008), 0.4e-3 + (m.time < 0.003 ? 1 : 0)) << m.time;
       continue;
@@ -214,9 +214,9 @@ TEST(VibrotactileMotion, ATurnIsThatOfTheHandle) {
       for (int n = 0; n < 100; ++n) {
         const double x = n < 90 ? 5e-5 * n : 5e-5 * 89 - scale * back_handle * (n - 89) / 10;
         motion.process({.p_WH = Vec3(x, 0, 0), .v_WH = Vec3::Zero(), .touching = true});
-        direction = motion.cues().direction;
+        direction = motion.record().direction;
       }
-      EXPECT_EQ(direction, back_handle < SweepDirection::kLeast ? 1 : -1) << scale;
+      EXPECT_EQ(direction, back_handle < SweepDirection::kMin ? 1 : -1) << scale;
     }
   }
 }
@@ -319,7 +319,7 @@ TEST(VibrotactileMotion, AsAFallbackWindowsFollowOneAnother) {
       if (n < 5) continue;
       EXPECT_NEAR(command.level[0] + command.level[1], share * desc.strength, 1e-9) << n;
       if (felt > 0) continue;
-      const double x = motion.cues().x;
+      const double x = motion.record().x;
       EXPECT_GE(x, 0);
       EXPECT_LT(x, kWindow);
       EXPECT_NEAR(command.level[0], share * desc.strength * x / kWindow, 0.06 * desc.strength) << n;

@@ -194,7 +194,7 @@ TEST(CouplingGains, SuitTheDeviceWhereNothingIsGiven) {
       scene.tick_s = tick_s;
       scene.device.renders_torque = renders_torque;
       scene.device.max_torque = renders_torque ? 0.2 : 0;
-      scene.coupling = suit_coupling({}, scene);
+      scene.coupling = tune_coupling({}, scene);
       EXPECT_FALSE(beyond_limits(scene)) << *beyond_limits(scene);
       EXPECT_GT(scene.coupling.stiffness, 50) << tick_s;
       EXPECT_LE(scene.coupling.max_force, scene.device.max_force);
@@ -207,7 +207,7 @@ TEST(CouplingGains, SuitTheDeviceWhereNothingIsGiven) {
 }
 
 TEST(CouplingGains, WhatIsGivenStays) {
-  const CouplingDesc coupling = suit_coupling(
+  const CouplingDesc coupling = tune_coupling(
       {.stiffness = 123, .angular_stiffness = 0.4, .damping_ratio = 0.7, .max_force = 2, .max_torque = 0.03},
       hanging_scene());
   EXPECT_EQ(coupling.stiffness, 123);

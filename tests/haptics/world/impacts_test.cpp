@@ -169,7 +169,7 @@ TEST(ImpactsInAWorld, RefuseFiguresThatMakeNoSense) {
     return !World::build(desc);
   };
   EXPECT_TRUE(refused([](SceneDesc& desc) { desc.impact_vibration->voices = 0; }));
-  EXPECT_TRUE(refused([](SceneDesc& desc) { desc.impact_vibration->voices = ImpactVoices::kMost + 1; }));
+  EXPECT_TRUE(refused([](SceneDesc& desc) { desc.impact_vibration->voices = ImpactVoices::kMax + 1; }));
   EXPECT_TRUE(refused([](SceneDesc& desc) { desc.impact_vibration->gain = 1.1; }));
   EXPECT_TRUE(refused([](SceneDesc& desc) { desc.impact_vibration->materials.clear(); }));
   EXPECT_TRUE(refused([](SceneDesc& desc) { desc.impact_vibration->materials[0].decay = 0; }));

@@ -55,7 +55,7 @@ TEST_P(Pulse, ComesInTheTickOfContact) {
     EXPECT_TRUE(std::ranges::find(ticks, i) != ticks.end()) << i;
     EXPECT_EQ(records[i - 1].regions, 0);
     EXPECT_GT(records[i].regions, 0);
-    const PulseCues& pulse = *records[i].pulse;
+    const PulseRecord& pulse = *records[i].pulse;
     const double wanted = desc.braking_pulse->hand_mass * kSpeed / desc.tick_s;
     EXPECT_NEAR((pulse.wanted_F_H_D.force - wanted * Vec3::UnitY()).norm(), 0, 2e-3 * wanted);
     EXPECT_NEAR(pulse.F_H_D.force.normalized().y(), 1, 1e-9);

@@ -63,7 +63,7 @@ TEST(VibrotactileInAWorld, ThereInTheWindowOfEitherWayAndOnlyThere) {
   for (const bool pushes : {true, false}) {
     int right = 0, left = 0;
     for (const TickRecord& record : swept(finger_scene(pushes))) {
-      const VibrotactileCues& cues = *record.vibrotactile_motion;
+      const VibrotactileRecord& cues = *record.vibrotactile_motion;
       EXPECT_NEAR(cues.x, record.X_WH.p.x(), 1e-12);
       const bool inside =
           cues.direction != 0 && cues.direction * cues.x >= 0 && cues.direction * cues.x <= 0.01;

@@ -23,7 +23,7 @@ TickRecord struck(const Vec3& p_W, const Vec3& nhat_W) {
   record.X_WH = {record.X_WT.q, record.X_WT * kHeld_T};
   record.impact = ImpactTick{.count = 1, .hardest = {.p_W = p_W, .nhat_W = nhat_W, .speed = 0.1}};
   const Vec3 r_W = p_W - record.X_WH.p;
-  record.impact_vibration = ImpactCues{};
+  record.impact_vibration = ImpactVibrationRecord{};
   record.impact_vibration->gain = 1;
   record.impact_vibration->frequency_Hz = 20;
   record.impact_vibration->radius = r_W.norm();

@@ -11,9 +11,9 @@
 namespace fulcrum::test {
 namespace {
 
-constexpr double kTip = 12e-3;     // m: what is nearer to the tip may be as near to a plate as the tip is
-constexpr double kLeast = 1.5e-3;  // m
-constexpr float kTable = -0.2F;    // m, y of its top
+constexpr double kTip = 12e-3;   // m: what is nearer to the tip may be as near to a plate as the tip is
+constexpr double kMin = 1.5e-3;  // m
+constexpr float kTable = -0.2F;  // m, y of its top
 
 // Points on the sides of triangles, no farther apart than 2 mm: bars have vertices at their ends alone.
 std::vector<glm::vec3> surface_of(const render::Mesh& mesh) {
@@ -60,7 +60,7 @@ TEST(Arm, IsClearOfPlatesStandAndTable) {
       }
     }
   }
-  EXPECT_GT(least, kLeast);
+  EXPECT_GT(least, kMin);
   EXPECT_GT(least_tip, 0);
   EXPECT_GT(lowest, kTable + 5e-3F);
 }

@@ -74,7 +74,7 @@ TEST(Levels, AreTheHeightsOfTheBarsAtTheirSides) {
   record.X_WH = {Quat::Identity(), Vec3(0.02, 0, 0)};
   record.X_WT = record.X_WH * scene.tool.X_HT;
   const auto heights = [&](double left, double right) {
-    VibrotactileCues& cues = record.vibrotactile_motion.emplace();
+    VibrotactileRecord& cues = record.vibrotactile_motion.emplace();
     cues.command.level[*scene.device.vibrotactile->find("left")] = left * scene.vibrotactile_motion->strength;
     cues.command.level[*scene.device.vibrotactile->find("right")] =
         right * scene.vibrotactile_motion->strength;

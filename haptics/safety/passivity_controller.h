@@ -14,9 +14,9 @@
 
 namespace fulcrum {
 
-class PassivityControl {
+class PassivityController {
 public:
-  PassivityControl(const DeviceDesc& device, double tick_s);
+  PassivityController(const DeviceDesc& device, double tick_s);
 
   struct Deficit {       // J at the device
     double made = 0;     // above 0 when the loop has made energy, as far as counts can tell

@@ -5,7 +5,7 @@
 // (B. Hannaford, J.-H. Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robotics and
 // Automation 18(1), 2002). Encoders count in steps, and what the handle does within a step cannot be seen:
 // the port is the least that E can have been (counted_work.h), so that it reads no better than the loop is.
-// By how much less it reads grows with the hand's way; passivity_control.h takes that back from the hand's
+// By how much less it reads grows with the hand's way; passivity_controller.h takes that back from the hand's
 // motion.
 //
 // Force and torque are those on the handle, the way is the handle's: all in D, in the device's own N, m and
@@ -26,16 +26,16 @@
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 #include "haptics/safety/counted_work.h"
-#include "haptics/safety/passivity_control.h"
+#include "haptics/safety/passivity_controller.h"
 
 namespace fulcrum {
 
 inline constexpr double kPortBound = -1e-4;  // J: below it the loop may have made energy
 
-class EnergyLedger {
+class PassivityObserver {
 public:
   // step (6): of one count of the device in each axis of D, m and rad.
-  EnergyLedger(const Vec6& step, bool renders_force, bool renders_torque);
+  PassivityObserver(const Vec6& step, bool renders_force, bool renders_torque);
 
   struct Port {
     Wrench F_H_D;        // on the handle about H, from now on; what an axis would render if it could
@@ -49,7 +49,7 @@ public:
   double port() const { return least_; }  // J, put in by the hand, at least
   // J, above 0: what the loop has made, and what it would have made once the springs have given back all they
   // hold; what has happened since the last count aside. 0 while the port is closed.
-  PassivityControl::Deficit deficit() const {
+  PassivityController::Deficit deficit() const {
     if (!open_) return {};
     const double made = std::max(0.0, springs_ - before_ - stores_ - work_.likely());
     return {made, std::max(0.0, springs_ - before_ - stores_ - work_.least_counted()) - made};

@@ -6,7 +6,7 @@
 namespace fulcrum {
 
 // What one tick leaves behind.
-struct TorqueCues {
+struct TorqueRecord {
   bool bad = false;
   double magnitude = 0;       // N m, of the torque that full stiffness gives
   double stiffness = 0;       // N m/rad, the coupling's torque over its angle
@@ -18,7 +18,7 @@ struct TorqueCues {
 };
 
 template <class V>
-void describe(V& values, const TorqueCues& record) {
+void describe(V& values, const TorqueRecord& record) {
   const auto& [bad, magnitude, stiffness, vibration, ghost, vibration_gain, ghost_gain, energy] = record;
   values.count(
       {"torque_substitution/bad", "1", "", "1 while no force that the hand feels can tell of the torque."},

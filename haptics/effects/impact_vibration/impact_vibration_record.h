@@ -9,7 +9,7 @@
 namespace fulcrum {
 
 // What the vibration leaves behind in one tick.
-struct ImpactCues {
+struct ImpactVibrationRecord {
   double gain = 0;             // 0: switched off
   std::int32_t voices = 0;     // that sound
   std::int64_t dropped = 0;    // voices, since the start
@@ -22,7 +22,7 @@ struct ImpactCues {
 };
 
 template <class V>
-void describe(V& values, const ImpactCues& record) {
+void describe(V& values, const ImpactVibrationRecord& record) {
   const auto& [gain, voices, dropped, frequency_Hz, radius, axis_W, amplitude_D, F_H_D, energy] = record;
   values.number({"impact_vibration/gain", "1", "", "What the vibration at impacts is set to; 0: off."}, gain);
   values.count({"impact_vibration/voices", "1", "", "Vibrations that sound together."}, voices);

@@ -11,7 +11,7 @@ namespace fulcrum {
 // goes deeper than `deviation` before a point within `reach` of it touches: on a surface of curvature k,
 // points about sqrt(8 deviation / k) apart. Edges are looked at in steps of a quarter of the reach. False,
 // and the grid as far as it got, if there would be more than `most` points.
-bool cover_bulges(const Solid& solid, const SurfaceSamples& samples, double deviation, double reach,
-                  std::size_t most, PointGrid& grid);
+bool refine_by_curvature(const Solid& solid, const SurfaceSamples& samples, double deviation, double reach,
+                         std::size_t most, PointGrid& grid);
 
 }  // namespace fulcrum

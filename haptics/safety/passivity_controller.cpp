@@ -1,4 +1,4 @@
-#include "haptics/safety/passivity_control.h"
+#include "haptics/safety/passivity_controller.h"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ Vec3 against(const Vec3& v, double most, double damping) {
 
 }  // namespace
 
-PassivityControl::PassivityControl(const DeviceDesc& device, double tick_s)
+PassivityController::PassivityController(const DeviceDesc& device, double tick_s)
     : force_(device.renders_force),
       torque_(device.renders_torque),
       tick_s_(tick_s),
@@ -30,7 +30,7 @@ PassivityControl::PassivityControl(const DeviceDesc& device, double tick_s)
       friction_(kFrictionShare * device.max_force),
       angular_friction_(kFrictionShare * device.max_torque) {}
 
-Wrench PassivityControl::resist(const Deficit& deficit, const Vec6& per_tick) const noexcept {
+Wrench PassivityController::resist(const Deficit& deficit, const Vec6& per_tick) const noexcept {
   Wrench F_H_D;
   const double made = std::max(0.0, deficit.made - kIgnored), unknown = std::max(0.0, deficit.unknown);
   if (!(made + unknown > kIgnored)) return F_H_D;

@@ -9,12 +9,12 @@
 namespace fulcrum {
 
 // v, no longer than limit.
-inline Vec3 shortened(const Vec3& v, double limit) {
+inline Vec3 clamp_norm(const Vec3& v, double limit) {
   const double length = v.norm();
   return length > limit ? Vec3(v * (limit / length)) : v;
 }
 
-// Of a limit: what rounding may add to a vector that was shortened to it.
+// Of a limit: what rounding may add to a vector that was clamp_norm to it.
 inline constexpr double kRoundedLength = 1e-12;
 
 // v is no longer than limit, to rounding.

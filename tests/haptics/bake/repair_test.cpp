@@ -1,5 +1,5 @@
-// Surfaces as modelling programs leave them. Every one that is mended has its distance held against what was
-// meant, everywhere, and says what was done; every one that is refused says where and why.
+// Surfaces as modelling programs leave them. Every one that is repaired has its distance held against what
+// was meant, everywhere, and says what was done; every one that is refused says where and why.
 
 #include <algorithm>
 #include <random>
@@ -41,18 +41,18 @@ void remove_near(TriangleMesh& mesh, const Vec3& place, double radius) {
   });
 }
 
-TEST(Mend, SoundSurfacesAreLeftAsTheyAre) {
-  const Solid solid = mended(fine_box());
+TEST(Repair, SoundSurfacesAreLeftAsTheyAre) {
+  const Solid solid = repaired(fine_box());
   EXPECT_TRUE(solid.notes.empty()) << all_notes(solid);
   EXPECT_TRUE(solid.components[0].shell.triangles.empty());
   EXPECT_EQ(solid.mesh.triangles.size(), fine_box().triangles.size());
 }
 
-TEST(Mend, AHoleIsFilledAndTold) {
+TEST(Repair, AHoleIsFilledAndTold) {
   TriangleMesh mesh = fine_box();
   remove_near(mesh, Vec3(0.04, 0, 0), 0.006);
   ASSERT_LT(mesh.triangles.size(), fine_box().triangles.size() - 5);
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   expect_the_box(solid);
   expect_field(solid, box_truth, 1e-3);
   ASSERT_EQ(solid.notes.size(), 1u) << all_notes(solid);
@@ -61,11 +61,11 @@ TEST(Mend, AHoleIsFilledAndTold) {
 }
 
 // A hole over an edge of the box: what was meant there nobody knows, elsewhere it is right.
-TEST(Mend, AwayFromAHoleNothingIsGuessed) {
+TEST(Repair, AwayFromAHoleNothingIsGuessed) {
   TriangleMesh mesh = fine_box();
   const Vec3 corner = kHigh;
   remove_near(mesh, corner, 0.01);
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   const TriangleDistance exact(solid);
   for (const Vec3& p : places_about(solid, 6000)) {
     if ((p - corner).norm() < 0.03) continue;
@@ -74,7 +74,7 @@ TEST(Mend, AwayFromAHoleNothingIsGuessed) {
   }
 }
 
-TEST(Mend, AMissingFaceIsRefused) {
+TEST(Repair, AMissingFaceIsRefused) {
   TriangleMesh mesh = fine_box();
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.vertices[v].x() == 0.04; });
@@ -85,65 +85,65 @@ TEST(Mend, AMissingFaceIsRefused) {
   EXPECT_NE(sentence.find("close it where the model was made"), std::string::npos) << sentence;
 }
 
-TEST(Mend, FlippedTrianglesAreTurned) {
+TEST(Repair, FlippedTrianglesAreTurned) {
   TriangleMesh mesh = fine_box();
   std::mt19937_64 random(3);
   for (Triangle& t : mesh.triangles) {
     if (random() % 3 == 0) flip(t);
   }
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   expect_the_box(solid);
   EXPECT_TRUE(tells(solid, "wound against the rest and have been turned")) << all_notes(solid);
 }
 
-TEST(Mend, FlippedTrianglesAboutAHoleAreTurned) {
+TEST(Repair, FlippedTrianglesAboutAHoleAreTurned) {
   TriangleMesh mesh = fine_box();
   remove_near(mesh, Vec3(0.04, 0, 0), 0.006);
   std::mt19937_64 random(4);
   for (Triangle& t : mesh.triangles) {
     if (random() % 4 != 0) flip(t);
   }
-  expect_the_box(mended(mesh));
+  expect_the_box(repaired(mesh));
 }
 
-TEST(Mend, ABodyInsideOutIsTurned) {
+TEST(Repair, ABodyInsideOutIsTurned) {
   TriangleMesh mesh = fine_box();
   for (Triangle& t : mesh.triangles) flip(t);
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   expect_the_box(solid);
   EXPECT_TRUE(tells(solid, "was wound inside out and has been turned")) << all_notes(solid);
 }
 
-TEST(Mend, RepeatedTrianglesAreLeftOut) {
+TEST(Repair, RepeatedTrianglesAreLeftOut) {
   TriangleMesh mesh = fine_box();
   const std::vector<Triangle> once = mesh.triangles;
   for (std::size_t i = 0; i < once.size(); i += 3)
     mesh.triangles.push_back({once[i][1], once[i][2], once[i][0]});
-  const Solid some = mended(mesh);
+  const Solid some = repaired(mesh);
   expect_the_box(some);
   EXPECT_TRUE(tells(some, "repeat others and are left out")) << all_notes(some);
 
   TriangleMesh two_sided = fine_box();
-  two_sided.triangles.pop_back();  // so that something is to be mended
+  two_sided.triangles.pop_back();  // so that something is to be repaired
   for (Triangle t : std::vector<Triangle>(two_sided.triangles)) {
     flip(t);
     two_sided.triangles.push_back(t);
   }
   two_sided.triangles.pop_back();
-  expect_the_box(mended(two_sided));
+  expect_the_box(repaired(two_sided));
 }
 
 // The same face once more, cut along the other diagonal: no triangle repeats another.
-TEST(Mend, AFaceLaidOverAFaceIsLeftOut) {
+TEST(Repair, AFaceLaidOverAFaceIsLeftOut) {
   TriangleMesh mesh = shapes::box(kLow, kHigh);
   mesh.triangles.push_back({4, 5, 6});
   mesh.triangles.push_back({5, 7, 6});
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   expect_the_box(solid);
   EXPECT_TRUE(tells(solid, "A sheet of 2 triangles")) << all_notes(solid);
 }
 
-TEST(Mend, SliversAreTolerated) {
+TEST(Repair, SliversAreTolerated) {
   TriangleMesh mesh = shapes::box(kLow, kHigh);
   const auto beside = static_cast<std::uint32_t>(mesh.vertices.size());
   const Vec3 middle = 0.5 * (mesh.vertices[4] + mesh.vertices[7]);
@@ -156,13 +156,13 @@ TEST(Mend, SliversAreTolerated) {
                                                {beside, beside + 1, 7},
                                                {4, beside, 6},
                                                {beside, 7, 6}});
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   expect_the_box(solid);
   EXPECT_FALSE(solid.components[0].shell.triangles.empty());
 }
 
 // The ridge of a wedge of 20 degrees is one edge on one side and three on the other.
-TEST(Mend, TJunctionsAreClosed) {
+TEST(Repair, TJunctionsAreClosed) {
   const double half = 0.01 * std::tan(0.1745);
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0},        {0, 0, 0.03},        {0.01, half, 0}, {0.01, half, 0.03},
@@ -170,7 +170,7 @@ TEST(Mend, TJunctionsAreClosed) {
   mesh.triangles = {{0, 1, 2}, {1, 3, 2},                        // above, the ridge in one
                     {0, 4, 6}, {6, 4, 7}, {7, 4, 5}, {7, 5, 1},  // below, in three
                     {2, 3, 4}, {4, 3, 5}, {0, 2, 4}, {1, 5, 3}};
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   const Vec3 n(-std::sin(0.1745), std::cos(0.1745), 0);
   const auto truth = [&](const Vec3& p) {  // of the three planes and the two ends, where none is near an edge
     return std::max({n.dot(p), Vec3(n.x(), -n.y(), 0).dot(p), p.x() - 0.01, -p.z(), p.z() - 0.03});
@@ -186,17 +186,17 @@ TEST(Mend, TJunctionsAreClosed) {
 }
 
 // Exported face by face in single precision: no two faces share a vertex.
-TEST(Mend, CracksAreClosed) {
+TEST(Repair, CracksAreClosed) {
   TriangleMesh mesh = shapes::grid_box(kLow, kHigh, 8);
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> noise(-1e-7, 1e-7);
   for (Vec3& p : mesh.vertices) p += Vec3(noise(random), noise(random), noise(random));
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   expect_distance(solid, box_truth, 1e-6);
   EXPECT_TRUE(tells(solid, "Cracks narrower than")) << all_notes(solid);
 }
 
-TEST(Mend, AFinIsLeftOutAndTold) {
+TEST(Repair, AFinIsLeftOutAndTold) {
   for (const Vec3& tip :
        {Vec3(0, 0, 0.05), Vec3(0.01, 0.02, 0.035), Vec3(0, 0, -0.005)}) {  // the last inside
     TriangleMesh mesh = fine_box();
@@ -207,31 +207,31 @@ TEST(Mend, AFinIsLeftOutAndTold) {
     };
     mesh.vertices.push_back(tip);
     mesh.triangles.push_back({top(0), top(0.01), static_cast<std::uint32_t>(mesh.vertices.size() - 1)});
-    const Solid solid = mended(mesh);
+    const Solid solid = repaired(mesh);
     expect_the_box(solid);
     EXPECT_TRUE(tells(solid, "A sheet of 1 triangle around")) << all_notes(solid);
   }
 }
 
 // Two boxes that share a wall, as a volume mesher or a lazy modeller leaves them.
-TEST(Mend, AWallInsideIsLeftOut) {
+TEST(Repair, AWallInsideIsLeftOut) {
   TriangleMesh mesh = shapes::box(kLow, Vec3(0, kHigh.y(), kHigh.z()));
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.vertices[v].x() == 0.0; });
   });
   shapes::append(mesh, shapes::box(Vec3(0, kLow.y(), kLow.z()), kHigh));
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   expect_the_box(solid);
   EXPECT_TRUE(tells(solid, "lies inside a body")) << all_notes(solid);
 }
 
-TEST(Mend, ASphereInsideOutInASphereIsACavity) {
+TEST(Repair, ASphereInsideOutInASphereIsACavity) {
   TriangleMesh mesh = shapes::sphere(Vec3::Zero(), 0.03, 40);
   TriangleMesh inner = shapes::sphere(Vec3(0.002, 0, 0), 0.02, 40);
   for (Triangle& t : inner.triangles) flip(t);
   shapes::append(mesh, inner);
   shapes::append(mesh, shapes::sphere(Vec3(0.002, 0, 0), 0.01, 40));  // and a ball in it
-  const Solid solid = mended(mesh);
+  const Solid solid = repaired(mesh);
   ASSERT_EQ(solid.components.size(), 2u);
   EXPECT_TRUE(solid.notes.empty()) << all_notes(solid);
   const auto truth = [](const Vec3& p) {
@@ -244,7 +244,7 @@ TEST(Mend, ASphereInsideOutInASphereIsACavity) {
   EXPECT_NEAR(mass_properties(solid).volume_m3, volume, 0.01 * volume);
 }
 
-TEST(Mend, SheetsAreRefused) {
+TEST(Repair, SheetsAreRefused) {
   TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0, 0, 0.1}, {0.1, 0, 0.1}};
   sheet.triangles = {{0, 1, 2}, {1, 3, 2}};
@@ -272,11 +272,11 @@ TEST(Mend, SheetsAreRefused) {
   EXPECT_NE(refusal(strip).find("has one side only"), std::string::npos) << refusal(strip);
 }
 
-TEST(Mend, WhatIsMendedMakesAShellToo) {
+TEST(Repair, WhatIsRepairedMakesAShellToo) {
   TriangleMesh mesh = fine_box();
   remove_near(mesh, Vec3(0.04, 0, 0), 0.006);
   flip(mesh.triangles[17]);
-  const auto shell = bake_pointshell(mended(mesh), {.spacing_m = 4e-3});
+  const auto shell = bake_pointshell(repaired(mesh), {.spacing_m = 4e-3});
   ASSERT_TRUE(shell) << shell.error().sentence;
   double area = 0.0;
   for (const double a : shell->areas_m2) area += a;

@@ -8,7 +8,7 @@
 namespace fulcrum {
 
 // What one tick leaves behind.
-struct HoldingCues {
+struct HoldingRecord {
   double place = 0;          // m, along the stick from the handle's origin; what is used
   Vec3 p_HG = Vec3::Zero();  // (3) m, the same as a point of the handle
   HoldingState state = HoldingState::set;
@@ -18,7 +18,7 @@ struct HoldingCues {
 };
 
 template <class V>
-void describe(V& values, const HoldingCues& record) {
+void describe(V& values, const HoldingRecord& record) {
   const auto& [place, p_HG, state, strip_ohm, limit] = record;
   values.number(
       {"holding_point/place", "m", "", "Where the hand holds the stick, along it from the handle's origin."},

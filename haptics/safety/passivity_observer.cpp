@@ -1,13 +1,14 @@
-#include "haptics/safety/energy_ledger.h"
+#include "haptics/safety/passivity_observer.h"
 
 namespace fulcrum {
 
-EnergyLedger::EnergyLedger(const Vec6& step, bool renders_force, bool renders_torque) : work_(step) {
+PassivityObserver::PassivityObserver(const Vec6& step, bool renders_force, bool renders_torque)
+    : work_(step) {
   rendered_.head<3>().setConstant(renders_force ? 1 : 0);
   rendered_.tail<3>().setConstant(renders_torque ? 1 : 0);
 }
 
-void EnergyLedger::book(const Vec6& d_D, const Port& port) noexcept {
+void PassivityObserver::book(const Vec6& d_D, const Port& port) noexcept {
   Vec6 F;
   F << port.F_H_D.force, port.F_H_D.torque;
   const Vec6 held = F.cwiseProduct(rendered_);

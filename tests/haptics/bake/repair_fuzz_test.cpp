@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRadius = 0.03;
 
-TEST(MendFuzz, ABatteredSphereIsASphereOrRefused) {
+TEST(RepairFuzz, ABatteredSphereIsASphereOrRefused) {
   const TriangleMesh whole = shapes::sphere(Vec3::Zero(), kRadius, 14);
   int mended_ones = 0, refused = 0;
   for (unsigned seed = 0; seed < 120; ++seed) {
@@ -54,7 +54,7 @@ TEST(MendFuzz, ABatteredSphereIsASphereOrRefused) {
 }
 
 // Triangles of random corners mean nothing; they must be answered all the same.
-TEST(MendFuzz, NonsenseIsAnswered) {
+TEST(RepairFuzz, NonsenseIsAnswered) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     std::mt19937_64 random(seed);
     TriangleMesh mesh;
@@ -79,7 +79,7 @@ TEST(MendFuzz, NonsenseIsAnswered) {
 // some are inside out, triangles are missing, turned, repeated, or hang loose. Whatever solid that makes, its
 // distance has to be one: it changes no faster than the way, which a wrong sign beside any part of the
 // surface would break.
-TEST(MendFuzz, BoxesOnALatticeMakeADistance) {
+TEST(RepairFuzz, BoxesOnALatticeMakeADistance) {
   int mended_ones = 0;
   for (unsigned seed = 0; seed < 150; ++seed) {
     std::mt19937_64 random(seed);

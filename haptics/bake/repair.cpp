@@ -1,4 +1,4 @@
-#include "haptics/bake/mend.h"
+#include "haptics/bake/repair.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <set>
 
 #include "haptics/bake/holes.h"
-#include "haptics/bake/outlook.h"
+#include "haptics/bake/patch_visibility.h"
 #include "haptics/bake/patches.h"
+#include "haptics/bake/redundant_patches.h"
 #include "haptics/bake/sentence.h"
-#include "haptics/bake/superfluous.h"
 #include "haptics/bake/weld.h"
 
 namespace fulcrum {
@@ -48,11 +48,11 @@ void remove(TriangleMesh& mesh, const std::vector<bool>& gone) {
   mesh.triangles.resize(kept);
 }
 
-class Mending {
+class MeshRepair {
 public:
-  explicit Mending(TriangleMesh mesh) { result_.mesh = std::move(mesh); }
+  explicit MeshRepair(TriangleMesh mesh) { result_.mesh = std::move(mesh); }
 
-  Result<Mended> run() {
+  Result<Repaired> run() {
     close();
     drop_repeated();
     if (std::optional<Error> error = orient()) return *error;
@@ -99,13 +99,13 @@ private:
     auto patches = cut_into_patches(mesh());
     if (!patches) return patches.error();
     patches_ = std::move(*patches);
-    outlooks_ = look_around(mesh(), patches_);
+    visibility_ = measure_visibility(mesh(), patches_);
     std::size_t turned = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       Patch& patch = patches_[i];
-      if (outlooks_[i].back > outlooks_[i].front && (patch.turned > 0 || patch.joined)) {
+      if (visibility_[i].back > visibility_[i].front && (patch.turned > 0 || patch.joined)) {
         for (const std::uint32_t t : patch.triangles) turn(mesh().triangles[t]);
-        std::swap(outlooks_[i].front, outlooks_[i].back);
+        std::swap(visibility_[i].front, visibility_[i].back);
         patch.turned = patch.triangles.size() - patch.turned;
       }
       turned += patch.turned;
@@ -130,11 +130,11 @@ private:
            spell(box.center()) + ", " + spell_mm(box.diagonal().norm()) + " across, " + why +
            " and is left out; if it is to be touched, give it thickness.");
     };
-    const std::vector<bool> superfluous = superfluous_patches(mesh(), patches_, outlooks_);
+    const std::vector<bool> redundant = redundant_patches(mesh(), patches_, visibility_);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       const Patch& patch = patches_[i];
-      const auto [front, back] = outlooks_[i];
-      if (superfluous[i]) {
+      const auto [front, back] = visibility_[i];
+      if (redundant[i]) {
         leave_out(patch, front + back > 0.0 ? "stands on a surface without bounding anything"
                                             : "lies inside a body");
       } else if (patch.open && std::min(front, back) >= kSheet * std::max(front, back)) {
@@ -200,15 +200,15 @@ private:
     return diagonals;
   }
 
-  Mended result_;
+  Repaired result_;
   std::vector<Patch> patches_;
-  std::vector<Outlook> outlooks_;  // (patches)
+  std::vector<PatchVisibility> visibility_;  // (patches)
 };
 
 }  // namespace
 
-Result<Mended> mend(TriangleMesh welded) {
-  return Mending(std::move(welded)).run();
+Result<Repaired> repair_mesh(TriangleMesh welded) {
+  return MeshRepair(std::move(welded)).run();
 }
 
 }  // namespace fulcrum

@@ -10,10 +10,10 @@
 
 namespace fulcrum {
 
-class CountedMotion {
+class EncoderMotion {
 public:
   // step (6): of one count in each axis, m and rad; 0: the axis is exact.
-  explicit CountedMotion(const Vec6& step) : step_(step) {}
+  explicit EncoderMotion(const Vec6& step) : step_(step) {}
 
   // d (6): what was counted in this tick, m and rad.
   void update(const Vec6& d) noexcept;

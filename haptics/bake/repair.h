@@ -10,7 +10,7 @@
 
 namespace fulcrum {
 
-struct Mended {
+struct Repaired {
   TriangleMesh mesh;               // as many triangles run along every edge as against it
   std::vector<std::string> notes;  // sentences, with places
 };
@@ -19,6 +19,6 @@ struct Mended {
 // made to agree, walls and sheets that part nothing from nothing are left out, holes are filled.
 // Refused, with a place and a remedy: a surface with one side, a sheet that bounds nothing, a hole wider than
 // a quarter of its body's diagonal.
-Result<Mended> mend(TriangleMesh welded);
+Result<Repaired> repair_mesh(TriangleMesh welded);
 
 }  // namespace fulcrum

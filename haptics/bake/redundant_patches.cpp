@@ -1,4 +1,4 @@
-#include "haptics/bake/superfluous.h"
+#include "haptics/bake/redundant_patches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ int surplus(const Seam& seam) {
 
 }  // namespace
 
-std::vector<bool> superfluous_patches(const TriangleMesh& mesh, const std::vector<Patch>& patches,
-                                      const std::vector<Outlook>& outlooks) {
+std::vector<bool> redundant_patches(const TriangleMesh& mesh, const std::vector<Patch>& patches,
+                                    const std::vector<PatchVisibility>& visibility) {
   std::vector<std::uint32_t> patch_of(mesh.triangles.size()), order;
   for (std::uint32_t i = 0; i < patches.size(); ++i) {
     for (const std::uint32_t t : patches[i].triangles) patch_of[t] = i;
@@ -35,16 +35,16 @@ std::vector<bool> superfluous_patches(const TriangleMesh& mesh, const std::vecto
     seams.push_back(std::move(seam));
   });
 
-  const auto decided = [&outlooks](std::uint32_t i) {
-    return std::abs(outlooks[i].front - outlooks[i].back);
+  const auto decided = [&visibility](std::uint32_t i) {
+    return std::abs(visibility[i].front - visibility[i].back);
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t l, std::uint32_t r) { return decided(l) < decided(r); });
-  std::vector<bool> superfluous(patches.size());
+  std::vector<bool> redundant(patches.size());
   for (bool changed = true; changed;) {
     changed = false;
     for (const std::uint32_t i : order) {
-      if (superfluous[i]) continue;
+      if (redundant[i]) continue;
       int better = 0, worse = 0;
       for (const std::size_t s : seams_of[i]) {
         Seam without = seams[s];
@@ -55,11 +55,11 @@ std::vector<bool> superfluous_patches(const TriangleMesh& mesh, const std::vecto
       }
       if (better == 0 || worse > 0) continue;
       for (const std::size_t s : seams_of[i]) seams[s].erase(i);
-      superfluous[i] = changed = true;
+      redundant[i] = changed = true;
       break;
     }
   }
-  return superfluous;
+  return redundant;
 }
 
 }  // namespace fulcrum

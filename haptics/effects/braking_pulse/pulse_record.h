@@ -7,7 +7,7 @@
 namespace fulcrum {
 
 // What one tick leaves behind.
-struct PulseCues {
+struct PulseRecord {
   double gain = 0;           // 0: switched off
   bool moment = false;       // a moment may make up for missing force
   Wrench wanted_F_H_D;       // that would stop the hand, about H
@@ -19,7 +19,7 @@ struct PulseCues {
 };
 
 template <class V>
-void describe(V& values, const PulseCues& record) {
+void describe(V& values, const PulseRecord& record) {
   const auto& [gain, moment, wanted_F_H_D, F_H_D, force_share, moment_share, energy, moment_energy] = record;
   values.number({"braking_pulse/gain", "1", "", "What the braking pulse is set to; 0: off."}, gain);
   values.count({"braking_pulse/moment", "1", "", "1 while a moment may compensate for missing force."},

@@ -8,7 +8,7 @@
 
 namespace fulcrum {
 
-struct VibrotactileCues {
+struct VibrotactileRecord {
   double gain = 0;              // of the levels; 0: switched off
   VibrotactileCommand command;  // what the channels were told
   double missing = 0;           // m/s^2, the most that one of them was asked for beyond what it can
@@ -18,7 +18,7 @@ struct VibrotactileCues {
 };
 
 template <class V>
-void describe(V& values, const VibrotactileCues& record) {
+void describe(V& values, const VibrotactileRecord& record) {
   const auto& [gain, command, missing, x, direction, force] = record;
   const auto& [level, glide, stopping] = command;
   values.number({"vibrotactile_motion/gain", "1", "", "What vibrotactile motion is set to; 0: off."}, gain);

@@ -1,4 +1,4 @@
-#include "haptics/bake/outlook.h"
+#include "haptics/bake/patch_visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,18 +55,18 @@ public:
       : mesh_(mesh), bodies_(bodies_of(mesh, body_)), tree_(bodies_) {}
 
   // From places spread over the patch by area.
-  Outlook operator()(const Patch& patch) const {
+  PatchVisibility operator()(const Patch& patch) const {
     std::vector<double> upto;
     for (const std::uint32_t t : patch.triangles)
       upto.push_back((upto.empty() ? 0.0 : upto.back()) + cross(t).norm());
     if (!(upto.back() > 0.0)) return {};
-    Outlook outlook;
+    PatchVisibility seen;
     for (std::size_t i = 0; i < kPlaces; ++i) {
       const double area = (static_cast<double>(i) + 0.5) / kPlaces * upto.back();
       const auto found = std::upper_bound(upto.begin(), upto.end() - 1, area);
-      look_from(patch.triangles[static_cast<std::size_t>(found - upto.begin())], outlook);
+      look_from(patch.triangles[static_cast<std::size_t>(found - upto.begin())], seen);
     }
-    return outlook;
+    return seen;
   }
 
 private:
@@ -76,7 +76,7 @@ private:
     return (mesh_.vertices[corner[1]] - a).cross(mesh_.vertices[corner[2]] - a);
   }
 
-  void look_from(std::uint32_t t, Outlook& outlook) const {
+  void look_from(std::uint32_t t, PatchVisibility& seen) const {
     const Triangle& corner = mesh_.triangles[t];
     const Vec3 centroid =
         (mesh_.vertices[corner[0]] + mesh_.vertices[corner[1]] + mesh_.vertices[corner[2]]) / 3.0;
@@ -87,7 +87,7 @@ private:
       const double side = along.dot(n) > 0.0 ? 1.0 : -1.0;
       const Vec3 from = centroid + side * kLift * across * n;
       if (tree_.first_hit(tree_.of_component(body_[t]), from, from + 2.0 * across * along)) continue;
-      (side > 0.0 ? outlook.front : outlook.back) += 2.0 / (kPlaces * kDirections);
+      (side > 0.0 ? seen.front : seen.back) += 2.0 / (kPlaces * kDirections);
     }
   }
 
@@ -99,14 +99,14 @@ private:
 
 }  // namespace
 
-std::vector<Outlook> look_around(const TriangleMesh& mesh, const std::vector<Patch>& patches) {
+std::vector<PatchVisibility> measure_visibility(const TriangleMesh& mesh, const std::vector<Patch>& patches) {
   const Observer observer(mesh);
-  std::vector<Outlook> outlooks;
+  std::vector<PatchVisibility> visibility;
   for (const Patch& patch : patches) {
     // A patch that is closed by itself needs nobody to tell its sides.
-    outlooks.push_back(patch.open || patch.joined ? observer(patch) : Outlook{1.0, 0.0});
+    visibility.push_back(patch.open || patch.joined ? observer(patch) : PatchVisibility{1.0, 0.0});
   }
-  return outlooks;
+  return visibility;
 }
 
 }  // namespace fulcrum

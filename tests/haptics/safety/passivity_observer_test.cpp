@@ -1,7 +1,7 @@
 // The observer against the true work of a held force on a moving handle, and the control against a loop that
 // makes energy.
 
-#include "haptics/safety/energy_ledger.h"
+#include "haptics/safety/passivity_observer.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "haptics/device/friction_axis.h"
-#include "haptics/estimate/counted_motion.h"
+#include "haptics/estimate/encoder_motion.h"
 #include "haptics/math/split_mix.h"
-#include "haptics/safety/passivity_control.h"
+#include "haptics/safety/passivity_controller.h"
 
 namespace fulcrum {
 namespace {
@@ -30,8 +30,8 @@ Vec6 along_x(double d) {
   return v;
 }
 
-EnergyLedger::Port pushing(double force, double springs = 0) {
-  EnergyLedger::Port port;
+PassivityObserver::Port pushing(double force, double springs = 0) {
+  PassivityObserver::Port port;
   port.F_H_D.force.x() = force;
   port.springs = springs;
   port.open = true;
@@ -59,7 +59,7 @@ struct Loop {
 // A spring and a damper on the counted position, held from tick to tick, under a handle that goes where it is
 // told.
 Books follow(const Path& path, double seconds, const Loop& loop) {
-  EnergyLedger ledger(along_x(loop.count), true, true);
+  PassivityObserver ledger(along_x(loop.count), true, true);
   const double keep = std::exp(-2 * std::numbers::pi * 60 * kTick);
   Books books;
   double x = path(0), q = counted(x, loop.count), F = -loop.stiffness * q, v = 0;
@@ -84,7 +84,7 @@ Books follow(const Path& path, double seconds, const Loop& loop) {
 constexpr double kBits = 1e-11;  // J, of rounding
 
 // There and back at speed v: the hold gives out k v T for every metre.
-TEST(EnergyLedger, SeesWhatAHoldMakes) {
+TEST(PassivityObserver, SeesWhatAHoldMakes) {
   const double v = 0.2, far = 0.02;
   const Books books =
       follow([&](double t) { return far - std::abs(far - v * t); }, 2 * far / v, {.count = 0});
@@ -109,7 +109,7 @@ Path trembling(double rms, std::uint64_t seed) {
   };
 }
 
-TEST(EnergyLedger, ReadsNoBetterThanTheTruthUnderTremor) {
+TEST(PassivityObserver, ReadsNoBetterThanTheTruthUnderTremor) {
   for (const double count : {2e-6, 10e-6, 28e-6, 100e-6, 300e-6}) {
     for (const double rms : {5e-6, 20e-6, 50e-6, 150e-6, 500e-6}) {
       for (const double damping : {0.0, 4.0, 25.0}) {
@@ -121,7 +121,7 @@ TEST(EnergyLedger, ReadsNoBetterThanTheTruthUnderTremor) {
   }
 }
 
-TEST(EnergyLedger, ReadsNoBetterThanTheTruthUnderATone) {
+TEST(PassivityObserver, ReadsNoBetterThanTheTruthUnderATone) {
   for (const double count : {2e-6, 28e-6, 100e-6, 1e-3}) {
     for (const double amplitude : {0.3, 0.55, 1.3, 4.0, 20.0, 300.0}) {
       for (const double frequency : {0.1, 1.0, 9.7, 60.0, 233.3}) {
@@ -140,7 +140,7 @@ TEST(EnergyLedger, ReadsNoBetterThanTheTruthUnderATone) {
 }
 
 // Presses with tremor on them, and a hand that wanders.
-TEST(EnergyLedger, ReadsNoBetterThanTheTruthOfAHandAtWork) {
+TEST(PassivityObserver, ReadsNoBetterThanTheTruthOfAHandAtWork) {
   for (const double count : {10e-6, 28e-6, 100e-6}) {
     for (const double damping : {0.0, 25.0}) {
       const Path tremor = trembling(50e-6, 3);
@@ -164,7 +164,7 @@ TEST(EnergyLedger, ReadsNoBetterThanTheTruthOfAHandAtWork) {
 
 // By how much less it reads: with the way and with the hold, and for slow hands not with the count. Half of
 // the way of a tick is what the hold really makes; four times that is what it may have made.
-TEST(EnergyLedger, ReadsLittleLessThanTheTruth) {
+TEST(PassivityObserver, ReadsLittleLessThanTheTruth) {
   for (const double count : {2e-6, 10e-6, 28e-6, 100e-6}) {
     const Books books = follow(trembling(150e-6, 7), 24, {count, 2000, 0});
     const double made = -books.truth;  // by the hold
@@ -174,7 +174,7 @@ TEST(EnergyLedger, ReadsLittleLessThanTheTruth) {
 }
 
 // A handle that stands still and jumps hides at most a count for each change of force.
-TEST(EnergyLedger, AJumpHidesNoMoreThanACountOfTheChangeOfForce) {
+TEST(PassivityObserver, AJumpHidesNoMoreThanACountOfTheChangeOfForce) {
   SplitMix random(5);
   for (int i = 0; i < 100; ++i) {
     const double count = std::exp(-12 + 4 * random.uniform()), reach = count * std::exp(6 * random.uniform());
@@ -193,10 +193,10 @@ TEST(EnergyLedger, AJumpHidesNoMoreThanACountOfTheChangeOfForce) {
 }
 
 // What the hand winds up on an axis that nobody pushes on comes in whole.
-TEST(EnergyLedger, BooksUnrenderedAxesApart) {
+TEST(PassivityObserver, BooksUnrenderedAxesApart) {
   const Vec6 counts = Vec6::Constant(1e-3);
-  EnergyLedger ledger(counts, true, false);
-  EnergyLedger::Port port;
+  PassivityObserver ledger(counts, true, false);
+  PassivityObserver::Port port;
   port.open = true;
   ledger.book(Vec6::Zero(), port);
   Vec6 d = Vec6::Zero();
@@ -207,9 +207,9 @@ TEST(EnergyLedger, BooksUnrenderedAxesApart) {
   EXPECT_NEAR(ledger.port(), ledger.unrendered(), 1e-15);
 }
 
-TEST(EnergyLedger, WeightIsAStoreAndSpringsAreAPurse) {
-  EnergyLedger ledger(Vec6::Zero(), true, true);
-  EnergyLedger::Port port;
+TEST(PassivityObserver, WeightIsAStoreAndSpringsAreAPurse) {
+  PassivityObserver ledger(Vec6::Zero(), true, true);
+  PassivityObserver::Port port;
   port.weight = 2.0;
   port.springs = 0.25;
   ledger.book(along_x(1), port);
@@ -231,9 +231,9 @@ struct Swinging {
 };
 Swinging spring_loop(bool controlled, double stiffness, double count) {
   DeviceDesc device;
-  PassivityControl control(device, kTick);
-  EnergyLedger ledger(along_x(count), true, true);
-  CountedMotion motion(along_x(count));
+  PassivityController control(device, kTick);
+  PassivityObserver ledger(along_x(count), true, true);
+  EncoderMotion motion(along_x(count));
   FrictionAxis handle{.mass = device.handle_mass, .damping = 0, .friction = 0};
   handle.v = 0.05;
   std::array<double, 2> under_way{};
@@ -262,7 +262,7 @@ Swinging spring_loop(bool controlled, double stiffness, double count) {
   return loop;
 }
 
-TEST(PassivityControl, HoldsALoopThatWouldMakeEnergy) {
+TEST(PassivityController, HoldsALoopThatWouldMakeEnergy) {
   for (const double stiffness : {100.0, 400.0, 800.0}) {
     const double first_swing = 0.05 * std::sqrt(0.072 / stiffness);
     const Swinging free = spring_loop(false, stiffness, kCount);
@@ -277,18 +277,18 @@ TEST(PassivityControl, HoldsALoopThatWouldMakeEnergy) {
   }
 }
 
-TEST(PassivityControl, PushesOnlyAgainstMotionAndOnlyWhereThereAreMotors) {
+TEST(PassivityController, PushesOnlyAgainstMotionAndOnlyWhereThereAreMotors) {
   DeviceDesc device;
   Vec6 per_tick;
   per_tick << 1e-5, -2e-5, 0, 1e-3, 0, 0;
-  const Wrench F = PassivityControl(device, kTick).resist({.made = 5e-5}, per_tick);
+  const Wrench F = PassivityController(device, kTick).resist({.made = 5e-5}, per_tick);
   EXPECT_LT(F.force.dot(per_tick.head<3>()), 0);
   EXPECT_NEAR(F.force.cross(Vec3(per_tick.head<3>())).norm(), 0, 1e-18);
   EXPECT_TRUE(F.torque.isZero(0));
-  EXPECT_TRUE(PassivityControl(device, kTick).resist({.made = 1e-6}, per_tick).is_zero());
-  EXPECT_TRUE(PassivityControl(device, kTick).resist({.made = 1}, Vec6::Zero()).is_zero());
+  EXPECT_TRUE(PassivityController(device, kTick).resist({.made = 1e-6}, per_tick).is_zero());
+  EXPECT_TRUE(PassivityController(device, kTick).resist({.made = 1}, Vec6::Zero()).is_zero());
   device.renders_force = false;
-  EXPECT_TRUE(PassivityControl(device, kTick).resist({.made = 1}, per_tick).is_zero());
+  EXPECT_TRUE(PassivityController(device, kTick).resist({.made = 1}, per_tick).is_zero());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace fulcrum {
 enum class InertiaMethod : std::int32_t { none, arm, acceleration };
 
 // What one tick leaves behind.
-struct InertiaCues {
+struct InertiaRecord {
   InertiaMethod method = InertiaMethod::none;
   double gain = 0;                     // of m a, that was in use
   bool faded = false;                  // it would have given more energy than it may
@@ -23,7 +23,7 @@ struct InertiaCues {
 };
 
 template <class V>
-void describe(V& values, const InertiaCues& record) {
+void describe(V& values, const InertiaRecord& record) {
   const auto& [method, gain, faded, acceleration_D, force_D, torque_D, energy, arm_energy] = record;
   values.count({"inertia_compensation/method", "1", "", "0 none, 1 arm, 2 acceleration."},
                static_cast<std::int64_t>(method));

@@ -1,4 +1,4 @@
-#include "haptics/bake/bulges.h"
+#include "haptics/bake/curvature_refinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,8 @@ std::vector<SurfacePoint> edge_candidates(const Solid& solid, double step) {
 
 }  // namespace
 
-bool cover_bulges(const Solid& solid, const SurfaceSamples& samples, double deviation, double reach,
-                  std::size_t most, PointGrid& grid) {
+bool refine_by_curvature(const Solid& solid, const SurfaceSamples& samples, double deviation, double reach,
+                         std::size_t most, PointGrid& grid) {
   std::vector<SurfacePoint> candidates = edge_candidates(solid, reach / kStepsPerReach);
   candidates.insert(candidates.end(), samples.points.begin(), samples.points.end());
   const auto bulge = [&](const SurfacePoint& candidate) {

@@ -1,4 +1,4 @@
-#include "haptics/estimate/counted_motion.h"
+#include "haptics/estimate/encoder_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr int kAtRest = 1000;      // ticks without a count; what went before ha
 
 }  // namespace
 
-void CountedMotion::update(const Vec6& d) noexcept {
+void EncoderMotion::update(const Vec6& d) noexcept {
   for (Eigen::Index i = 0; i < 6; ++i) {
     int& since = since_[static_cast<std::size_t>(i)];
     since = std::min(since + 1, kAtRest);

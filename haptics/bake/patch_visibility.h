@@ -6,12 +6,12 @@
 
 namespace fulcrum {
 
-struct Outlook {
+struct PatchVisibility {
   double front = 0.0;  // the share of rays off the outer side that leave the body
   double back = 0.0;   // the same of the inner side
 };
 
 // A body is what hangs together by its edges; only its own triangles stop a ray. One answer for each patch.
-std::vector<Outlook> look_around(const TriangleMesh& mesh, const std::vector<Patch>& patches);
+std::vector<PatchVisibility> measure_visibility(const TriangleMesh& mesh, const std::vector<Patch>& patches);
 
 }  // namespace fulcrum
