@@ -115,10 +115,10 @@ double simulated_stiffness_limit(const WallLoop& loop, double B, double v0) {
 std::vector<double> port_energy(const WallLoop& loop, const Wall& wall, double v0, int ticks) {
   Vec6 step = Vec6::Zero();
   step[0] = loop.axis.encoder_step;
-  PassivityObserver ledger(step, true, false);
+  PassivityObserver observer(step, true, false);
   PassivityObserver::Port port;
   port.open = true;
-  ledger.book(Vec6::Zero(), port);
+  observer.update(Vec6::Zero(), port);
   SimulatedWall run(loop, wall, v0);
   std::vector<double> energy;
   double x = run.counted();
@@ -128,8 +128,8 @@ std::vector<double> port_energy(const WallLoop& loop, const Wall& wall, double v
     x = run.counted();
     run.tick();
     port.F_H_D.force.x() = run.force();
-    ledger.book(d, port);
-    energy.push_back(ledger.port());
+    observer.update(d, port);
+    energy.push_back(observer.port());
   }
   return energy;
 }

@@ -48,7 +48,7 @@ bool settles(const WallLoop& loop, const Wall& wall, double v0);
 // .1 N/m.
 double simulated_stiffness_limit(const WallLoop& loop, double B, double v0);
 
-// J, what the hand's side put into the wall up to each tick, by the safety system's ledger (haptics/safety):
+// J, what the hand's side put into the wall up to each tick, by the passivity observer (haptics/safety):
 // below 0 the wall has made energy.
 std::vector<double> port_energy(const WallLoop& loop, const Wall& wall, double v0, int ticks);
 

@@ -102,7 +102,7 @@ void describe_braking_pulse(KeyVisitor& visitor, BrakingPulseDesc& effect) {
   if (hand) effect.hand_mass = *hand;
   if (body) effect.hand_mass = BrakingPulse::kHandOfBody * *body;
   std::int64_t ticks = effect.ticks;
-  visitor.integer({"ticks", "", "N, that it takes"}, ticks, 1, BrakingPulse::kMaxTicks);
+  visitor.integer({"ticks", "", "that the pulse lasts, the paper's N"}, ticks, 1, BrakingPulse::kMaxTicks);
   effect.ticks = static_cast<int>(ticks);
   visitor.vector({"grasp", "m", "where the hand holds the handle, in the handle's frame"}, effect.p_HG,
                  kPosition);

@@ -12,7 +12,7 @@ namespace fulcrum::scenario {
 // Control characters become spaces: a sentence from a file is one line, and nothing that a terminal obeys.
 std::string on_one_line(std::string text);
 
-// 'text' for a sentence: one line, no control characters, clamp_norm if it is long.
+// 'text' for a sentence: one line, no control characters, shortened if it is long.
 std::string in_quotes(std::string_view text);
 
 // Letters, digits, '_' and '-': what can be part of a file's name and of a column's.

@@ -53,7 +53,7 @@ Allocation Allocator::wrench(const Wrench& F_H_D, const Vec3& p_HG_D) const noex
   return shared(F_H_D, p_HG_D, lever_);
 }
 
-Allocation Allocator::whole(const Wrench& F_H_D) const noexcept {
+Allocation Allocator::allocate_uniform(const Wrench& F_H_D) const noexcept {
   if (motors() == 0) return {};
   return scaled(F_H_D, desc_.method == AllocationMethod::exact);
 }

@@ -2,10 +2,10 @@
 // Wanted wrenches on the handle -> motor efforts within their limits, in every tick, for every device.
 //
 // What goes beyond the motors is cut down by one of three methods:
-//     exact          The force keeps its direction and so does the moment; gamma of the force is there and mu
-//     of
-//                    the moment, chosen so that what is missing of both, the moment counted in units of its
-//                    lever, is least (share_program.h). Motors that a wrench has to spare help.
+//     exact          Force and moment each keep their direction. gamma is the share of the force that is
+//                    rendered, mu that of the moment; they are chosen to make the shortfall of both least,
+//                    the moment counted in units of its lever (share_program.h). Motors with range to spare
+//                    help.
 //     algorithm1     "Hybrid Force-Moment Braking Pulse", Algorithm 1, with the sign of line 9 turned round
 //                    (m_r = r x f - m is its own Eq. 5) and SCALE comparing with its own s: pseudoinverse,
 //                    force first, then as much of the moment as the motors still have.
@@ -41,8 +41,8 @@ public:
 
   // A tick: the handle is at X_DH, and no motor does anything yet.
   void begin(const Pose& X_DH) noexcept;
-  // What one of the calls below found: later ones of the tick get the motors that are left.
-  void take(const Allocation& allocation) noexcept {
+  // Reserves the efforts of an allocation: later calls in this tick get what is left of each motor's range.
+  void reserve(const Allocation& allocation) noexcept {
     taken_ += allocation.effort;
     taken_F_H_D_ += allocation.F_H_D;
   }
@@ -50,8 +50,8 @@ public:
   // Force and torque each in their direction, as much as there can be: the torque about the control point,
   // p_HG_D (3) m from the handle, where the hand feels it.
   Allocation wrench(const Wrench& F_H_D, const Vec3& p_HG_D = Vec3::Zero()) const noexcept;
-  // All of it, or the same part of force and torque: what it points to is not changed.
-  Allocation whole(const Wrench& F_H_D) const noexcept;
+  // Force and torque scaled by the same factor, at most 1: the wrench keeps its axis.
+  Allocation allocate_uniform(const Wrench& F_H_D) const noexcept;
   // A pulse that a hand which holds the handle at G, p_HG_D (3) m away, would feel as a moment
   // m_r = p_HG x f - m too. Where the motors have not force enough, a moment makes up for it: m_r in its
   // direction, and never more than the whole pulse would make it. lever m: what counts it beside force.

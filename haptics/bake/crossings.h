@@ -25,9 +25,9 @@ Meeting meeting(const Corners3& a, const Corners3& b, double depth);
 // They lie within `depth` of each other's planes and share an area there.
 bool overlap(const Corners3& a, const Corners3& b, double depth);
 
-// A triangle of the component that has its other side in the component too; none: no part of the surface lies
-// inside another. Where it passes through itself triangles cross; or, along edges that agree, some touch that
-// are not next to each other, and the winding number on their two sides tells.
+// Returns a triangle that lies inside the component's own volume, or nothing where the surface does not
+// intersect itself. Where it does, triangles cross; or, along edges that agree, triangles touch that are not
+// neighbours, and the winding number on their two sides tells.
 std::optional<std::uint32_t> find_crossing(const Solid& solid, std::uint32_t component,
                                            const TriangleTree& tree, double depth);
 

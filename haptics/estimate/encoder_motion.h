@@ -18,8 +18,10 @@ public:
   // d (6): what was counted in this tick, m and rad.
   void update(const Vec6& d) noexcept;
 
-  // (6) m and rad: how far the handle went within this tick. Equals d from two steps a tick on; for a single
-  // count its share of the ticks since the last one; nothing for the first count back.
+  // (6) m and rad: how far the handle went within this tick.
+  //     two counts or more in the tick:  all of d
+  //     one count after n idle ticks:    d / n
+  //     the first count after a turn:    0
   const Vec6& within_tick() const { return within_; }
   // (6) m and rad per tick: speed, between counts too, falling as the next count is overdue.
   const Vec6& per_tick() const { return rate_; }

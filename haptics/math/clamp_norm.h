@@ -14,7 +14,7 @@ inline Vec3 clamp_norm(const Vec3& v, double limit) {
   return length > limit ? Vec3(v * (limit / length)) : v;
 }
 
-// Of a limit: what rounding may add to a vector that was clamp_norm to it.
+// Of a limit: what rounding may add to a vector that was clamped to it.
 inline constexpr double kRoundedLength = 1e-12;
 
 // v is no longer than limit, to rounding.

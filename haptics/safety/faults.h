@@ -17,8 +17,8 @@ enum Fault : std::uint32_t {
   kWatchdog = 1u << 4,       // the haptic thread stood still for a quarter of a second
   kToolInside = 1u << 5,     // the tool is deeper inside the scene than the contact model is made for
   // Limits: applied, counted, shown.
-  kForceClamped = 1u << 16,     // the wrench's force was clamp_norm to the device's limit
-  kTorqueClamped = 1u << 17,    // the wrench's torque was clamp_norm to the device's limit
+  kForceClamped = 1u << 16,     // the wrench's force was clamped to the device's limit
+  kTorqueClamped = 1u << 17,    // the wrench's torque was clamped to the device's limit
   kSlewLimited = 1u << 18,      // the continuous wrench changed no faster than the limit
   kMotorClamped = 1u << 19,     // a motor would have saturated: all were scaled, the direction kept
   kMotionLimited = 1u << 20,    // the tool moved less than its velocity, so that no point could pass a wall

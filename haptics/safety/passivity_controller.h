@@ -1,6 +1,6 @@
 #pragma once
 // Takes back what the loop has made: a resistance against the handle's motion, on the axes that the device
-// renders, for as long as the energy ledger tells of a deficit. After Hannaford and Ryu (2002), whose
+// renders, for as long as the passivity observer tells of a deficit. After Hannaford and Ryu (2002), whose
 // controller takes the whole deficit back within a tick; here it is spread over a stretch of the hand's way,
 // because a handle whose encoder counts in steps stands still in most ticks:
 //     F = -min((made - 1 uJ) / way + min(unknown / long_way, f), b |v|) v / |v|

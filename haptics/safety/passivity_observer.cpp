@@ -8,7 +8,7 @@ PassivityObserver::PassivityObserver(const Vec6& step, bool renders_force, bool 
   rendered_.tail<3>().setConstant(renders_torque ? 1 : 0);
 }
 
-void PassivityObserver::book(const Vec6& d_D, const Port& port) noexcept {
+void PassivityObserver::update(const Vec6& d_D, const Port& port) noexcept {
   Vec6 F;
   F << port.F_H_D.force, port.F_H_D.torque;
   const Vec6 held = F.cwiseProduct(rendered_);

@@ -18,8 +18,9 @@
 //
 // A device that senses an axis and does not push on it is no passive port by itself: what the hand winds up
 // there comes back by another axis. That axis is booked at the port too, so that the port tells whether the
-// loop makes energy, and on an account of its own, which tells what it brought in for nothing. No force is
-// held there: the virtual spring is wound with the counts, from F_(k-1) to F_k, and nothing of it is unknown.
+// loop makes energy. The same energy is also counted separately (`unrendered`): what the hand put in on an
+// axis where the device cannot push back. No force is held there: the virtual spring is wound with the
+// counts, from F_(k-1) to F_k, and nothing of it is unknown.
 
 #include <algorithm>
 
@@ -44,7 +45,7 @@ public:
     bool open = false;   // the force is there in full
   };
   // d_D (6): what was counted of the handle since the last call, m and rad.
-  void book(const Vec6& d_D, const Port& port) noexcept;
+  void update(const Vec6& d_D, const Port& port) noexcept;
 
   double port() const { return least_; }  // J, put in by the hand, at least
   // J, above 0: what the loop has made, and what it would have made once the springs have given back all they

@@ -5,8 +5,9 @@
 //     peak        a part of the device's largest force, and of its largest torque
 //     impulse     |sum F dt| at most the peak for `push`: none pushes to one side for longer
 //     length      sum |F| dt at most the peak for `length`
-//     energy      given to the hand, by force and by torque each: what one takes is no credit for the other
-// A force or torque beyond the first is clamp_norm. A wrench that would go beyond another is left out, in
+//     energy      given to the hand, by force and by torque each: energy absorbed by one does not enlarge the
+//     other
+// A force or torque beyond the first is clamped. A wrench that would go beyond another is left out, in
 // this tick and until there is room for it.
 
 #include <array>

@@ -51,7 +51,7 @@ HandleOutput::HandleOutput(const SceneDesc& desc)
       motors_(desc.device, desc.allocation),
       guard_(desc.device, desc.tick_s, transient_sources(desc, desc)),
       output_limit_(desc.device, desc.tick_s),
-      ledger_(encoder_steps(desc.device), desc.device.renders_force, desc.device.renders_torque),
+      observer_(encoder_steps(desc.device), desc.device.renders_force, desc.device.renders_torque),
       passivity_(desc.device, desc.tick_s) {}
 
 std::uint32_t HandleOutput::watch(const DeviceSample& sample, std::span<const Command> commands) noexcept {
@@ -72,7 +72,7 @@ Wrench HandleOutput::in_device(const Wrench& F_H_W) noexcept {
 }
 
 const Wrench& HandleOutput::resist(const Vec6& per_tick_D, std::uint32_t& faults) noexcept {
-  resistance_F_H_D_ = passivity_.resist(ledger_.deficit(), per_tick_D);
+  resistance_F_H_D_ = passivity_.resist(observer_.deficit(), per_tick_D);
   if (!resistance_F_H_D_.is_zero()) faults |= kPassivityControl;
   return resistance_F_H_D_;
 }
@@ -84,10 +84,10 @@ Vec3 HandleOutput::render(const Wrench& wanted_F_H_D, const Wrench& correction_F
   const Wrench limited_F_H_D = guard_.limit(all_F_H_D_, faults);
   motors_.begin(handle.X_DH);
   continuous_ = allocate_continuous(limited_F_H_D, handle.p_HG_D, faults);
-  motors_.take(continuous_);
+  motors_.reserve(continuous_);
   command_F_H_D_ = continuous_.F_H_D;
   // Slew goes on from what the motors did: what they have not is missing of what was wanted before it.
-  missing_F_H_D_ =
+  shortfall_F_H_D_ =
       (continuous_.clamped() ? all_F_H_D_ * guard_.gain() : limited_F_H_D) + -continuous_.F_H_D;
   transients_ = {};
   rendered_ = {};
@@ -104,7 +104,7 @@ Allocation HandleOutput::allocate_continuous(const Wrench& limited_F_H_D, const 
     wanted = motors_.wrench(limited_F_H_D, p_HG_D);
   if (wanted.F_H_D.force == limited_F_H_D.force && wanted.F_H_D.torque == limited_F_H_D.torque) return wanted;
   faults |= kMotorClamped;
-  const Allocation held = motors_.whole(guard_.last());
+  const Allocation held = motors_.allocate_uniform(guard_.last());
   const double part = guard_.slew_part(held.F_H_D, wanted.F_H_D);
   if (part == 1) return wanted;
   faults |= kSlewLimited;
@@ -122,13 +122,13 @@ Allocation HandleOutput::allocate_grasped(const Transient& wanted, const Vec6& m
                                           std::uint32_t& faults) noexcept {
   const Grasp& grasp = *wanted.grasp;
   const Allocation able = grasp.moment ? motors_.pulse(wanted.F_H_D, grasp.p_HG_D, grasp.lever)
-                                       : motors_.whole(wanted.F_H_D);
+                                       : motors_.allocate_uniform(wanted.F_H_D);
   const Wrench allowed = guard_.limit_transient(wanted.source, able.F_H_D, command_F_H_D_, moved_D, faults);
   if (allowed.force == able.F_H_D.force && allowed.torque == able.F_H_D.torque) return able;
   const auto felt = [&grasp](const Wrench& F_H_D) {
     return Vec3(grasp.p_HG_D.cross(F_H_D.force) - F_H_D.torque);
   };
-  Allocation allocation = motors_.whole(allowed);
+  Allocation allocation = motors_.allocate_uniform(allowed);
   allocation.force_share = share(allocation.F_H_D.force, wanted.F_H_D.force);
   allocation.moment_share = share(felt(allocation.F_H_D), felt(wanted.F_H_D));
   return allocation;
@@ -137,10 +137,9 @@ Allocation HandleOutput::allocate_grasped(const Transient& wanted, const Vec6& m
 Allocation HandleOutput::allocate_transient(const Transient& wanted, const Vec6& moved_D,
                                             std::uint32_t& faults) noexcept {
   if (wanted.grasp) return allocate_grasped(wanted, moved_D, faults);
-  const Wrench allowed =
-      guard_.limit_transient(wanted.source, wanted.F_H_D, command_F_H_D_, moved_D, faults);
+  const Wrench allowed = guard_.limit_transient(wanted.source, wanted.F_H_D, command_F_H_D_, moved_D, faults);
   if (allowed.is_zero()) return {.F_H_D = allowed};
-  return motors_.whole(allowed);
+  return motors_.allocate_uniform(allowed);
 }
 
 void HandleOutput::render_transients(const Vec6& moved_D, std::uint32_t& faults) noexcept {
@@ -151,11 +150,11 @@ void HandleOutput::render_transients(const Vec6& moved_D, std::uint32_t& faults)
     if (budget == nullptr) continue;
     const Allocation allocation = allocate_transient(wanted, moved_D, faults);
     const Wrench& F_H_D = allocation.F_H_D;
-    if (!F_H_D.is_zero() || wanted.grasp) motors_.take(allocation);
+    if (!F_H_D.is_zero() || wanted.grasp) motors_.reserve(allocation);
     if (allocation.clamped()) faults |= kMotorClamped;
     guard_.commanded(wanted.source, F_H_D);
-    missing_F_H_D_.force += wanted.F_H_D.force - F_H_D.force;
-    missing_F_H_D_.torque += wanted.F_H_D.torque - F_H_D.torque;
+    shortfall_F_H_D_.force += wanted.F_H_D.force - F_H_D.force;
+    shortfall_F_H_D_.torque += wanted.F_H_D.torque - F_H_D.torque;
     if (!F_H_D.force.isZero(0)) command_F_H_D_.force += F_H_D.force;  // for -0 + 0 is 0
     if (!F_H_D.torque.isZero(0)) command_F_H_D_.torque += F_H_D.torque;
     rendered_.sources[i] = {F_H_D,
@@ -197,11 +196,11 @@ void HandleOutput::book(const Vec6& moved_D, const Wrench& correction_F_H_D, con
   // A force that only lags behind what is wanted is no clamp.
   if ((faults & kSlewLimited) == 0)
     springs *= returnable(all_F_H_D_, rendered_.force_part, rendered_.torque_part);
-  ledger_.book(moved_D, {.F_H_D = felt_F_H_D,
-                         .weight = energy_scale * tool_weight_ * stores.height,
-                         .springs = springs,
-                         .open = guard_.gain() >= 1.0});
-  if (ledger_.port() < kPortBound) faults |= kEnergyBound;
+  observer_.update(moved_D, {.F_H_D = felt_F_H_D,
+                             .weight = energy_scale * tool_weight_ * stores.height,
+                             .springs = springs,
+                             .open = guard_.gain() >= 1.0});
+  if (observer_.port() < kPortBound) faults |= kEnergyBound;
 }
 
 void HandleOutput::leave(DeviceCommand& command, TickRecord& record) const noexcept {
@@ -212,9 +211,9 @@ void HandleOutput::leave(DeviceCommand& command, TickRecord& record) const noexc
     record.actuator_load[slot] = motors_.load(motor, effort_[motor]);
   }
   record.device_F_H_D = command_F_H_D_;
-  record.missing_F_H_D = missing_F_H_D_;
-  record.energy_port = ledger_.port();
-  record.energy_unrendered = ledger_.unrendered();
+  record.shortfall_F_H_D = shortfall_F_H_D_;
+  record.energy_port = observer_.port();
+  record.energy_unrendered = observer_.unrendered();
   record.force_gain = guard_.gain();
   record.stopped = guard_.stopped();
 }

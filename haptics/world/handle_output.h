@@ -83,7 +83,7 @@ private:
   Allocator motors_;
   Guard guard_;
   OutputLimit output_limit_;
-  PassivityObserver ledger_;
+  PassivityObserver observer_;
   PassivityController passivity_;
 
   // Of this tick, on the handle about H, in D.
@@ -93,7 +93,7 @@ private:
   std::array<Transient, kTransientSources> transients_{};
   Wrench command_F_H_D_;
   Effort effort_ = Effort::Zero();
-  Wrench missing_F_H_D_;  // of all that was wanted
+  Wrench shortfall_F_H_D_;  // of all that was wanted
   Rendered rendered_;
 };
 

@@ -27,25 +27,25 @@ struct PlainRecord {
   double depth_max = 0;                            // m, deepest shell point by the field
   Wrench device_F_H_D;                             // commanded, on the handle
   std::array<double, kMaxMotors> actuator_load{};  // fraction of each motor's limit, signed
-  Wrench missing_F_H_D;          // what was wanted, continuous or not, less what was commanded
+  Wrench shortfall_F_H_D;        // what was wanted, continuous or not, less what was commanded
   double energy_port = 0;        // J, passivity observer: below its bound the loop has given out energy
   double energy_unrendered = 0;  // J, brought in by turning against torque that the device does not render
   double force_gain = 0;         // 0 stopped to 1 running
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
-  std::optional<ImpactTick> impact{};         // where impacts are detected
-  std::optional<HoldingRecord> holding{};     // where the scene names a holding point
-  std::optional<double> contact_stiffness{};  // N/m, of a region, where the scene has levels of it
-  std::optional<double>
-      contact_stiffness_wanted{};  // N/m, likewise: asked for, in force once nothing touches
+  std::optional<ImpactTick> impact{};                // where impacts are detected
+  std::optional<HoldingRecord> holding{};            // where the scene names a holding point
+  std::optional<double> contact_stiffness{};         // N/m, of a region, where the scene has levels of it
+  std::optional<double> contact_stiffness_wanted{};  // N/m, the requested contact stiffness; applied in the
+                                                     // next tick without contact
 };
 
 template <class V>
 void describe(V& values, const PlainRecord& record) {
-  const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load, missing,
-               energy_port, energy_unrendered, force_gain, faults, stopped, clutched, impact, holding,
-               contact_stiffness, contact_stiffness_wanted] = record;
+  const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load,
+               shortfall, energy_port, energy_unrendered, force_gain, faults, stopped, clutched, impact,
+               holding, contact_stiffness, contact_stiffness_wanted] = record;
   values.time({"timestamp", "s", "", "Simulated time, counted in ticks."}, tick);
   values.pose({"handle", "", "W", "Where the hand wants the handle H"}, X_WH);
   values.pose({"tool", "", "W", "The tool T, at its centre of mass, after this tick"}, X_WT);
@@ -60,14 +60,14 @@ void describe(V& values, const PlainRecord& record) {
   values.each({"actuator/load", "1", "", "Signed fraction of this motor's limit."}, actuator_load,
               values.names().motors);
   if (values.names().motors.empty()) {
-    values.unseen(missing);
+    values.unseen(shortfall);
   } else {
-    values.length(
-        {"actuator/missing/force", "N", "", "Of all that was wanted on the handle, what the motors had not."},
-        missing.force);
-    values.length({"actuator/missing/torque", "N m", "",
+    values.length({"actuator/shortfall/force", "N", "",
+                   "Of all that was wanted on the handle, what the motors had not."},
+                  shortfall.force);
+    values.length({"actuator/shortfall/torque", "N m", "",
                    "Likewise; beside a pulse, what compensates for its force too."},
-                  missing.torque);
+                  shortfall.torque);
   }
   values.number({"energy/port", "J", "",
                  "Passivity observer, at the device: the least that the hand can have put in; below zero the "

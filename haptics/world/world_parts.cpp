@@ -117,7 +117,7 @@ std::vector<BuiltPart> World::parts() const {
        std::to_string(output_.motors().motors()) + " motors of " + desc_.device.name + ", " +
            method_name(desc_.allocation.method),
        sizeof(Allocator)},
-      {"safety", "clamp, slew, ramp-in, stop, energy ledger, passivity control, output limit: always built",
+      {"safety", "clamp, slew, ramp-in, stop, passivity observer and controller, output limit: always built",
        sizeof(Guard) + sizeof(EncoderMotion) + sizeof(PassivityObserver) + sizeof(PassivityController) +
            sizeof(OutputLimit)},
   };

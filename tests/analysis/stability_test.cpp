@@ -154,7 +154,7 @@ TEST(Diolaiti, DampingWithoutFrictionLeavesABoundedTrembling) {
   EXPECT_EQ(swing(diolaiti_loop(1, 1, 1000), {1000, 0}, 0.1).late, 0) << "friction holds the same";
 }
 
-TEST(PortEnergy, IsTheLedgersAndTheTruths) {
+TEST(PortEnergy, IsTheObserversAndTheTruths) {
   const std::vector<double> energy = port_energy(reference(), {2000, 0}, 0.1, 1001);
   EXPECT_NEAR(energy[1000], -0.1388, 5e-5);
 }

@@ -42,15 +42,16 @@ std::string cell(const TraceColumns& columns, const std::string& name, const Tic
 }
 
 TEST(Trace, HeaderIsTheContract) {
-  EXPECT_EQ(plain().header(),
-            "timestamp,handle/p/x,handle/p/y,handle/p/z,handle/q/w,handle/q/x,handle/q/y,handle/q/z,"
-            "tool/p/x,tool/p/y,tool/p/z,tool/q/w,tool/q/x,tool/q/y,tool/q/z,tool/v/x,tool/v/y,tool/v/z,"
-            "tool/w/x,tool/w/y,tool/w/z,coupling/force/x,coupling/force/y,coupling/force/z,"
-            "coupling/torque/x,coupling/torque/y,coupling/torque/z,contact/force/x,contact/force/y,"
-            "contact/force/z,contact/torque/x,contact/torque/y,contact/torque/z,contact/regions,"
-            "contact/depth_max,device/force/x,device/force/y,device/force/z,device/torque/x,device/torque/y,"
-            "device/torque/z,actuator/load/yaw,actuator/load/shoulder,actuator/load/elbow,"
-            "actuator/missing/force,actuator/missing/torque,energy/port,energy/unrendered,fault,task/step\n");
+  EXPECT_EQ(
+      plain().header(),
+      "timestamp,handle/p/x,handle/p/y,handle/p/z,handle/q/w,handle/q/x,handle/q/y,handle/q/z,"
+      "tool/p/x,tool/p/y,tool/p/z,tool/q/w,tool/q/x,tool/q/y,tool/q/z,tool/v/x,tool/v/y,tool/v/z,"
+      "tool/w/x,tool/w/y,tool/w/z,coupling/force/x,coupling/force/y,coupling/force/z,"
+      "coupling/torque/x,coupling/torque/y,coupling/torque/z,contact/force/x,contact/force/y,"
+      "contact/force/z,contact/torque/x,contact/torque/y,contact/torque/z,contact/regions,"
+      "contact/depth_max,device/force/x,device/force/y,device/force/z,device/torque/x,device/torque/y,"
+      "device/torque/z,actuator/load/yaw,actuator/load/shoulder,actuator/load/elbow,"
+      "actuator/shortfall/force,actuator/shortfall/torque,energy/port,energy/unrendered,fault,task/step\n");
 }
 
 // A task that does not count them keeps its bytes.

@@ -97,11 +97,11 @@ PulseChecks check_pulses(const DeviceDesc& device, std::size_t cases) {
       const std::int64_t before = thread_cpu_ns();
       each.motors.begin(c.X_DH);
       const Allocation given = each.method == PulseMethod::force_only_spare
-                                   ? each.motors.whole({c.f_D, Vec3::Zero()})
+                                   ? each.motors.allocate_uniform({c.f_D, Vec3::Zero()})
                                    : each.motors.pulse({c.f_D, Vec3::Zero()}, c.p_HG_D, c.p_HG_D.norm());
       const double us = static_cast<double>(thread_cpu_ns() - before) * 1e-3;
       if (reached) each.us.push_back(us);
-      each.motors.take(given);
+      each.motors.reserve(given);
       missing.push_back(missing_squared(given.F_H_D, c) / wanted);
       checks.largest_load = std::max(checks.largest_load, largest_load(each.motors));
       clamped |= each.method == PulseMethod::force_only && given.force_share < 1;

@@ -112,7 +112,7 @@ PulseOutcome Striker::strike(Methods& methods, PulseMethod method, const Pose& X
       return by(methods.pseudoinverse);
     case PulseMethod::force_only_spare:
       methods.exact.begin(X_DH);
-      return felt(methods.exact.whole({f_D, Vec3::Zero()}).F_H_D, strike);
+      return felt(methods.exact.allocate_uniform({f_D, Vec3::Zero()}).F_H_D, strike);
     case PulseMethod::algorithm1:
       return by(methods.algorithm1);
     case PulseMethod::exact:

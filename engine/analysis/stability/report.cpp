@@ -142,7 +142,7 @@ void say_rest(report::Page& page, const StabilityStudy& study) {
   page.table(tick_table(study));
 
   page.heading("Energy");
-  page.plot(energy_plot(study), "By the safety system's energy ledger, at the wall alone; a swing from " +
+  page.plot(energy_plot(study), "By the passivity observer, at the wall alone; a swing from " +
                                     short_number(kStudySpeed) +
                                     " m/s. Falling: the wall makes energy. K in N/m, B in N s/m.");
   page.paragraph(

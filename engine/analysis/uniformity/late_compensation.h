@@ -15,7 +15,7 @@ struct LateRun {
   double swing = 0,
          swing_unfaded = 0;  // m, from lowest to highest in the last half second; with fading and without
   double faded_at = -1;      // s, when the gain began to fade; below 0: never
-  double least_port = 0;     // J, of the closed loop's ledger
+  double least_port = 0;     // J, of the passivity observer
   std::vector<double> way, way_unfaded;  // (ticks) m, height of the handle
 };
 

@@ -71,20 +71,20 @@ double by_whole_counts(const Trembling& hand) {
   return work;
 }
 
-double by_ledger(const Trembling& hand, double count) {
+double by_observer(const Trembling& hand, double count) {
   Vec6 steps = Vec6::Zero(), d = Vec6::Zero();
   steps[0] = count;
-  PassivityObserver ledger(steps, true, false);
+  PassivityObserver observer(steps, true, false);
   PassivityObserver::Port port;
   port.open = true;
   port.F_H_D.force.x() = hand.first_force;
-  ledger.book(d, port);
+  observer.update(d, port);
   for (std::size_t tick = 0; tick < hand.counted.size(); ++tick) {
     d[0] = hand.counted[tick];
     port.F_H_D.force.x() = hand.force[tick];
-    ledger.book(d, port);
+    observer.update(d, port);
   }
-  return ledger.port();
+  return observer.port();
 }
 
 }  // namespace
@@ -112,7 +112,8 @@ WorkStudy study_port(bool quick) {
         const double count = 1e-6 * count_um;
         const Trembling hand = tremble(1e-6 * rms_um, count, seconds);
         double port = 0;
-        const double cpu_us = best_us([&] { port = least ? by_ledger(hand, count) : by_whole_counts(hand); });
+        const double cpu_us =
+            best_us([&] { port = least ? by_observer(hand, count) : by_whole_counts(hand); });
         const std::string method =
             (least ? "least, " : "whole counts, ") + std::to_string(std::lround(rms_um)) + " um";
         study.points.push_back({method, count_um, 1e3 * std::abs(hand.truth - port), cpu_us});

@@ -24,7 +24,7 @@ namespace fulcrum {
 
 struct BrakingPulseDesc {
   double hand_mass = 0.45;   // kg, of hand and handle: 0.6 % of 75 kg
-  int ticks = 1;             // N, 1 to 50
+  int ticks = 1;             // that the pulse lasts, 1 to 50; the paper's N
   Vec3 p_HG = Vec3::Zero();  // (3) m, where the hand holds the handle, in the scene's metres
   bool moment = true;        // at the start
   double gain = 1;           // of the force; 0: named but off

@@ -65,9 +65,9 @@ public:
   };
   // The wrench that it adds on the handle, in D about H.
   Wrench process(const Tick& tick) noexcept;
-  // What was commanded of that, 0 to 1, and what the handle did `age` s ago, when the sample was taken:
-  // moved_D (6) m and rad since the sample before, held_D (6) the part of it that was under one command
-  // alone.
+  // commanded: the share of that wrench that was rendered, 0 to 1. moved_D: (6) m and rad, displacement since
+  // the sample before; held_D: (6) the part of it made while a single command was applied (the rest straddles
+  // two). age: s, since that sample was taken.
   struct Shares {
     double force = 1, torque = 1;
   };

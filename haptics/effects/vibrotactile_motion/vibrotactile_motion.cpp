@@ -102,11 +102,11 @@ void VibrotactileMotion::update(const Place& place) noexcept {
 }
 
 const VibrotactileCommand& VibrotactileMotion::render(double guard_gain, bool stopped) noexcept {
-  record_.missing = 0;
+  record_.shortfall = 0;
   if (channels_ == 0) return record_.command;
   const auto give = [this](std::size_t channel, double wanted) {
     record_.command.level[channel] = std::min(wanted, reach_[channel]);
-    record_.missing = std::max(record_.missing, wanted - record_.command.level[channel]);
+    record_.shortfall = std::max(record_.shortfall, wanted - record_.command.level[channel]);
   };
   const double strength = desc_.strength * record_.gain * guard_gain;
   give(left_, strength * left_share_);

@@ -93,8 +93,8 @@ TEST(Allocator, LargestForcesOfTheW6DByThePseudoinverse) {
         LargestForce{Vec3::UnitZ(), 1.295, 2.595}}) {
     Allocator study(by_motors(w6d::device(0.255, 0.145)), {.method = AllocationMethod::pseudoinverse});
     Allocator whole(by_motors(w6d::device(0.511, 0.145)), {.method = AllocationMethod::pseudoinverse});
-    EXPECT_NEAR(study.whole({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_255, 5.1e-4);
-    EXPECT_NEAR(whole.whole({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_511, 5.1e-4);
+    EXPECT_NEAR(study.allocate_uniform({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_255, 5.1e-4);
+    EXPECT_NEAR(whole.allocate_uniform({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_511, 5.1e-4);
   }
 }
 
@@ -103,10 +103,10 @@ TEST(Allocator, LargestForcesOfTheW6DWithItsSpareMotor) {
        {LargestForce{Vec3::UnitX(), 3.325, 6.663}, LargestForce{Vec3::UnitY(), 1.980, 3.969},
         LargestForce{Vec3::UnitZ(), 1.981, 3.969}}) {
     Allocator study(by_motors(w6d::device(0.255, 0.145))), whole(by_motors(w6d::device(0.511, 0.145)));
-    const Allocation allocation = study.whole({100 * axis, Vec3::Zero()});
+    const Allocation allocation = study.allocate_uniform({100 * axis, Vec3::Zero()});
     EXPECT_NEAR(allocation.F_H_D.force.norm(), at_255, 5.1e-4);
     EXPECT_NEAR(allocation.F_H_D.torque.norm(), 0, 1e-12);
-    EXPECT_NEAR(whole.whole({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_511, 5.1e-4);
+    EXPECT_NEAR(whole.allocate_uniform({100 * axis, Vec3::Zero()}).F_H_D.force.norm(), at_511, 5.1e-4);
   }
 }
 
@@ -116,7 +116,7 @@ TEST(Allocator, Algorithm1FindsNoMomentOnTheW6DsAxes) {
   for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
     Allocator motors(w6d::device(0.255, 0.145), {.method = AllocationMethod::algorithm1});
     const Allocation allocation = motors.pulse({10 * axis, Vec3::Zero()}, r, r.norm());
-    motors.take(allocation);
+    motors.reserve(allocation);
     EXPECT_LT(allocation.force_share, 1);
     EXPECT_GE(allocation.moment_share, allocation.force_share);
     expect_within_limits(motors);
@@ -146,7 +146,7 @@ TEST(Allocator, ExactIsNeverWorseThanTheOthersAndKeepsItsWord) {
         Allocator motors(device, {.method = method});
         motors.begin(X_DH);
         const Allocation allocation = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
-        motors.take(allocation);
+        motors.reserve(allocation);
         expect_within_limits(motors);
         expect_within_device(device, allocation.F_H_D);
         const double size = f_D.norm();
@@ -180,7 +180,7 @@ TEST(Allocator, NoPairOfSharesOnAGridIsBetterThanExact) {
     Allocator motors(device);
     motors.begin(X_DH);
     const Allocation taken = motors.wrench(first);
-    motors.take(taken);
+    motors.reserve(taken);
     const Allocation exact = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
     const auto device_can = [&](double gamma, double mu) {
       const Vec3 torque = taken.F_H_D.torque + (gamma - mu) * p_HG_D.cross(f_D);
@@ -240,7 +240,7 @@ TEST(Allocator, TheDevicesForceAndTorqueHold) {
                       0.3 * random.uniform() * arms::random_vector(random)});
         Wrench sum;
         const auto take = [&](const Allocation& allocation) {
-          motors.take(allocation);
+          motors.reserve(allocation);
           sum += allocation.F_H_D;
           ASSERT_TRUE(sum.is_finite());
           expect_within_device(device, sum);
@@ -249,7 +249,7 @@ TEST(Allocator, TheDevicesForceAndTorqueHold) {
         const Vec3 p_HG_D = 0.2 * arms::random_vector(random);
         take(motors.wrench({10 * arms::random_vector(random), arms::random_vector(random)}, p_HG_D));
         take(motors.pulse({50 * arms::random_vector(random), Vec3::Zero()}, p_HG_D, p_HG_D.norm()));
-        take(motors.whole({arms::random_vector(random), 0.1 * arms::random_vector(random)}));
+        take(motors.allocate_uniform({arms::random_vector(random), 0.1 * arms::random_vector(random)}));
       }
     }
   }
@@ -280,7 +280,7 @@ TEST(Allocator, SaturationKeepsTheDirections) {
       if (!device.renders_torque) wanted.torque.setZero();
       const Allocation allocation = motors.wrench(wanted);
       EXPECT_TRUE(allocation.clamped());
-      motors.take(allocation);
+      motors.reserve(allocation);
       expect_within_limits(motors);
       double largest = 0;
       for (int m = 0; m < motors.motors(); ++m)
@@ -302,11 +302,11 @@ TEST(Allocator, WrenchesOfOneTickShareTheMotors) {
     const auto [X_DH, f_D, p_HG_D] = random_case(random);
     motors.begin(X_DH);
     const Allocation continuous = motors.wrench({0.02 * f_D, Vec3::Zero()});
-    motors.take(continuous);
+    motors.reserve(continuous);
     const Allocation pulse = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
-    motors.take(pulse);
-    const Allocation tone = motors.whole({Vec3(0.1, 0.2, 0), Vec3(0.01, 0, 0)});
-    motors.take(tone);
+    motors.reserve(pulse);
+    const Allocation tone = motors.allocate_uniform({Vec3(0.1, 0.2, 0), Vec3(0.01, 0, 0)});
+    motors.reserve(tone);
     expect_within_limits(motors);
     EXPECT_NEAR((continuous.effort + pulse.effort + tone.effort - motors.taken()).norm(), 0, 1e-15);
     const Vec3 t = tone.F_H_D.force;
@@ -330,7 +330,7 @@ TEST(Allocator, AMotorWithoutALimitsWorthTakesNoPart) {
       const auto [X_DH, f_D, p_HG_D] = random_case(random);
       motors.begin(X_DH);
       const Allocation allocation = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());
-      motors.take(allocation);
+      motors.reserve(allocation);
       EXPECT_EQ(motors.taken()[dead], 0.0);
       EXPECT_EQ(motors.load(dead, motors.taken()[dead]), 0.0);
       expect_within_limits(motors);
@@ -349,7 +349,7 @@ TEST(Allocator, SingularAndFarPosesGiveFiniteEffortsWithinLimits) {
         motors.begin({quaternion_exp(3 * arms::random_vector(random)), 0.4 * arms::random_vector(random)});
         const Allocation allocation = motors.pulse({20 * arms::random_vector(random), Vec3::Zero()},
                                                    0.1 * arms::random_vector(random), 0.1);
-        motors.take(allocation);
+        motors.reserve(allocation);
         EXPECT_TRUE(allocation.F_H_D.is_finite());
         EXPECT_TRUE(allocation.effort.allFinite());
         expect_within_limits(motors);
@@ -375,7 +375,7 @@ TEST(Allocator, NothingWantedIsNothing) {
   Allocator motors(w6d::device(0.255, 0.145));
   EXPECT_TRUE(motors.pulse({}, Vec3(0, 0.1, 0), 0.1).F_H_D.is_zero());
   EXPECT_TRUE(motors.wrench({}).F_H_D.is_zero());
-  EXPECT_TRUE(motors.whole({}).F_H_D.is_zero());
+  EXPECT_TRUE(motors.allocate_uniform({}).F_H_D.is_zero());
   EXPECT_TRUE(motors.taken().isZero(0));
 }
 

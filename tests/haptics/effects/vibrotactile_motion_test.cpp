@@ -250,9 +250,9 @@ TEST(VibrotactileMotion, LiftedOffOrAtRestItIsSilent) {
 TEST(VibrotactileMotion, WhatAChannelCannotDoIsMissing) {
   VibrotactileMotionDesc desc;
   desc.strength = 20;
-  double missing = 0, most = 0;
+  double shortfall = 0, most = 0;
   for (const Moment& m : swept(desc, 1e-3, 0.3, [](double t) { return 0.05 * t - 1e-3; })) {
-    missing = std::max(missing, m.cues.missing);
+    shortfall = std::max(missing, m.cues.shortfall);
     most = std::max(most, m.cues.command.level[1]);
   }
   const double reach = 12.84 / (std::numbers::pi * 233 / 48000 / std::sin(std::numbers::pi * 233 / 48000));

@@ -156,7 +156,8 @@ TEST_P(EveryResponse, NumbersAtTheEndsOfTheirRangeAreUsedOrStopTheForce) {
   }
 }
 
-// Finite, but the place of no handle: its square overflows, or its energy drowns what the ledger has booked.
+// Finite, but the place of no handle: its square overflows, or its energy drowns what the observer has
+// booked.
 TEST_P(EveryResponse, APoseFarBeyondAnyWorkspaceStopsTheForce) {
   for (const double value : {1.1e3, 1e10, 1e100, 1e155, 1e300, -1e300}) {
     SceneDesc scene = answering(floor_scene(three_feet(), 0.03));

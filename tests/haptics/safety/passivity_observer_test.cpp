@@ -59,11 +59,11 @@ struct Loop {
 // A spring and a damper on the counted position, held from tick to tick, under a handle that goes where it is
 // told.
 Books follow(const Path& path, double seconds, const Loop& loop) {
-  PassivityObserver ledger(along_x(loop.count), true, true);
+  PassivityObserver observer(along_x(loop.count), true, true);
   const double keep = std::exp(-2 * std::numbers::pi * 60 * kTick);
   Books books;
   double x = path(0), q = counted(x, loop.count), F = -loop.stiffness * q, v = 0;
-  ledger.book(Vec6::Zero(), pushing(F));
+  observer.update(Vec6::Zero(), pushing(F));
   for (int k = 1; k <= static_cast<int>(std::lround(seconds / kTick)); ++k) {
     const double x_next = path(k * kTick), q_next = counted(x_next, loop.count), d = q_next - q;
     books.truth -= F * (x_next - x);
@@ -73,11 +73,11 @@ Books follow(const Path& path, double seconds, const Loop& loop) {
     const double F_next = -loop.stiffness * q - loop.damping * v;
     books.changes += std::abs(F_next - F);
     F = F_next;
-    ledger.book(along_x(d), pushing(F));
-    books.above = std::max(books.above, ledger.port() - books.truth);
-    books.below = std::max(books.below, books.truth - ledger.port());
+    observer.update(along_x(d), pushing(F));
+    books.above = std::max(books.above, observer.port() - books.truth);
+    books.below = std::max(books.below, books.truth - observer.port());
   }
-  books.port = ledger.port();
+  books.port = observer.port();
   return books;
 }
 
@@ -195,31 +195,31 @@ TEST(PassivityObserver, AJumpHidesNoMoreThanACountOfTheChangeOfForce) {
 // What the hand winds up on an axis that nobody pushes on comes in whole.
 TEST(PassivityObserver, BooksUnrenderedAxesApart) {
   const Vec6 counts = Vec6::Constant(1e-3);
-  PassivityObserver ledger(counts, true, false);
+  PassivityObserver observer(counts, true, false);
   PassivityObserver::Port port;
   port.open = true;
-  ledger.book(Vec6::Zero(), port);
+  observer.update(Vec6::Zero(), port);
   Vec6 d = Vec6::Zero();
   d[4] = 0.1;
   port.F_H_D.torque = Vec3(0, -0.03, 0);
-  ledger.book(d, port);
-  EXPECT_NEAR(ledger.unrendered(), 0.5 * 0.03 * 0.1, 1e-15);
-  EXPECT_NEAR(ledger.port(), ledger.unrendered(), 1e-15);
+  observer.update(d, port);
+  EXPECT_NEAR(observer.unrendered(), 0.5 * 0.03 * 0.1, 1e-15);
+  EXPECT_NEAR(observer.port(), observer.unrendered(), 1e-15);
 }
 
 TEST(PassivityObserver, WeightIsAStoreAndSpringsAreAPurse) {
-  PassivityObserver ledger(Vec6::Zero(), true, true);
+  PassivityObserver observer(Vec6::Zero(), true, true);
   PassivityObserver::Port port;
   port.weight = 2.0;
   port.springs = 0.25;
-  ledger.book(along_x(1), port);
-  EXPECT_EQ(ledger.port(), 0);
+  observer.update(along_x(1), port);
+  EXPECT_EQ(observer.port(), 0);
   port.open = true;
-  ledger.book(along_x(1), port);
-  EXPECT_EQ(ledger.port(), 0.25);
+  observer.update(along_x(1), port);
+  EXPECT_EQ(observer.port(), 0.25);
   port.weight = 2.5;  // lifted by half a joule, by nobody's hand
-  ledger.book(Vec6::Zero(), port);
-  EXPECT_EQ(ledger.port(), -0.25);
+  observer.update(Vec6::Zero(), port);
+  EXPECT_EQ(observer.port(), -0.25);
 }
 
 // A handle on a spring, with nothing to damp it, two ticks of delay: unstable by theory at any stiffness.
@@ -232,27 +232,27 @@ struct Swinging {
 Swinging spring_loop(bool controlled, double stiffness, double count) {
   DeviceDesc device;
   PassivityController control(device, kTick);
-  PassivityObserver ledger(along_x(count), true, true);
+  PassivityObserver observer(along_x(count), true, true);
   EncoderMotion motion(along_x(count));
   FrictionAxis handle{.mass = device.handle_mass, .damping = 0, .friction = 0};
   handle.v = 0.05;
   std::array<double, 2> under_way{};
   double q = 0, truth = 0;
   Swinging loop;
-  ledger.book(Vec6::Zero(), pushing(0));
+  observer.update(Vec6::Zero(), pushing(0));
   for (int k = 0; k < 5000; ++k) {
     const double d = counted(handle.x, count) - q;
     q += d;
     motion.update(along_x(d));
     double F = -stiffness * q;
-    if (controlled) F += control.resist(ledger.deficit(), motion.per_tick()).force.x();
+    if (controlled) F += control.resist(observer.deficit(), motion.per_tick()).force.x();
     F = std::clamp(F, -device.max_force, device.max_force);
-    ledger.book(along_x(d), pushing(under_way[0], 0.5 * stiffness * q * q));
+    observer.update(along_x(d), pushing(under_way[0], 0.5 * stiffness * q * q));
     FrictionAxis::Load load;
     load.force = under_way[0];
-    loop.lowest_port = std::min(loop.lowest_port, ledger.port());
+    loop.lowest_port = std::min(loop.lowest_port, observer.port());
     loop.lowest_truth = std::min(loop.lowest_truth, truth);
-    loop.port_above = std::max(loop.port_above, ledger.port() - truth);
+    loop.port_above = std::max(loop.port_above, observer.port() - truth);
     const double x = handle.x;
     handle.advance(load, kTick);
     truth -= under_way[0] * (handle.x - x);

@@ -50,8 +50,8 @@ inline std::string bytes_of(const TickRecord& record) {
   for (const Vec3* v :
        {&record.X_WH.p, &record.X_WT.p, &record.V_WT.v, &record.V_WT.w, &record.coupling_F_T_W.force,
         &record.coupling_F_T_W.torque, &record.contact_F_T_W.force, &record.contact_F_T_W.torque,
-        &record.device_F_H_D.force, &record.device_F_H_D.torque, &record.missing_F_H_D.force,
-        &record.missing_F_H_D.torque})
+        &record.device_F_H_D.force, &record.device_F_H_D.torque, &record.shortfall_F_H_D.force,
+        &record.shortfall_F_H_D.torque})
     numbers.insert(numbers.end(), v->begin(), v->end());
   numbers.insert(numbers.end(), record.actuator_load.begin(), record.actuator_load.end());
   numbers.push_back(record.energy_port);
