@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include "engine/analysis/ambiguity/report.h"
 #include "engine/app/cli/exit_code.h"
@@ -41,8 +42,6 @@ analysis::ambiguity::AmbiguityStudy study_of(const Prepared& prepared) {
   return study;
 }
 
-}  // namespace
-
 int ambiguity_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::ambiguity::kAmbiguityCsvName,
                                         analysis::ambiguity::kAmbiguityPageName};
@@ -61,6 +60,20 @@ int ambiguity_command(const RunOptions& options) {
   print_table(analysis::ambiguity::ambiguity_table(study));
   std::printf("Every place lies in %s\n", bold(folder->string()).c_str());
   return kCompleted;
+}
+
+}  // namespace
+
+void add_ambiguity(Program& program) {
+  const auto options = std::make_shared<RunOptions>();
+  program.add(
+      "ambiguity", "Which impacts on the tool feel alike, and where to hold it instead",
+      [options](Arguments& arguments) {
+        arguments.required({"scenario", "NAME|FILE", "Its name or file"}, options->scenario);
+        arguments.overrides(options->overrides);
+        arguments.out(*options);
+      },
+      [options] { return ambiguity_command(*options); });
 }
 
 }  // namespace fulcrum::app

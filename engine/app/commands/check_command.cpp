@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/app/cli/exit_code.h"
@@ -8,7 +9,6 @@
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
-#include "engine/scenario/schema.h"
 
 namespace fulcrum::app {
 namespace {
@@ -23,8 +23,6 @@ scenario::Faults faults_of(const std::string& name_or_file) {
   if (!models) return {{file->string(), 0, 0, models.error().sentence}};
   return {};
 }
-
-}  // namespace
 
 int check_command(const std::vector<std::string>& files, bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -47,13 +45,18 @@ int check_command(const std::vector<std::string>& files, bool json) {
   return good ? kCompleted : kError;
 }
 
-int schema_command(const std::string& of) {
-  const std::string schema = of == "hand"       ? scenario::hand_path_schema()
-                             : of == "device"   ? scenario::device_schema()
-                             : of == "material" ? scenario::material_schema()
-                                                : scenario::scenario_schema();
-  std::printf("%s\n", schema.c_str());
-  return kCompleted;
+}  // namespace
+
+void add_check(Program& program) {
+  const auto files = std::make_shared<std::vector<std::string>>();
+  const auto json = std::make_shared<bool>(false);
+  program.add(
+      "check", "Say what is wrong with scenarios",
+      [files, json](Arguments& arguments) {
+        arguments.required({"files", "FILE", "Scenario files or names"}, *files);
+        arguments.json("As JSON", *json);
+      },
+      [files, json] { return check_command(*files, *json); });
 }
 
 }  // namespace fulcrum::app

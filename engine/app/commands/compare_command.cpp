@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/compare/report.h"
@@ -106,8 +107,6 @@ std::string command_line(const CompareOptions& options) {
   return text;
 }
 
-}  // namespace
-
 int compare_command(const CompareOptions& options) {
   constexpr std::string_view files[] = {analysis::compare::kCompareCsvName,
                                         analysis::compare::kCompareJsonName,
@@ -142,6 +141,35 @@ int compare_command(const CompareOptions& options) {
     print_table(analysis::compare::difference_table(comparison));
   std::printf("Plots and every trial lie in %s\n", bold(folder->string()).c_str());
   return kCompleted;
+}
+
+}  // namespace
+
+void add_compare(Program& program) {
+  const auto options = std::make_shared<CompareOptions>();
+  program.add(
+      "compare", "Variants of torque substitution over the same trials: torque, force and time",
+      [options](Arguments& arguments) {
+        arguments.required({"scenario", "NAME|FILE", "Its name (fulcrum list) or file"},
+                           options->run.scenario);
+        arguments.text(
+            {"--variants", "A,B,C", "Of A (no cue), B (vibration), C (vibration and ghost); default A,B,C"},
+            [options](const std::string& text) { return read_variants(text, options->variants); });
+        CLI::Option* hand = arguments.text(
+            {"--hand", "HAND", "The simulated hand (default: yielding, where the scenario has it)"},
+            options->hand);
+        CLI::Option* trials =
+            arguments.count({"--trials", "N", "Of each variant (default 20)"}, options->trials, 1, 10000);
+        CLI::Option* tape = arguments.text(
+            {"--tape", "FILE", "A recorded motion, tape or trace.csv, instead of the hand: one trial"},
+            options->tape);
+        Arguments::exclude(tape, hand);
+        Arguments::exclude(tape, trials);
+        arguments.overrides(options->run.overrides);
+        arguments.out(options->run);
+        arguments.json("Print compare.json", options->run.json);
+      },
+      [options] { return compare_command(*options); });
 }
 
 }  // namespace fulcrum::app

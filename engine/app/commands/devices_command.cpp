@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "drivers/registry.h"
@@ -9,6 +10,8 @@
 #include "engine/ui/window.h"
 
 namespace fulcrum::app {
+
+namespace {
 
 int devices_command(bool json) {
   const std::vector<DeviceListing> devices = list_devices(ui::why_no_window());
@@ -31,6 +34,16 @@ int devices_command(bool json) {
     if (!d.present) std::printf("%s  %s\n", std::string(width, ' ').c_str(), dim(d.reason).c_str());
   }
   return kCompleted;
+}
+
+}  // namespace
+
+void add_devices(Program& program) {
+  const auto json = std::make_shared<bool>(false);
+  program.add(
+      "devices", "Which devices are there, and why others are not",
+      [json](Arguments& arguments) { arguments.json("As JSON", *json); },
+      [json] { return devices_command(*json); });
 }
 
 }  // namespace fulcrum::app

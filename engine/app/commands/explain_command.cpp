@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/app/cli/exit_code.h"
@@ -51,8 +52,6 @@ nlohmann::ordered_json to_json(const std::vector<InventoryItem>& items) {
                    {"note", item.note}});
   return all;
 }
-
-}  // namespace
 
 int explain_command(const std::string& name, const std::vector<std::string>& overrides, bool json) {
   const std::optional<Prepared> prepared = prepare(name, overrides);
@@ -110,6 +109,22 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
   for (const std::string& note : prepared->haptic.repaired) std::printf("  %s\n", note.c_str());
   for (const std::string& note : prepared->haptic.notes) std::printf("%s\n", dim(note).c_str());
   return kCompleted;
+}
+
+}  // namespace
+
+void add_explain(Program& program) {
+  const auto scenario = std::make_shared<std::string>();
+  const auto overrides = std::make_shared<std::vector<std::string>>();
+  const auto json = std::make_shared<bool>(false);
+  program.add(
+      "explain", "What a scenario builds, what that costs, what it leaves out",
+      [scenario, overrides, json](Arguments& arguments) {
+        arguments.required({"scenario", "NAME|FILE", "Its name or file"}, *scenario);
+        arguments.overrides(*overrides);
+        arguments.json("As JSON", *json);
+      },
+      [scenario, overrides, json] { return explain_command(*scenario, *overrides, *json); });
 }
 
 }  // namespace fulcrum::app

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/hardness/report.h"
@@ -12,6 +13,14 @@
 
 namespace fulcrum::app {
 namespace {
+
+// Of `run` count out, force and json.
+struct HardnessOptions {
+  RunOptions run;
+  std::string device = "w6d";
+  double speed = 0.15;                // m/s
+  std::optional<double> motor_limit;  // N m, of every motor of an arm
+};
 
 using Json = nlohmann::ordered_json;
 
@@ -115,8 +124,6 @@ Json to_json(const analysis::hardness::HardnessStudy& study) {
           {"checks", checks_json(study.checks)}};
 }
 
-}  // namespace
-
 int hardness_command(const HardnessOptions& options) {
   constexpr std::string_view files[] = {analysis::hardness::kHardnessCsvName,
                                         analysis::hardness::kHardnessJsonName,
@@ -159,6 +166,26 @@ int hardness_command(const HardnessOptions& options) {
   print_table(analysis::hardness::method_table(study));
   std::printf("Map, plots and every direction lie in %s\n", bold(folder->string()).c_str());
   return kCompleted;
+}
+
+}  // namespace
+
+void add_hardness(Program& program) {
+  const auto options = std::make_shared<HardnessOptions>();
+  program.add(
+      "hardness", "Where on a device a moment makes a surface feel harder, and where it cannot",
+      [options](Arguments& arguments) {
+        arguments.text({"--device", "NAME", "A file of content/devices, by name (default: w6d)"},
+                       options->device);
+        arguments.number({"--speed", "V", "Of the hand towards the surface, in m/s (default 0.15)"},
+                         options->speed, 1e-3, 10);
+        arguments.number({"--motor-limit", "LIMIT",
+                          "Of every motor of the device's arms, in N m (default: as its file says)"},
+                         options->motor_limit, 1e-3, 1e3);
+        arguments.out(options->run);
+        arguments.json("Print hardness.json", options->run.json);
+      },
+      [options] { return hardness_command(*options); });
 }
 
 }  // namespace fulcrum::app

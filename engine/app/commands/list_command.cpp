@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/app/cli/exit_code.h"
@@ -8,6 +9,8 @@
 #include "engine/scenario/content.h"
 
 namespace fulcrum::app {
+
+namespace {
 
 int list_command(bool json) {
   const std::vector<scenario::ScenarioListing> scenarios = scenario::list_scenarios();
@@ -37,6 +40,16 @@ int list_command(bool json) {
     std::printf("%s%s  %s\n", bold(s.name).c_str(), padding.c_str(), line.c_str());
   }
   return kCompleted;
+}
+
+}  // namespace
+
+void add_list(Program& program) {
+  const auto json = std::make_shared<bool>(false);
+  program.add(
+      "list", "The scenarios, a line each",
+      [json](Arguments& arguments) { arguments.json("As JSON", *json); },
+      [json] { return list_command(*json); });
 }
 
 }  // namespace fulcrum::app

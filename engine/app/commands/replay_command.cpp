@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/terminal.h"
@@ -16,6 +17,8 @@
 #include "haptics/loop/run_tick.h"
 
 namespace fulcrum::app {
+
+namespace {
 
 int replay_command(const std::filesystem::path& file, const RunOptions& options) {
   const Result<record::Tape> tape = record::read_tape(file);
@@ -82,6 +85,20 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
             "are the same as recorded was not checked.\n",
       static_cast<long long>(check.ticks()));
   return written && outcome.recorded ? kCompleted : kError;
+}
+
+}  // namespace
+
+void add_replay(Program& program) {
+  const auto tape = std::make_shared<std::string>();
+  const auto options = std::make_shared<RunOptions>();
+  program.add(
+      "replay", "Repeat a run from its tape and compare every tick",
+      [tape, options](Arguments& arguments) {
+        arguments.required({"tape", "TAPE", "The tape of a run"}, *tape);
+        arguments.out(*options);
+      },
+      [tape, options] { return replay_command(*tape, *options); });
 }
 
 }  // namespace fulcrum::app

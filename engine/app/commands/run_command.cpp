@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include "drivers/mouse/mouse_device.h"
 #include "engine/app/cli/exit_code.h"
@@ -18,6 +19,17 @@
 
 namespace fulcrum::app {
 namespace {
+
+// "WxH", each 16 to 16384 pixels.
+std::string read_size(const std::string& text, render::Extent& size) {
+  unsigned width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &rest) != 2 || width < 16 || height < 16 ||
+      width > 16384 || height > 16384)
+    return "'" + text + "' is no size: give WIDTHxHEIGHT in pixels, such as 1280x720, each from 16 to 16384";
+  size = {width, height};
+  return {};
+}
 
 Result<std::unique_ptr<Device>> make_device(const Prepared& prepared, const SceneDesc& scene,
                                             const RunOptions& options) {
@@ -195,8 +207,6 @@ bool feels_impacts(const scenario::Scenario& scenario, const std::string& device
   return is_built<ImpactVibrationEffect>(scene, scene.impact_vibration);
 }
 
-}  // namespace
-
 int run_command(const RunOptions& given) {
   RunOptions options = given;
   if (options.device.empty()) options.device = options.headless ? "simulated" : "mouse";
@@ -235,6 +245,49 @@ int run_command(const RunOptions& given) {
   for (const std::string& note : prepared->haptic.repaired) complain(note);
   catch_interrupts();
   return run_headless(*prepared, options);
+}
+
+}  // namespace
+
+void add_run(Program& program) {
+  const auto options = std::make_shared<RunOptions>();
+  program.add(
+      "run", "Run a scenario, in a window or headless",
+      [options](Arguments& arguments) {
+        arguments.required({"scenario", "NAME|FILE", "Its name (fulcrum list) or file"}, options->scenario);
+        arguments.flag("--headless", "No window: as fast as it goes, one picture at the end",
+                       options->headless);
+        arguments.text(
+            {"--hand", "HAND", "The simulated hand: expert, clumsy, still, or another of the scenario's"},
+            options->hand);
+        arguments.text(
+            {"--device", "DEVICE", "simulated, simulated:MODEL, mouse or replay:FILE (fulcrum devices)"},
+            options->device);
+        arguments.flag("--realtime", "Headless, but by the clock, in the haptic thread", options->realtime);
+        arguments.positive({"--seconds", "S", "End after this much simulated time"}, options->seconds);
+        arguments.integer(
+            {"--seed", "N", "Seed of what is random, such as the hand's tremor"},
+            [options](std::int64_t seed) { options->overrides.push_back("seed=" + std::to_string(seed)); });
+        arguments.overrides(options->overrides);
+        arguments.text({"--size", "WxH", "Of the picture or the window, in pixels (default 1280x720)"},
+                       [options](const std::string& text) { return read_size(text, options->size); });
+        arguments.text(
+            {"--view", "NAME",
+             "The view of the picture, and where the window starts (default: the scenario's first)"},
+            options->view);
+        arguments.flag(
+            "--circle",
+            "After an impact, show where else on a tool it would have turned the hand about the same "
+            "axis",
+            options->circle);
+        arguments.text({"--gpu", "GPU", "Which GPU draws: its number, a part of its name, or 'list'"},
+                       options->gpu);
+        arguments.flag("--validate", "Draw under Vulkan's validation layers: slow; what they say is an error",
+                       options->validate);
+        arguments.out(*options);
+        arguments.json("Print the summary as JSON", options->json);
+      },
+      [options] { return run_command(*options); });
 }
 
 }  // namespace fulcrum::app

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/stability/report.h"
@@ -45,8 +46,6 @@ nlohmann::ordered_json to_json(const std::vector<analysis::stability::ZWidth>& w
   return all;
 }
 
-}  // namespace
-
 int stability_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::stability::kStabilityCsvName,
                                         analysis::stability::kStabilityPageName};
@@ -77,6 +76,19 @@ int stability_command(const RunOptions& options) {
   print_table(analysis::stability::z_width_table(study));
   std::printf("Plots and every border lie in %s\n", bold(folder->string()).c_str());
   return kCompleted;
+}
+
+}  // namespace
+
+void add_stability(Program& program) {
+  const auto options = std::make_shared<RunOptions>();
+  program.add(
+      "stability", "How stiff a wall each device can hold: simulated, and by theory",
+      [options](Arguments& arguments) {
+        arguments.out(*options);
+        arguments.json("Print the figures as JSON", options->json);
+      },
+      [options] { return stability_command(*options); });
 }
 
 }  // namespace fulcrum::app

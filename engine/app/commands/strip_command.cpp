@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,8 +60,6 @@ std::optional<std::vector<StripPress>> read_presses(const std::string& path) {
   return presses;
 }
 
-}  // namespace
-
 int strip_command(const std::string& device_name, const std::string& path) {
   const std::optional<DeviceDesc> device = device_named(device_name);
   if (!device) return kError;
@@ -91,6 +90,22 @@ int strip_command(const std::string& device_name, const std::string& path) {
           ? " That is more than a finger errs: the strip is bent, or a place is not what it was noted as."
           : "");
   return kCompleted;
+}
+
+}  // namespace
+
+void add_strip(Program& program) {
+  const auto presses = std::make_shared<std::string>();
+  const auto device = std::make_shared<std::string>("freedom6s");
+  program.add(
+      "strip", "Calibrate a device's strip: the ends of it from presses at known places",
+      [presses, device](Arguments& arguments) {
+        arguments.required({"presses", "FILE", "A line for each: its place in m along the stick, and ohm"},
+                           *presses);
+        arguments.text({"--device", "NAME", "A file of content/devices, by name (default: freedom6s)"},
+                       *device);
+      },
+      [presses, device] { return strip_command(*device, *presses); });
 }
 
 }  // namespace fulcrum::app

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <memory>
 
 #include "engine/analysis/uniformity/report.h"
 #include "engine/analysis/uniformity/tables.h"
@@ -13,8 +14,6 @@ namespace {
 
 constexpr const char* kDevice = "freedom6s";  // that the study is about
 constexpr int kStrikes = 20;
-
-}  // namespace
 
 int uniformity_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::uniformity::kUniformityCsvName,
@@ -40,6 +39,16 @@ int uniformity_command(const RunOptions& options) {
   print_table(analysis::uniformity::summary_table(study));
   std::printf("Tables and plots lie in %s\n", bold(folder->string()).c_str());
   return kCompleted;
+}
+
+}  // namespace
+
+void add_uniformity(Program& program) {
+  const auto options = std::make_shared<RunOptions>();
+  program.add(
+      "uniformity", "Whether a ball feels alike along a whole stick, though the device has a mass at one end",
+      [options](Arguments& arguments) { arguments.out(*options); },
+      [options] { return uniformity_command(*options); });
 }
 
 }  // namespace fulcrum::app

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/workprecision/report.h"
@@ -52,8 +53,6 @@ std::optional<analysis::workprecision::PipingParts> piping_parts() {
   return parts;
 }
 
-}  // namespace
-
 int workprecision_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::workprecision::kWorkCsvName,
                                         analysis::workprecision::kWorkPageName};
@@ -83,6 +82,19 @@ int workprecision_command(const RunOptions& options) {
   std::printf("%s\n", analysis::workprecision::goal_sentence(studies).c_str());
   std::printf("Plots and every setting lie in %s\n", bold(folder->string()).c_str());
   return kCompleted;
+}
+
+}  // namespace
+
+void add_workprecision(Program& program) {
+  const auto options = std::make_shared<RunOptions>();
+  program.add(
+      "workprecision", "What each choice costs, and how far from a known truth it leaves the answer",
+      [options](Arguments& arguments) {
+        arguments.out(*options);
+        arguments.json("Print the figures as JSON", options->json);
+      },
+      [options] { return workprecision_command(*options); });
 }
 
 }  // namespace fulcrum::app

@@ -1,0 +1,167 @@
+#include "engine/app/cli/program.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/cli/version.h"
+#include "engine/scenario/words.h"
+
+namespace fulcrum::app {
+namespace {
+
+// What is wrong with the word that should be a subcommand; nothing, where it is one or an option.
+std::optional<std::string> refuse_subcommand(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  const std::string word = argv[1];
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : program.get_subcommands({})) names.push_back(subcommand->get_name());
+  if (std::ranges::find(names, word) != names.end()) return std::nullopt;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return "there is no subcommand " + scenario::in_quotes(word) +
+         scenario::did_you_mean(word, known, "`fulcrum --help` lists them");
+}
+
+// What is wrong with the first option that the parser has left over; nothing, where it was no option.
+std::optional<std::string> refuse_option(const CLI::App& program) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string called = chosen.empty() ? "fulcrum" : "fulcrum " + command.get_name();
+  for (const std::string& left : program.remaining(true)) {
+    if (!left.starts_with("-")) continue;
+    const std::string name = left.substr(0, left.find('='));
+    return "`" + called + "` has no option " + scenario::in_quotes(name) +
+           scenario::did_you_mean(name, known, "`" + called + " --help` lists them");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void Arguments::required(const Argument& argument, std::string& value) {
+  command_.add_option(argument.name, value, argument.help)->required()->type_name(argument.type);
+}
+
+void Arguments::required(const Argument& argument, std::vector<std::string>& values) {
+  command_.add_option(argument.name, values, argument.help)->required()->type_name(argument.type);
+}
+
+void Arguments::choice(const char* name, const char* help, std::string& value,
+                       std::vector<std::string> choices) {
+  command_.add_option(name, value, help)->check(CLI::IsMember(std::move(choices)));
+}
+
+void Arguments::flag(const char* name, const char* help, bool& value) {
+  command_.add_flag(name, value, help);
+}
+
+CLI::Option* Arguments::text(const Argument& argument, std::string& value) {
+  return command_.add_option(argument.name, value, argument.help)->type_name(argument.type);
+}
+
+CLI::Option* Arguments::count(const Argument& argument, std::uint64_t& value, std::uint64_t least,
+                              std::uint64_t most) {
+  return command_.add_option(argument.name, value, argument.help)
+      ->type_name(argument.type)
+      ->check(CLI::Range(least, most));
+}
+
+void Arguments::number(const Argument& argument, double& value, double least, double most) {
+  command_.add_option(argument.name, value, argument.help)
+      ->type_name(argument.type)
+      ->check(CLI::Range(least, most));
+}
+
+void Arguments::number(const Argument& argument, std::optional<double>& value, double least, double most) {
+  command_.add_option(argument.name, value, argument.help)
+      ->type_name(argument.type)
+      ->check(CLI::Range(least, most));
+}
+
+void Arguments::positive(const Argument& argument, std::optional<double>& value) {
+  command_.add_option(argument.name, value, argument.help)
+      ->type_name(argument.type)
+      ->check(CLI::PositiveNumber);
+}
+
+void Arguments::integer(const Argument& argument, const std::function<void(std::int64_t)>& take) {
+  command_.add_option_function<std::int64_t>(argument.name, take, argument.help)->type_name(argument.type);
+}
+
+void Arguments::text(const Argument& argument, const std::function<std::string(const std::string&)>& read) {
+  command_
+      .add_option_function<std::string>(
+          argument.name, [](const std::string&) {}, argument.help)
+      ->type_name(argument.type)
+      ->check(read);
+}
+
+void Arguments::exclude(CLI::Option* one, CLI::Option* other) {
+  one->excludes(other);
+}
+
+void Arguments::out(RunOptions& options) {
+  command_
+      .add_option("--out", options.out,
+                  "Folder for the results (default: a new one under the data directory)")
+      ->type_name("DIR");
+  flag("--force", "Replace the results that lie in that folder", options.force);
+}
+
+void Arguments::overrides(std::vector<std::string>& overrides) {
+  command_.add_option("--set", overrides, "Replace a value of the scenario, such as contact.stiffness=10000")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void Arguments::json(const char* help, bool& json) {
+  flag("--json", help, json);
+}
+
+Program::Program(const char* about) : app_(std::make_unique<CLI::App>(about, "fulcrum")) {
+  app_->set_version_flag("--version", std::string("fulcrum ") + kVersion);
+  app_->require_subcommand(1);
+}
+
+Program::~Program() = default;
+
+void Program::add(const char* name, const char* about, const std::function<void(Arguments&)>& arguments,
+                  std::function<int()> run) {
+  CLI::App* command = app_->add_subcommand(name, about);
+  Arguments of_command(*command);
+  arguments(of_command);
+  subcommands_.push_back({command, std::move(run)});
+}
+
+int Program::run(int argc, char** argv) {
+  if (argc < 2) {
+    std::fputs(app_->help().c_str(), stdout);
+    return kUsage;
+  }
+  if (const auto refused = refuse_subcommand(*app_, argc, argv)) {
+    complain(*refused);
+    return kUsage;
+  }
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    const auto refused = refuse_option(*app_);
+    complain(refused ? *refused : error.what());
+    return kUsage;
+  } catch (const CLI::ParseError& error) {
+    return app_->exit(error) == 0 ? kCompleted : kUsage;
+  }
+  const auto chosen = std::ranges::find_if(subcommands_, [](const Subcommand& s) { return s.app->parsed(); });
+  return chosen->run();
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,34 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "engine/app/cli/exit_code.h"
+#include "engine/app/commands/commands.h"
+#include "engine/scenario/schema.h"
+
+namespace fulcrum::app {
+namespace {
+
+int schema_command(const std::string& of) {
+  const std::string schema = of == "hand"       ? scenario::hand_path_schema()
+                             : of == "device"   ? scenario::device_schema()
+                             : of == "material" ? scenario::material_schema()
+                                                : scenario::scenario_schema();
+  std::printf("%s\n", schema.c_str());
+  return kCompleted;
+}
+
+}  // namespace
+
+void add_schema(Program& program) {
+  const auto of = std::make_shared<std::string>("scenario");
+  program.add(
+      "schema", "The JSON Schema of a file, for an editor",
+      [of](Arguments& arguments) {
+        arguments.choice("of", "scenario (default), hand, device or material", *of,
+                         {"scenario", "hand", "device", "material"});
+      },
+      [of] { return schema_command(*of); });
+}
+
+}  // namespace fulcrum::app
