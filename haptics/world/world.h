@@ -33,7 +33,9 @@ StepResult step(World& world, const DeviceSample& sample, std::span<const Comman
 class World {
 public:
   // Refused with a sentence: no shell or field, gains that the tick cannot hold, figures that are not finite.
-  static Result<World> build(SceneDesc desc);
+  // own: effects from outside haptics/effects, asked after those that the scene names
+  // (examples/own_effect.cpp).
+  static Result<World> build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> own = {});
 
   const SceneDesc& desc() const { return desc_; }
   std::span<const ContactRegion> regions() const { return motion_->regions(); }

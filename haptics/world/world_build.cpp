@@ -83,7 +83,7 @@ std::optional<Error> refuse_grip(const SceneDesc& desc, double smallest_inertia)
 
 }  // namespace
 
-Result<World> World::build(SceneDesc desc) {
+Result<World> World::build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> own) {
   if (!desc.tool_shell || desc.tool_shell->size() == 0)
     return Error{"The tool has no pointshell, so nothing could touch: give a model with the role 'tool'."};
   if (!desc.scene_field)
@@ -138,7 +138,9 @@ Result<World> World::build(SceneDesc desc) {
                  " N cannot carry: raise coupling.max_force or set tool.weight to false."};
   if (auto error = refuse_channels(desc.device)) return *error;
   if (auto error = refuse_effects(desc, desc)) return *error;
-  return World(std::move(desc));
+  World world(std::move(desc));
+  for (std::unique_ptr<Effect>& effect : own) world.effects_.push_back(std::move(effect));
+  return world;
 }
 
 }  // namespace fulcrum
