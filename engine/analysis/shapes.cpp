@@ -43,10 +43,9 @@ TriangleMesh tube_mesh(double inner, double outer, double length, int sides) {
   for (std::uint32_t i = 0; i < n; ++i) {
     const double angle = 2 * half * i;
     const Vec3 direction(math::cos(angle), math::sin(angle), 0);
-    for (const double radius : {inner, outer}) {
+    for (const double radius : {inner, outer})
       for (const double z : {-0.5 * length, 0.5 * length})
         mesh.vertices.push_back(between * radius * direction + Vec3(0, 0, z));
-    }
   }
   // Of side i: 4 i + 0 inner low, 1 inner high, 2 outer low, 3 outer high.
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -118,13 +118,15 @@ Result<Baked<DistanceField>> BakeCache::field(const Solid& solid, const FieldDes
 }
 
 Result<Baked<Pointshell>> BakeCache::pointshell(const Solid& solid, const PointshellDesc& desc) const {
-  return load_or_bake<Pointshell>(folder_, shell_name(solid, "pointshell", desc), pointshell_from_bytes,
-                                  [&] { return bake_pointshell(solid, desc); });
+  return load_or_bake<Pointshell>(
+      folder_, shell_name(solid, "pointshell", desc), pointshell_from_bytes,
+      [&] { return bake_pointshell(solid, desc); });
 }
 
 Result<Baked<Pointshell>> BakeCache::edges(const Solid& solid, const PointshellDesc& desc) const {
-  return load_or_bake<Pointshell>(folder_, shell_name(solid, "edges", desc), pointshell_from_bytes,
-                                  [&] { return bake_edges(solid, desc); });
+  return load_or_bake<Pointshell>(
+      folder_, shell_name(solid, "edges", desc), pointshell_from_bytes,
+      [&] { return bake_edges(solid, desc); });
 }
 
 }  // namespace fulcrum

@@ -69,9 +69,8 @@ void check_depth(std::string_view json) {
 }
 
 void check_glb(std::span<const std::byte> bytes) {
-  if (bytes.size() < 4 || word(bytes, 0) != 0x46546c67u) {  // "glTF"
+  if (bytes.size() < 4 || word(bytes, 0) != 0x46546c67u)  // "glTF"
     throw GltfFault("it is not a binary glTF file; export the model as glTF 2.0 (.glb)");
-  }
   if (bytes.size() < kGlbHeader) throw GltfFault("it ends within its header; copy or export it again");
   if (word(bytes, 4) != 2)
     throw GltfFault("it is not of glTF version 2; export the model as glTF 2.0 (.glb)");
@@ -137,9 +136,8 @@ tinygltf::FsCallbacks callbacks_for(Beside& beside) {
 }
 
 std::string one_line(std::string text) {
-  for (char& c : text) {
+  for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
   return text.substr(0, 300);
 }

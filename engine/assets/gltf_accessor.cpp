@@ -27,9 +27,8 @@ struct Elements {
 };
 
 Elements locate(const tinygltf::Model& file, const tinygltf::Accessor& accessor, std::size_t element_bytes) {
-  if (accessor.sparse.isSparse) {
+  if (accessor.sparse.isSparse)
     throw GltfFault("it uses sparse accessors, which are not supported; export it without them");
-  }
   const tinygltf::BufferView& view = at(file.bufferViews, accessor.bufferView, "buffer view");
   const tinygltf::Buffer& buffer = at(file.buffers, view.buffer, "buffer");
   if (view.byteOffset > buffer.data.size() || view.byteLength > buffer.data.size() - view.byteOffset) {

@@ -16,17 +16,17 @@ constexpr double kFarthest_m =
     1e5;  // of a vertex: nothing that a hand reaches, in whatever unit it was drawn
 
 bool all_finite(const std::vector<double>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  return std::all_of(
+      numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
 // X_PN: the node's frame in its parent's.
 Eigen::Affine3d local_transform(const tinygltf::Node& node) {
   const auto has = [&node](const std::vector<double>& numbers, std::size_t wanted) {
     if (numbers.empty()) return false;
-    if (numbers.size() != wanted || !all_finite(numbers)) {
+    if (numbers.size() != wanted || !all_finite(numbers))
       throw GltfFault("node '" + node.name +
                       "' has a transform that is not made of finite numbers; export it again");
-    }
     return true;
   };
   Eigen::Affine3d local = Eigen::Affine3d::Identity();
@@ -52,23 +52,19 @@ Eigen::Affine3d local_transform(const tinygltf::Node& node) {
 std::vector<int> root_nodes(const tinygltf::Model& file) {
   if (!file.scenes.empty()) {
     const int scene = std::max(file.defaultScene, 0);
-    if (static_cast<std::size_t>(scene) >= file.scenes.size()) {
+    if (static_cast<std::size_t>(scene) >= file.scenes.size())
       throw GltfFault("its default scene does not exist; export it again");
-    }
     return file.scenes[static_cast<std::size_t>(scene)].nodes;
   }
   std::vector<bool> is_child(file.nodes.size(), false);
   for (const tinygltf::Node& node : file.nodes) {
-    for (const int child : node.children) {
-      if (child >= 0 && static_cast<std::size_t>(child) < is_child.size()) {
+    for (const int child : node.children)
+      if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
         is_child[static_cast<std::size_t>(child)] = true;
-      }
-    }
   }
   std::vector<int> roots;
-  for (std::size_t i = 0; i < is_child.size(); ++i) {
+  for (std::size_t i = 0; i < is_child.size(); ++i)
     if (!is_child[i]) roots.push_back(static_cast<int>(i));
-  }
   return roots;
 }
 
@@ -79,9 +75,8 @@ ModelMaterial material_from(const tinygltf::Material& source) {
   const auto fraction = [](double x) {
     return static_cast<float>(std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 1.0);
   };
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     material.base_colour[i] = i < pbr.baseColorFactor.size() ? fraction(pbr.baseColorFactor[i]) : 1.0f;
-  }
   material.metallic = fraction(pbr.metallicFactor);
   material.roughness = fraction(pbr.roughnessFactor);
   return material;
@@ -113,9 +108,8 @@ void make_unit(std::vector<Vec3>& normals) {
 
 ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& primitive) {
   const auto positions = primitive.attributes.find("POSITION");
-  if (positions == primitive.attributes.end()) {
+  if (positions == primitive.attributes.end())
     throw GltfFault("a mesh has no positions; export it again with its geometry");
-  }
   ModelPart part;
   part.positions = read_vectors(file, positions->second);
   if (primitive.indices >= 0) {
@@ -136,24 +130,21 @@ ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& prim
   }
   if (const auto colours = primitive.attributes.find("COLOR_0"); colours != primitive.attributes.end()) {
     part.colours = read_colours(file, colours->second);
-    if (part.colours.size() != part.positions.size()) {
+    if (part.colours.size() != part.positions.size())
       throw GltfFault("a mesh has more or fewer colours than vertices; export it again");
-    }
   }
   if (const auto normals = primitive.attributes.find("NORMAL"); normals != primitive.attributes.end()) {
     part.normals = read_vectors(file, normals->second);
-    if (part.normals.size() != part.positions.size()) {
+    if (part.normals.size() != part.positions.size())
       throw GltfFault("a mesh has more or fewer normals than vertices; export it again");
-    }
   } else {
     make_flat_normals(part);
   }
   part.material = static_cast<std::uint32_t>(file.materials.size());  // the plain one, for parts without
   if (primitive.material >= 0) {
     part.material = static_cast<std::uint32_t>(primitive.material);
-    if (part.material >= file.materials.size()) {
+    if (part.material >= file.materials.size())
       throw GltfFault("a mesh refers to a material that the file does not hold; export it again");
-    }
   }
   return part;
 }
@@ -161,9 +152,8 @@ ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& prim
 void place(ModelPart& part, const Eigen::Affine3d& X_MN) {
   const Mat3 linear = X_MN.linear();
   const double determinant = linear.determinant();
-  if (determinant == 0.0) {
+  if (determinant == 0.0)
     throw GltfFault("part '" + part.name + "' is scaled to nothing; give its node a scale other than zero");
-  }
   const Mat3 for_normals = linear.inverse().transpose();
   for (Vec3& p : part.positions) {
     p = X_MN * p;
@@ -175,10 +165,9 @@ void place(ModelPart& part, const Eigen::Affine3d& X_MN) {
   }
   for (Vec3& n : part.normals) n = for_normals * n;
   make_unit(part.normals);
-  if (determinant < 0.0) {  // a mirror turns triangles inside out
+  if (determinant < 0.0)  // a mirror turns triangles inside out
     for (std::size_t i = 0; i < part.indices.size(); i += 3)
       std::swap(part.indices[i + 1], part.indices[i + 2]);
-  }
 }
 
 class Walk {
@@ -204,9 +193,8 @@ public:
 
 private:
   const tinygltf::Node& visit(int index) {
-    if (index < 0 || static_cast<std::size_t>(index) >= file_.nodes.size()) {
+    if (index < 0 || static_cast<std::size_t>(index) >= file_.nodes.size())
       throw GltfFault("it refers to a node that it does not hold; export it again");
-    }
     const auto i = static_cast<std::size_t>(index);
     if (seen_[i]) throw GltfFault("a node has two parents or is its own ancestor; export it again");
     seen_[i] = true;
@@ -222,15 +210,13 @@ private:
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
       if (mode < TINYGLTF_MODE_TRIANGLES) continue;  // points and lines are no surface
-      if (mode != TINYGLTF_MODE_TRIANGLES) {
+      if (mode != TINYGLTF_MODE_TRIANGLES)
         throw GltfFault("a mesh is made of triangle strips or fans; export it as plain triangles");
-      }
       ModelPart part = part_from(file_, primitive);
       part.name = node.name.empty() ? mesh.name : node.name;
       indices_ += part.indices.size();
-      if (indices_ > kMaxIndices) {
+      if (indices_ > kMaxIndices)
         throw GltfFault("it shows more than 50 million triangles; simplify it before export");
-      }
       place(part, X_MN);
       parts_.push_back(std::move(part));
     }
@@ -247,9 +233,7 @@ private:
 Model model_from_gltf(const tinygltf::Model& file) {
   Model model;
   model.parts = Walk(file).parts();
-  if (model.parts.empty()) {
-    throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
-  }
+  if (model.parts.empty()) throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
   for (const tinygltf::Material& material : file.materials)
     model.materials.push_back(material_from(material));
   model.materials.push_back({});

@@ -12,9 +12,7 @@ namespace fulcrum {
 
 Result<BlockFile> BlockFile::create(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) {
-    return file_error("create", path, errno);
-  }
+  if (descriptor < 0) return file_error("create", path, errno);
   return BlockFile(descriptor, path);
 }
 
@@ -33,9 +31,7 @@ BlockFile& BlockFile::operator=(BlockFile&& other) noexcept {
 }
 
 BlockFile::~BlockFile() {
-  if (descriptor_ >= 0) {
-    ::close(descriptor_);
-  }
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 std::optional<Error> BlockFile::append(std::string_view block) {
@@ -43,9 +39,7 @@ std::optional<Error> BlockFile::append(std::string_view block) {
   std::size_t done = 0;
   while (done < block.size()) {
     const ssize_t written = ::write(descriptor_, block.data() + done, block.size() - done);
-    if (written < 0 && errno == EINTR) {
-      continue;
-    }
+    if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
       const int error_number = written < 0 ? errno : ENOSPC;
       cut(size_);
@@ -67,30 +61,22 @@ std::optional<Error> BlockFile::overwrite_head(std::string_view head) const {
   while (done < head.size()) {
     const ssize_t written =
         ::pwrite(descriptor_, head.data() + done, head.size() - done, static_cast<off_t>(done));
-    if (written < 0 && errno == EINTR) {
-      continue;
-    }
-    if (written <= 0) {
-      return file_error("write", path_, written < 0 ? errno : ENOSPC);
-    }
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return file_error("write", path_, written < 0 ? errno : ENOSPC);
     done += static_cast<std::size_t>(written);
   }
   return std::nullopt;
 }
 
 std::optional<Error> BlockFile::close() {
-  if (::close(std::exchange(descriptor_, -1)) != 0) {
-    return file_error("write", path_, errno);
-  }
+  if (::close(std::exchange(descriptor_, -1)) != 0) return file_error("write", path_, errno);
   return std::nullopt;
 }
 
 void BlockFile::cut(std::uint64_t size) const {
   const auto end = static_cast<off_t>(size);
   // Shortening needs no space. Where it fails nevertheless (a device), readers still drop an unfinished end.
-  if (::ftruncate(descriptor_, end) == 0) {
-    ::lseek(descriptor_, end, SEEK_SET);
-  }
+  if (::ftruncate(descriptor_, end) == 0) ::lseek(descriptor_, end, SEEK_SET);
 }
 
 }  // namespace fulcrum

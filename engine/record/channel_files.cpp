@@ -13,26 +13,21 @@ Result<ChannelFiles> ChannelFiles::create(const std::filesystem::path& folder, c
     ChannelOutput output(channel, what.signal, tick_s);
     Result<WavWriter> file = WavWriter::create(folder / ("touch-" + channel.name + ".wav"),
                                                static_cast<std::uint32_t>(std::lround(output.rate_Hz())));
-    if (!file) {
-      return file.error();
-    }
+    if (!file) return file.error();
     channels.push_back({std::move(output), std::move(*file)});
   }
   return ChannelFiles(std::move(channels));
 }
 
 void ChannelFiles::tick(const VibrotactileCommand& command) {
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
+  for (std::size_t i = 0; i < channels_.size(); ++i)
     channels_[i].file.add(channels_[i].output.process(command.level[i], command));
-  }
 }
 
 std::optional<Error> ChannelFiles::flush() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (std::optional<Error> failure = channels_[i].file.flush()) {
-      for (std::size_t before = 0; before < i; ++before) {
-        channels_[before].file.take_back();
-      }
+      for (std::size_t before = 0; before < i; ++before) channels_[before].file.take_back();
       return failure;
     }
   }
@@ -40,18 +35,14 @@ std::optional<Error> ChannelFiles::flush() {
 }
 
 void ChannelFiles::take_back() {
-  for (Channel& channel : channels_) {
-    channel.file.take_back();
-  }
+  for (Channel& channel : channels_) channel.file.take_back();
 }
 
 std::optional<Error> ChannelFiles::close() {
   std::optional<Error> first;
   for (Channel& channel : channels_) {
     std::optional<Error> failure = channel.file.close();
-    if (!first) {
-      first = std::move(failure);
-    }
+    if (!first) first = std::move(failure);
   }
   return first;
 }

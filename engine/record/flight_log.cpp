@@ -5,13 +5,9 @@
 namespace fulcrum::record {
 
 void FlightLog::add(const FlightEntry& entry) {
-  if (full()) {
-    return;
-  }
+  if (full()) return;
   ticks_.push(entry);
-  if (fault_seen() || (entry.record.faults & kStoppingFaults) != 0) {
-    --left_;
-  }
+  if (fault_seen() || (entry.record.faults & kStoppingFaults) != 0) --left_;
 }
 
 }  // namespace fulcrum::record

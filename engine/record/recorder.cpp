@@ -22,12 +22,8 @@ constexpr std::size_t kFlushBytes = 64 * 1024;
 
 std::optional<Error> write_trace_json(const std::filesystem::path& path, const TraceColumns& columns) {
   Result<BlockFile> file = BlockFile::create(path);
-  if (!file) {
-    return file.error();
-  }
-  if (std::optional<Error> error = file->append(columns.json())) {
-    return error;
-  }
+  if (!file) return file.error();
+  if (std::optional<Error> error = file->append(columns.json())) return error;
   return file->close();
 }
 
@@ -57,12 +53,8 @@ struct Recorder::State {
 // All files or none: one that fails takes the others back to the ticks before.
 void Recorder::State::flush() {
   const std::int64_t ticks = std::exchange(pending, 0);
-  if (ticks == 0) {
-    return;
-  }
-  if (std::optional<Error> failure = trace.flush()) {
-    return stop(*std::move(failure));
-  }
+  if (ticks == 0) return;
+  if (std::optional<Error> failure = trace.flush()) return stop(*std::move(failure));
   if (std::optional<Error> failure = timing.flush()) {
     trace.take_back();
     return stop(*std::move(failure));
@@ -77,9 +69,7 @@ void Recorder::State::flush() {
   if (std::optional<Error> failure = tape.flush()) {
     trace.take_back();
     timing.take_back();
-    if (channels) {
-      channels->take_back();
-    }
+    if (channels) channels->take_back();
     return stop(*std::move(failure));
   }
   rows += ticks;
@@ -88,20 +78,14 @@ void Recorder::State::flush() {
 void Recorder::State::write_flight() {
   flight_written = true;
   Result<TraceWriter> file = TraceWriter::create(folder / kFlightName, columns);
-  if (!file) {
-    return stop(file.error());
-  }
+  if (!file) return stop(file.error());
   for (std::size_t i = 0; i < flight.ticks().size(); ++i) {
     const FlightEntry& entry = flight.ticks()[i];
     file->row({entry.record, entry.task_step, entry.hard_touches});
   }
   std::optional<Error> failure = file->flush();
-  if (!failure) {
-    failure = file->close();
-  }
-  if (failure) {
-    stop(*std::move(failure));
-  }
+  if (!failure) failure = file->close();
+  if (failure) stop(*std::move(failure));
 }
 
 void Recorder::State::stop(Error why) {
@@ -115,28 +99,19 @@ void Recorder::State::stop(Error why) {
 Result<Recorder> Recorder::begin(const std::filesystem::path& folder, const TapeHeader& header,
                                  TraceColumns columns, const std::optional<ChannelRecording>& channels) {
   Result<TapeWriter> tape = TapeWriter::create(folder / kTapeName, header);
-  if (!tape) {
-    return tape.error();
-  }
+  if (!tape) return tape.error();
   Result<TraceWriter> trace = TraceWriter::create(folder / kTraceName, columns);
-  if (!trace) {
-    return trace.error();
-  }
+  if (!trace) return trace.error();
   Result<TimingWriter> timing = TimingWriter::create(folder / kTimingName);
-  if (!timing) {
-    return timing.error();
-  }
+  if (!timing) return timing.error();
   std::optional<ChannelFiles> channel_files;
   if (channels) {
     Result<ChannelFiles> files = ChannelFiles::create(folder, *channels, columns.tick_s());
-    if (!files) {
-      return files.error();
-    }
+    if (!files) return files.error();
     channel_files = std::move(*files);
   }
-  if (std::optional<Error> error = write_trace_json(folder / kTraceJsonName, columns)) {
+  if (std::optional<Error> error = write_trace_json(folder / kTraceJsonName, columns))
     return *std::move(error);
-  }
   const auto ticks_per_flush = static_cast<std::int64_t>(kFlushSimulated_s / columns.tick_s());
   return Recorder(
       std::make_unique<State>(State{.folder = folder,
@@ -156,22 +131,15 @@ Recorder::~Recorder() = default;
 void Recorder::tick(const RecordedTick& tick) {
   State& s = *state_;
   s.flight.add({tick.record, tick.task_step, tick.hard_touches});
-  if (!s.recording) {
-    return;
-  }
+  if (!s.recording) return;
   s.trace.row({tick.record, tick.task_step, tick.hard_touches});
-  if (s.channels && tick.record.vibrotactile_motion) {
+  if (s.channels && tick.record.vibrotactile_motion)
     s.channels->tick(tick.record.vibrotactile_motion->command);
-  }
   s.timing.row({tick.record.tick, tick.cpu_ns, tick.wake_late_ns, tick.lost_before});
   s.tape.entry(tick.sample, tick.commands, tick.lost_before, digest(tick.record));
   ++s.pending;
-  if (s.pending >= s.ticks_per_flush || s.trace.pending_bytes() >= kFlushBytes) {
-    s.flush();
-  }
-  if (s.flight.full() && !s.flight_written) {
-    s.write_flight();
-  }
+  if (s.pending >= s.ticks_per_flush || s.trace.pending_bytes() >= kFlushBytes) s.flush();
+  if (s.flight.full() && !s.flight_written) s.write_flight();
 }
 
 void Recorder::flush_if_due(Clock::time_point now) {
@@ -191,20 +159,13 @@ std::optional<Error> Recorder::take_error() {
 Recorder::Outcome Recorder::finish() {
   State& s = *state_;
   s.flush();
-  if (s.flight.fault_seen() && !s.flight_written) {
-    s.write_flight();
-  }
+  if (s.flight.fault_seen() && !s.flight_written) s.write_flight();
   if (s.recording) {
-    if (std::optional<Error> failure = s.tape.finish()) {
-      s.stop(*std::move(failure));
-    }
+    if (std::optional<Error> failure = s.tape.finish()) s.stop(*std::move(failure));
   }
   const std::optional<Error> of_channels = s.channels ? s.channels->close() : std::nullopt;
-  for (std::optional<Error> failure : {s.trace.close(), s.timing.close(), of_channels}) {
-    if (failure) {
-      s.stop(*std::move(failure));
-    }
-  }
+  for (std::optional<Error> failure : {s.trace.close(), s.timing.close(), of_channels})
+    if (failure) s.stop(*std::move(failure));
   return {s.rows, s.trace.sha256_hex(), s.recording};
 }
 

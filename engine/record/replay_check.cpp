@@ -16,14 +16,9 @@ std::string differing_column(const TraceColumns& columns, std::span<const std::s
                              std::int64_t row, const std::filesystem::path& original_trace) {
   const std::string unknown = "; the run's trace, " + original_trace.string() + ", ";
   Result<TraceReader> trace = TraceReader::open(original_trace);
-  if (!trace) {
-    return unknown + "which would say in what, cannot be read.";
-  }
-  for (std::int64_t i = 0; i <= row; ++i) {
-    if (!trace->next()) {
-      return unknown + "which would say in what, ends before that tick.";
-    }
-  }
+  if (!trace) return unknown + "which would say in what, cannot be read.";
+  for (std::int64_t i = 0; i <= row; ++i)
+    if (!trace->next()) return unknown + "which would say in what, ends before that tick.";
   for (std::size_t i = 0; i < columns.columns().size(); ++i) {
     const std::string& name = columns.columns()[i].name;
     const std::optional<std::size_t> then = trace->column(name);
@@ -39,9 +34,8 @@ std::string differing_column(const TraceColumns& columns, std::span<const std::s
 
 void ReplayCheck::tick(const TraceRow& replayed, std::optional<std::uint64_t> recorded_digest) {
   compared_ += recorded_digest.has_value();
-  if (!first_ && recorded_digest && digest(replayed.record) != *recorded_digest) {
+  if (!first_ && recorded_digest && digest(replayed.record) != *recorded_digest)
     first_ = Difference{ticks_, replayed.record, replayed.task_step, replayed.hard_touches};
-  }
   ++ticks_;
 }
 

@@ -21,13 +21,9 @@ namespace fs = std::filesystem;
 // XDG Base Directory Specification 0.8: a path that is not absolute is to be ignored.
 Result<fs::path> data_home() {
   const char* const xdg = std::getenv("XDG_DATA_HOME");
-  if (xdg != nullptr && fs::path(xdg).is_absolute()) {
-    return fs::path(xdg);
-  }
+  if (xdg != nullptr && fs::path(xdg).is_absolute()) return fs::path(xdg);
   const char* const home = std::getenv("HOME");
-  if (home != nullptr && fs::path(home).is_absolute()) {
-    return fs::path(home) / ".local" / "share";
-  }
+  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".local" / "share";
   return Error{"Neither XDG_DATA_HOME nor HOME names a folder for the results: name one with --out."};
 }
 
@@ -50,9 +46,7 @@ std::string file_name_of(std::string_view scenario) {
 }
 
 Result<fs::path> writable(const fs::path& folder) {
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    return file_error("write into", folder, errno);
-  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return file_error("write into", folder, errno);
   return folder;
 }
 
@@ -84,21 +78,15 @@ std::span<const std::string_view> result_file_names() {
 Result<fs::path> make_default_run_folder(std::string_view scenario, std::chrono::system_clock::time_point now,
                                          std::string_view shelf) {
   const Result<fs::path> home = data_home();
-  if (!home) {
-    return home.error();
-  }
+  if (!home) return home.error();
   const fs::path runs = *home / "fulcrum" / shelf;
   std::error_code failure;
   fs::create_directories(runs, failure);
-  if (failure) {
-    return file_error("create", runs, failure.value());
-  }
+  if (failure) return file_error("create", runs, failure.value());
   const std::string name = file_name_of(scenario) + '-' + utc(now);
   fs::path folder = runs / name;
   for (int suffix = 2; !fs::create_directory(folder, failure); ++suffix) {
-    if (failure) {
-      return file_error("create", folder, failure.value());
-    }
+    if (failure) return file_error("create", folder, failure.value());
     folder = runs / (name + '-' + std::to_string(suffix));
   }
   return writable(folder);
@@ -108,9 +96,7 @@ Result<fs::path> prepare_run_folder(const fs::path& folder, bool force,
                                     std::span<const std::string_view> files) {
   std::error_code failure;
   fs::create_directories(folder, failure);
-  if (failure) {
-    return file_error("create", folder, failure.value());
-  }
+  if (failure) return file_error("create", folder, failure.value());
   for (const std::string_view wanted : files) {
     for (const std::string& name : present(folder, wanted)) {
       if (!force) {
@@ -119,9 +105,7 @@ Result<fs::path> prepare_run_folder(const fs::path& folder, bool force,
       }
       // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.
       const fs::path file = folder / name;
-      if (::unlink(file.c_str()) != 0) {
-        return file_error("remove", file, errno);
-      }
+      if (::unlink(file.c_str()) != 0) return file_error("remove", file, errno);
     }
   }
   return writable(folder);

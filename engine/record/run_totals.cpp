@@ -22,9 +22,7 @@ void RunTotals::add(const TickRecord& record) {
   rendered_.add(record.device_F_H_D, tick_s_);
   for (std::uint32_t left = record.faults; left != 0; left &= left - 1) {
     BitCount& count = bits_[static_cast<std::size_t>(std::countr_zero(left))];
-    if (count.ticks++ == 0) {
-      count.first_tick = record.tick;
-    }
+    if (count.ticks++ == 0) count.first_tick = record.tick;
   }
 }
 
@@ -40,9 +38,8 @@ std::vector<FaultCount> RunTotals::counts(std::uint32_t mask) const {
   std::vector<FaultCount> counts;
   for (const FaultName& fault : fault_names()) {
     const BitCount& count = bits_[static_cast<std::size_t>(std::countr_zero(std::uint32_t{fault.bit}))];
-    if ((fault.bit & mask) != 0 && count.ticks > 0) {
+    if ((fault.bit & mask) != 0 && count.ticks > 0)
       counts.push_back({fault.name, count.first_tick, count.ticks, fault.sentence});
-    }
   }
   return counts;
 }

@@ -20,9 +20,8 @@ Json or_null(const std::optional<T>& value) {
 
 Json checkpoints_json(const std::vector<CheckpointResult>& checkpoints) {
   Json list = Json::array();
-  for (const CheckpointResult& checkpoint : checkpoints) {
+  for (const CheckpointResult& checkpoint : checkpoints)
     list.push_back({{"name", checkpoint.name}, {"reached_s", or_null(checkpoint.reached_s)}});
-  }
   return list;
 }
 
@@ -43,9 +42,7 @@ Json faults_json(const std::vector<FaultCount>& faults) {
 
 Json limits_json(const std::vector<FaultCount>& limits) {
   Json list = Json::array();
-  for (const FaultCount& limit : limits) {
-    list.push_back({{"name", limit.name}, {"ticks", limit.ticks}});
-  }
+  for (const FaultCount& limit : limits) list.push_back({{"name", limit.name}, {"ticks", limit.ticks}});
   return list;
 }
 
@@ -105,15 +102,9 @@ std::string summary_json(const Summary& summary) {
 Result<std::filesystem::path> write_summary(const std::filesystem::path& folder, const Summary& summary) {
   const std::filesystem::path path = folder / kSummaryName;
   Result<BlockFile> file = BlockFile::create(path);
-  if (!file) {
-    return file.error();
-  }
-  if (std::optional<Error> error = file->append(summary_json(summary))) {
-    return *std::move(error);
-  }
-  if (std::optional<Error> error = file->close()) {
-    return *std::move(error);
-  }
+  if (!file) return file.error();
+  if (std::optional<Error> error = file->append(summary_json(summary))) return *std::move(error);
+  if (std::optional<Error> error = file->close()) return *std::move(error);
   return path;
 }
 

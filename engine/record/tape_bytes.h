@@ -17,9 +17,8 @@ inline constexpr std::uint32_t kEndChunk = 0x20444e45;   // "END "
 
 template <std::unsigned_integral T>
 void put(std::string& to, T value) {
-  for (std::size_t i = 0; i < sizeof(T); ++i) {
+  for (std::size_t i = 0; i < sizeof(T); ++i)
     to += static_cast<char>((std::uint64_t{value} >> (8 * i)) & 0xff);
-  }
 }
 
 inline void put(std::string& to, double value) {
@@ -40,9 +39,8 @@ public:
   T get() {
     const std::span<const std::byte> bytes = take(sizeof(T));
     std::uint64_t value = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (std::size_t i = 0; i < bytes.size(); ++i)
       value |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * i);
-    }
     return static_cast<T>(value);
   }
   double get_double() { return std::bit_cast<double>(get<std::uint64_t>()); }

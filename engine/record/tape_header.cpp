@@ -44,9 +44,7 @@ Result<TapeHeader> parse_tape_header(std::string_view json) {
   } catch (const nlohmann::json::exception& exception) {
     return Error{exception.what()};
   }
-  if (!(header.tick_s > 0 && header.tick_s <= 1)) {
-    return Error{"tick_s is not between 0 and 1 s"};
-  }
+  if (!(header.tick_s > 0 && header.tick_s <= 1)) return Error{"tick_s is not between 0 and 1 s"};
   return header;
 }
 

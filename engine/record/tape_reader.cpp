@@ -29,9 +29,7 @@ Result<std::optional<std::span<const std::byte>>> take_block(ByteReader& reader,
   const std::size_t start = reader.offset();
   const std::span<const std::byte> block = reader.take(size);
   const auto crc = reader.get<std::uint32_t>();
-  if (!reader.ok()) {
-    return std::optional<std::span<const std::byte>>();
-  }
+  if (!reader.ok()) return std::optional<std::span<const std::byte>>();
   if (crc != crc32c(block)) {
     return damaged(start,
                    "the checksum of the " + std::to_string(size) + " bytes from there on does not fit them");
@@ -55,25 +53,15 @@ Result<TapeHeader> take_header(ByteReader& reader, std::span<const std::byte> by
     }
   }
   const auto prefix = take_block(reader, kTapeMagic.size() + 8);
-  if (!prefix) {
-    return prefix.error();
-  }
-  if (!*prefix) {
-    return ends_early;
-  }
+  if (!prefix) return prefix.error();
+  if (!*prefix) return ends_early;
   const auto size = ByteReader((*prefix)->last(4)).get<std::uint32_t>();
   const std::size_t start = reader.offset();
   const auto json = take_block(reader, size);
-  if (!json) {
-    return json.error();
-  }
-  if (!*json) {
-    return ends_early;
-  }
+  if (!json) return json.error();
+  if (!*json) return ends_early;
   Result<TapeHeader> header = parse_tape_header(as_text(**json));
-  if (!header) {
-    return damaged(start, "the header cannot be read (" + header.error().sentence + ')');
-  }
+  if (!header) return damaged(start, "the header cannot be read (" + header.error().sentence + ')');
   return header;
 }
 
@@ -84,34 +72,26 @@ std::optional<Error> take_entries(std::span<const std::byte> payload, std::size_
   ByteReader reader(payload);
   const auto first = reader.get<std::uint64_t>();
   const auto count = reader.get<std::uint32_t>();
-  if (!reader.ok() || first != entries.size()) {
+  if (!reader.ok() || first != entries.size())
     return damaged(start, "a chunk does not follow the one before it");
-  }
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::size_t at = start + reader.offset();
     TapeEntry& entry = entries.emplace_back();
     double values[8];
-    for (double& value : values) {
-      value = reader.get_double();
-    }
+    for (double& value : values) value = reader.get_double();
     entry.sample.X_DH = {Quat(values[0], values[1], values[2], values[3]),
                          Vec3(values[4], values[5], values[6])};
     entry.sample.age = values[7];
-    if (version >= 3) {
-      entry.sample.strip_ohm = reader.get_double();
-    }
+    if (version >= 3) entry.sample.strip_ohm = reader.get_double();
     entry.sample.buttons = reader.get<std::uint32_t>();
     const auto connected = reader.get<std::uint8_t>();
     entry.sample.connected = connected == 1;
     entry.lost_before = static_cast<std::int64_t>(reader.get<std::uint64_t>());
     const auto digest = reader.get<std::uint64_t>();
-    if (version >= 4) {
-      entry.digest = digest;
-    }
+    if (version >= 4) entry.digest = digest;
     const auto commands = reader.get<std::uint32_t>();
-    if (!reader.ok() || connected > 1 || entry.lost_before < 0) {
+    if (!reader.ok() || connected > 1 || entry.lost_before < 0)
       return damaged(at, "tick " + std::to_string(entries.size() - 1) + " cannot be read");
-    }
     for (std::uint32_t j = 0; j < commands; ++j) {
       const auto kind = static_cast<Command::Kind>(reader.get<std::uint32_t>());
       if (kind < Command::Kind::stop || kind > Command::Kind::last) {
@@ -121,9 +101,7 @@ std::optional<Error> take_entries(std::span<const std::byte> payload, std::size_
       entry.commands.push_back({kind, reader.get_double()});
     }
   }
-  if (reader.left() != 0) {
-    return damaged(start + reader.offset(), "a chunk is longer than its entries");
-  }
+  if (reader.left() != 0) return damaged(start + reader.offset(), "a chunk is longer than its entries");
   return std::nullopt;
 }
 
@@ -131,12 +109,9 @@ std::optional<Error> check_end(const ByteReader& file, std::span<const std::byte
                                std::size_t entries) {
   ByteReader reader(payload);
   const auto total = reader.get<std::uint64_t>();
-  if (!reader.ok() || reader.left() != 0 || total != entries) {
+  if (!reader.ok() || reader.left() != 0 || total != entries)
     return damaged(start, "the end does not tell of the ticks before it");
-  }
-  if (file.left() != 0) {
-    return damaged(file.offset(), "something follows the end");
-  }
+  if (file.left() != 0) return damaged(file.offset(), "something follows the end");
   return std::nullopt;
 }
 
@@ -146,31 +121,21 @@ Result<Tape> parse_tape(std::span<const std::byte> bytes) {
   ByteReader reader(bytes);
   std::uint32_t version = 0;
   Result<TapeHeader> header = take_header(reader, bytes, version);
-  if (!header) {
-    return header.error();
-  }
+  if (!header) return header.error();
   Tape tape;
   tape.header = std::move(*header);
   while (!tape.complete) {
     const std::size_t frame_start = reader.offset();
     const auto frame = take_block(reader, 8);
-    if (!frame) {
-      return frame.error();
-    }
-    if (!*frame) {
-      break;
-    }
+    if (!frame) return frame.error();
+    if (!*frame) break;
     ByteReader frame_reader(**frame);
     const auto kind = frame_reader.get<std::uint32_t>();
     const auto size = frame_reader.get<std::uint32_t>();
     const std::size_t start = reader.offset();
     const auto payload = take_block(reader, size);
-    if (!payload) {
-      return payload.error();
-    }
-    if (!*payload) {
-      break;
-    }
+    if (!payload) return payload.error();
+    if (!*payload) break;
     std::optional<Error> error;
     if (kind == kTickChunk) {
       error = take_entries(**payload, start, version, tape.entries);
@@ -180,26 +145,18 @@ Result<Tape> parse_tape(std::span<const std::byte> bytes) {
     } else {
       error = damaged(frame_start, "a chunk is of no kind that there is");
     }
-    if (error) {
-      return *std::move(error);
-    }
+    if (error) return *std::move(error);
   }
   return tape;
 }
 
 Result<Tape> read_tape(const std::filesystem::path& path) {
   const Result<RegularFile> file = RegularFile::open(path);
-  if (!file) {
-    return read_error(path, file.error());
-  }
+  if (!file) return read_error(path, file.error());
   const Result<std::string> bytes = file->first_bytes(std::numeric_limits<std::uint64_t>::max());
-  if (!bytes) {
-    return read_error(path, bytes.error());
-  }
+  if (!bytes) return read_error(path, bytes.error());
   Result<Tape> tape = parse_tape(std::as_bytes(std::span(*bytes)));
-  if (!tape) {
-    return Error{path.string() + ": " + tape.error().sentence};
-  }
+  if (!tape) return Error{path.string() + ": " + tape.error().sentence};
   return tape;
 }
 

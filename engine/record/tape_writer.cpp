@@ -9,13 +9,9 @@ namespace fulcrum::record {
 
 Result<TapeWriter> TapeWriter::create(const std::filesystem::path& path, const TapeHeader& header) {
   const Result<std::string> json = tape_header_json(header);
-  if (!json) {
-    return json.error();
-  }
+  if (!json) return json.error();
   Result<BlockFile> file = BlockFile::create(path);
-  if (!file) {
-    return file.error();
-  }
+  if (!file) return file.error();
   std::string text(kTapeMagic);
   put(text, kTapeVersion);
   put(text, static_cast<std::uint32_t>(json->size()));
@@ -23,9 +19,7 @@ Result<TapeWriter> TapeWriter::create(const std::filesystem::path& path, const T
   const std::size_t start = text.size();
   text += *json;
   put_crc(text, start);
-  if (std::optional<Error> error = file->append(text)) {
-    return *std::move(error);
-  }
+  if (std::optional<Error> error = file->append(text)) return *std::move(error);
   return TapeWriter(std::move(*file));
 }
 
@@ -33,9 +27,8 @@ void TapeWriter::entry(const DeviceSample& sample, std::span<const Command> comm
                        std::int64_t lost_before, std::uint64_t digest) {
   const auto& [X_DH, age, buttons, connected, strip_ohm] = sample;
   for (const double value :
-       {X_DH.q.w(), X_DH.q.x(), X_DH.q.y(), X_DH.q.z(), X_DH.p.x(), X_DH.p.y(), X_DH.p.z(), age, strip_ohm}) {
+       {X_DH.q.w(), X_DH.q.x(), X_DH.q.y(), X_DH.q.z(), X_DH.p.x(), X_DH.p.y(), X_DH.p.z(), age, strip_ohm})
     put(pending_, value);
-  }
   put(pending_, buttons);
   put(pending_, static_cast<std::uint8_t>(connected));
   put(pending_, static_cast<std::uint64_t>(lost_before));
@@ -57,18 +50,14 @@ std::optional<Error> TapeWriter::flush() {
   pending_.clear();
   const std::uint32_t entries = std::exchange(pending_entries_, 0);
   std::optional<Error> error = append_chunk(kTickChunk, payload);
-  if (!error) {
-    entries_ += entries;
-  }
+  if (!error) entries_ += entries;
   return error;
 }
 
 std::optional<Error> TapeWriter::finish() {
   std::string payload;
   put(payload, entries_);
-  if (std::optional<Error> error = append_chunk(kEndChunk, payload)) {
-    return error;
-  }
+  if (std::optional<Error> error = append_chunk(kEndChunk, payload)) return error;
   return file_.close();
 }
 

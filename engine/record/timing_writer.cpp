@@ -8,14 +8,10 @@ namespace fulcrum::record {
 
 Result<TimingWriter> TimingWriter::create(const std::filesystem::path& path) {
   Result<BlockFile> file = BlockFile::create(path);
-  if (!file) {
-    return file.error();
-  }
+  if (!file) return file.error();
   TimingWriter writer(std::move(*file));
   writer.pending_ = "tick,cpu_us,wake_late_us,lost_before\n";
-  if (std::optional<Error> error = writer.flush()) {
-    return *std::move(error);
-  }
+  if (std::optional<Error> error = writer.flush()) return *std::move(error);
   return writer;
 }
 

@@ -7,9 +7,7 @@
 namespace fulcrum::record {
 
 std::vector<std::string_view> split_cells(std::string_view line) {
-  while (line.ends_with('\n') || line.ends_with('\r')) {
-    line.remove_suffix(1);
-  }
+  while (line.ends_with('\n') || line.ends_with('\r')) line.remove_suffix(1);
   std::vector<std::string_view> cells;
   for (std::size_t start = 0; start <= line.size();) {
     const std::size_t end = std::min(line.find(',', start), line.size());
@@ -21,18 +19,11 @@ std::vector<std::string_view> split_cells(std::string_view line) {
 
 Result<TraceReader> TraceReader::open(const std::filesystem::path& path) {
   Result<RegularFile> file = RegularFile::open(path);
-  if (!file) {
-    return read_error(path, file.error());
-  }
+  if (!file) return read_error(path, file.error());
   TraceReader reader(std::move(*file), path);
-  if (const std::optional<std::string_view> header = reader.next_line()) {
-    for (const std::string_view name : split_cells(*header)) {
-      reader.names_.emplace_back(name);
-    }
-  }
-  if (const std::optional<Error> fault = reader.fault()) {
-    return *fault;
-  }
+  if (const std::optional<std::string_view> header = reader.next_line())
+    for (const std::string_view name : split_cells(*header)) reader.names_.emplace_back(name);
+  if (const std::optional<Error> fault = reader.fault()) return *fault;
   return reader;
 }
 
@@ -44,16 +35,12 @@ std::optional<std::size_t> TraceReader::column(std::string_view name) const {
 
 bool TraceReader::next() {
   const std::optional<std::string_view> line = next_line();
-  if (line) {
-    cells_ = split_cells(*line);
-  }
+  if (line) cells_ = split_cells(*line);
   return line.has_value();
 }
 
 std::optional<Error> TraceReader::fault() const {
-  if (!lines_.fault()) {
-    return std::nullopt;
-  }
+  if (!lines_.fault()) return std::nullopt;
   return Error{path_.string() + ": " + lines_.fault()->sentence +
                ". Name a trace.csv as a run writes it, or cut the file off before that line."};
 }

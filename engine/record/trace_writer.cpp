@@ -6,14 +6,10 @@ namespace fulcrum::record {
 
 Result<TraceWriter> TraceWriter::create(const std::filesystem::path& path, TraceColumns columns) {
   Result<BlockFile> file = BlockFile::create(path);
-  if (!file) {
-    return file.error();
-  }
+  if (!file) return file.error();
   TraceWriter writer(std::move(*file), std::move(columns));
   writer.pending_ = writer.columns_.header();
-  if (std::optional<Error> error = writer.flush()) {
-    return *std::move(error);
-  }
+  if (std::optional<Error> error = writer.flush()) return *std::move(error);
   return writer;
 }
 
@@ -22,9 +18,7 @@ std::optional<Error> TraceWriter::flush() {
   flushed_.swap(pending_);
   pending_.clear();
   std::optional<Error> error = file_.append(flushed_);
-  if (error) {
-    flushed_.clear();
-  }
+  if (error) flushed_.clear();
   return error;
 }
 

@@ -14,9 +14,7 @@ constexpr std::size_t kLargest = 0xffffffff;  // bytes
 
 // Lowest byte first.
 void put(std::string& to, std::uint32_t value, int bytes) {
-  for (int i = 0; i < bytes; ++i) {
-    to += static_cast<char>(value >> (8 * i) & 0xffu);
-  }
+  for (int i = 0; i < bytes; ++i) to += static_cast<char>(value >> (8 * i) & 0xffu);
 }
 
 std::string header(std::uint32_t rate_Hz, std::uint32_t samples) {
@@ -40,12 +38,8 @@ std::string header(std::uint32_t rate_Hz, std::uint32_t samples) {
 
 Result<WavWriter> WavWriter::create(const std::filesystem::path& path, std::uint32_t rate_Hz) {
   Result<BlockFile> file = BlockFile::create(path);
-  if (!file) {
-    return file.error();
-  }
-  if (std::optional<Error> error = file->append(header(rate_Hz, 0))) {
-    return *std::move(error);
-  }
+  if (!file) return file.error();
+  if (std::optional<Error> error = file->append(header(rate_Hz, 0))) return *std::move(error);
   return WavWriter(std::move(*file), rate_Hz);
 }
 
@@ -63,9 +57,7 @@ std::optional<Error> WavWriter::flush() {
     return Error{
         "A WAV file holds 4 GiB at most, and a channel's is full: run the scenario for a shorter time."};
   }
-  if (std::optional<Error> error = file_.append(block)) {
-    return error;
-  }
+  if (std::optional<Error> error = file_.append(block)) return error;
   samples_ += static_cast<std::uint32_t>(block.size() / kSampleBytes);
   std::optional<Error> error = file_.overwrite_head(header(rate_Hz_, samples_));
   if (error) take_back();

@@ -8,7 +8,7 @@
 
 namespace fulcrum::render {
 
-/// By file name, as "tone.frag"; empty where there is no such shader.
+// By file name, as "tone.frag"; empty where there is no such shader.
 std::span<const std::uint32_t> embedded_shader(std::string_view name);
 
 }  // namespace fulcrum::render

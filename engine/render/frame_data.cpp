@@ -52,11 +52,10 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
   data.eye = with(state.camera.eye, static_cast<float>(std::fmod(state.time_s, 3600.0)));
   data.camera_right = with(glm::vec3(world_from_view[0]));
   data.camera_up = with(glm::vec3(world_from_view[1]));
-  if (setting.key_light) {
+  if (setting.key_light)
     write_light(data, *setting.key_light);
-  } else {
+  else
     data.key_direction = {0.0F, -1.0F, 0.0F, 0.0F};  // of a light without colour
-  }
   data.sky = with(setting.ambient.sky * setting.ambient.intensity);
   data.ground = with(setting.ambient.ground * setting.ambient.intensity);
   data.background_top = with(setting.background.top);

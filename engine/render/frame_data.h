@@ -9,20 +9,20 @@
 
 namespace fulcrum::render {
 
-/// The parts of a VisualDesc that every frame needs.
+// The parts of a VisualDesc that every frame needs.
 struct Setting {
   std::optional<KeyLight> key_light;
   Ambient ambient;
   Background background;
 };
 
-/// Clip space with the depth reversed (1 near, 0 infinitely far), Y up.
+// Clip space with the depth reversed (1 near, 0 infinitely far), Y up.
 glm::mat4 clip_from_world(const Camera& camera, Extent extent);
 
 gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent extent,
                           const LightFit& light, int shadow_size);
 
-/// The markers that are to be seen, written to `to` one after another; returns how many.
+// The markers that are to be seen, written to `to` one after another; returns how many.
 std::uint32_t write_markers(std::span<const Marker> markers, std::span<const MarkerState> states,
                             gpu::MarkerData* to);
 

@@ -11,17 +11,15 @@
 namespace fulcrum::render {
 namespace {
 
-/// One number for all vertices in one place: a mesh has several where its normals or colours jump, and where
-/// a program that wrote it rounded, they lie a little apart.
+// One number for all vertices in one place: a mesh has several where its normals or colours jump, and where
+// a program that wrote it rounded, they lie a little apart.
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
   const Bounds bounds = bounds_of(mesh);
   const float width_m = 1e-5F * glm::distance(bounds.low, bounds.high);
   // Swept along a direction that no face of an aligned model is perpendicular to, so that few are level.
   constexpr glm::vec3 kSweep{0.53F, 0.67F, 0.52F};
   std::vector<float> along;
-  for (const glm::vec3& position : mesh.positions) {
-    along.push_back(glm::dot(position, kSweep));
-  }
+  for (const glm::vec3& position : mesh.positions) along.push_back(glm::dot(position, kSweep));
   std::vector<std::uint32_t> order(along.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
@@ -40,7 +38,7 @@ std::vector<std::uint32_t> weld(const Mesh& mesh) {
   return place;
 }
 
-/// One side of a triangle.
+// One side of a triangle.
 struct Side {
   std::uint32_t low = 0;  // welded vertices
   std::uint32_t high = 0;
@@ -71,9 +69,8 @@ void GhostEdges::add(const Mesh& mesh, float crease_rad) {
                                              place[mesh.indices[t + 2]]};
     const glm::vec3 p = mesh.positions[at[0]];
     const glm::vec3 area = glm::cross(mesh.positions[at[1]] - p, mesh.positions[at[2]] - p);
-    if (!(glm::length(area) > 0.0F)) {
+    if (!(glm::length(area) > 0.0F))
       continue;  // no triangle, but a line or a point: its neighbours meet without it
-    }
     const glm::vec3 normal = glm::normalize(area);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(at[i], at[(i + 1) % 3]);
@@ -101,17 +98,15 @@ void GhostEdges::add(const Mesh& mesh, float crease_rad) {
 }
 
 std::size_t GhostEdges::choose(const glm::vec3& p_GE, gpu::GhostLine* to) {
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
+  for (std::size_t i = 0; i < faces_.size(); ++i)
     towards_eye_[i] = glm::dot(faces_[i].normal, p_GE) > faces_[i].offset ? 1 : 0;
-  }
   std::size_t count = 0;
   for (const Edge& edge : edges_) {
     const bool left = towards_eye_[edge.left] != 0;
     const bool right = towards_eye_[edge.right] != 0;
     const bool boundary = edge.left == edge.right;
-    if (left != right || (edge.sharp && (left || boundary))) {
+    if (left != right || (edge.sharp && (left || boundary)))
       to[count++] = {glm::vec4(edge.from, 1.0F), glm::vec4(edge.to, 1.0F)};
-    }
   }
   return count;
 }

@@ -11,16 +11,16 @@ namespace fulcrum::render {
 
 class GhostEdges {
 public:
-  /// Of all that follows the tool in a valid description with a ghost, together: they share one pose.
+  // Of all that follows the tool in a valid description with a ghost, together: they share one pose.
   explicit GhostEdges(const VisualDesc& desc);
 
   std::size_t size() const { return edges_.size(); }
   std::size_t creases() const { return creases_; }
   std::size_t boundaries() const { return boundaries_; }
 
-  /// The lines that an eye at p_GE (m, the ghost's frame) may see, written to `to`, which has room for
-  /// size(); returns how many. What hides what is not asked here. On the processor, in one pass over faces
-  /// and edges: a software rasteriser takes longer to look at one vertex than this takes for fifty edges.
+  // The lines that an eye at p_GE (m, the ghost's frame) may see, written to `to`, which has room for
+  // size(); returns how many. What hides what is not asked here. On the processor, in one pass over faces
+  // and edges: a software rasteriser takes longer to look at one vertex than this takes for fifty edges.
   std::size_t choose(const glm::vec3& p_GE, gpu::GhostLine* to);
 
 private:

@@ -13,7 +13,7 @@ namespace {
 constexpr float kHaloReach = 1.6F;        // of a line's width
 constexpr float kThinnest_pixels = 1.3F;  // in a small window a line must stay one
 
-/// IEC 61966-2-1.
+// IEC 61966-2-1.
 float srgb_encoded(float linear) {
   return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
@@ -62,9 +62,7 @@ void GhostPass::build(const RenderPlan& plan, VkImageView scene_depth) {
 void GhostPass::update(const FrameState& state, const RenderPlan& plan) {
   draw_.colour = glm::vec4(srgb_encoded(look_.colour.r), srgb_encoded(look_.colour.g),
                            srgb_encoded(look_.colour.b), std::clamp(state.ghost.opacity, 0.0F, 1.0F));
-  if (!shown()) {
-    return;
-  }
+  if (!shown()) return;
   const glm::vec4 p_GE = glm::inverse(state.ghost.X_WG) * glm::vec4(state.camera.eye, 1.0F);
   chosen_count_ = static_cast<std::uint32_t>(
       edges_.choose(glm::vec3(p_GE), reinterpret_cast<gpu::GhostLine*>(chosen_.mapped())));

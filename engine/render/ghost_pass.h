@@ -13,20 +13,20 @@ namespace fulcrum::render {
 
 class GhostPass {
 public:
-  /// A valid description with a ghost. Throws vulkan::Failure.
+  // A valid description with a ghost. Throws vulkan::Failure.
   GhostPass(vulkan::Device& device, const VisualDesc& desc);
 
-  /// Images and descriptors for a plan and its targets. Throws vulkan::Failure.
+  // Images and descriptors for a plan and its targets. Throws vulkan::Failure.
   void build(const RenderPlan& plan, VkImageView scene_depth);
   VkDescriptorSetLayout layout() const { return set_.layout(); }
 
-  /// What of the ghost is to be seen in the next frame.
+  // What of the ghost is to be seen in the next frame.
   void update(const FrameState& state, const RenderPlan& plan);
   bool shown() const { return draw_.colour.a > 0.0F; }
 
-  /// Outside any rendering, with the scene's depth ready to be sampled.
+  // Outside any rendering, with the scene's depth ready to be sampled.
   void record_lines(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry);
-  /// Inside the rendering of the picture.
+  // Inside the rendering of the picture.
   void record_over(VkCommandBuffer commands, const Pipelines& pipelines) const;
 
 private:

@@ -24,7 +24,7 @@ std::array<glm::vec3, 8> corners(const Bounds& b) {
   return points;
 }
 
-/// A size that only changes in steps of an eighth of its power of two.
+// A size that only changes in steps of an eighth of its power of two.
 float rounded_up(float size) {
   const float step = std::exp2(std::floor(std::log2(std::max(size, 1e-3F)))) / 8.0F;
   return std::ceil(size / step) * step;
@@ -80,9 +80,7 @@ LightFit fit_spot(const KeyLight& light, const glm::vec3& direction, std::span<c
 
 Bounds bounds_of(const Mesh& mesh) {
   Bounds bounds{mesh.positions.front(), mesh.positions.front()};
-  for (const glm::vec3& position : mesh.positions) {
-    grow(bounds, position);
-  }
+  for (const glm::vec3& position : mesh.positions) grow(bounds, position);
   return bounds;
 }
 
@@ -90,9 +88,7 @@ Bounds transformed(const Bounds& bounds, const glm::mat4& X) {
   const std::array<glm::vec3, 8> points = corners(bounds);
   const auto placed = [&](const glm::vec3& point) { return glm::vec3(X * glm::vec4(point, 1.0F)); };
   Bounds result{placed(points[0]), placed(points[0])};
-  for (const glm::vec3& point : points) {
-    grow(result, placed(point));
-  }
+  for (const glm::vec3& point : points) grow(result, placed(point));
   return result;
 }
 

@@ -8,7 +8,7 @@
 
 namespace fulcrum::render {
 
-/// An axis-aligned box.
+// An axis-aligned box.
 struct Bounds {
   glm::vec3 low{0.0F};   // m
   glm::vec3 high{0.0F};  // m
@@ -16,7 +16,7 @@ struct Bounds {
 
 Bounds bounds_of(const Mesh& mesh);
 
-/// The box around a transformed box.
+// The box around a transformed box.
 Bounds transformed(const Bounds& bounds, const glm::mat4& X);
 
 struct LightFit {
@@ -24,9 +24,9 @@ struct LightFit {
   float texel_m = 0.0F;  // width of one texel in the world; of a spot, at the middle of the casters
 };
 
-/// `casters`: at least one box in the world. Shadows that fall beyond them are kept: a point outside the
-/// map's depth range is compared at its far end. Sizes and places of a directional fit are rounded, so that a
-/// moving caster does not make the edges of all the other shadows crawl.
+// `casters`: at least one box in the world. Shadows that fall beyond them are kept: a point outside the
+// map's depth range is compared at its far end. Sizes and places of a directional fit are rounded, so that a
+// moving caster does not make the edges of all the other shadows crawl.
 LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int map_size);
 
 }  // namespace fulcrum::render

@@ -10,14 +10,14 @@ class OrbitCamera {
 public:
   explicit OrbitCamera(const Camera& start);
 
-  /// Turns around the target. Fractions of the window's height; x to the right, y down.
+  // Turns around the target. Fractions of the window's height; x to the right, y down.
   void orbit(float dx, float dy);
-  /// Moves target and eye so that the point at the target follows the mouse. Fractions of the window's
-  /// height.
+  // Moves target and eye so that the point at the target follows the mouse. Fractions of the window's
+  // height.
   void pan(float dx, float dy);
-  /// Comes closer by one wheel step for +1, keeping between 2 cm and 20 m of the target.
+  // Comes closer by one wheel step for +1, keeping between 2 cm and 20 m of the target.
   void zoom(float steps);
-  /// Back to where it started.
+  // Back to where it started.
   void reset();
 
   Camera camera() const;

@@ -15,8 +15,8 @@ struct Picture {
   std::vector<std::uint8_t> rgba;  // (height x width x 4) rows from the top, sRGB encoded, alpha 255
 };
 
-/// Writes an 8-bit RGB file, quickly rather than small. Fails with a sentence where the file cannot be
-/// written.
+// Writes an 8-bit RGB file, quickly rather than small. Fails with a sentence where the file cannot be
+// written.
 vulkan::Result<void> write_png(const std::filesystem::path& file, const Picture& picture);
 
 }  // namespace fulcrum::render

@@ -15,9 +15,7 @@ using vulkan::PipelineHandle;
 
 std::vector<vulkan::Stage> stages(const ShaderLibrary& shaders, const char* vertex, const char* fragment) {
   std::vector<vulkan::Stage> made = {{VK_SHADER_STAGE_VERTEX_BIT, shaders.code(vertex)}};
-  if (fragment != nullptr) {
-    made.push_back({VK_SHADER_STAGE_FRAGMENT_BIT, shaders.code(fragment)});
-  }
+  if (fragment != nullptr) made.push_back({VK_SHADER_STAGE_FRAGMENT_BIT, shaders.code(fragment)});
   return made;
 }
 
@@ -62,7 +60,7 @@ PipelineHandle make_shadow(vulkan::Device& device, const ShaderLibrary& shaders,
   return make_pipeline(device, desc);
 }
 
-/// Behind everything: it passes where nothing has been drawn, so hidden parts of it cost nothing.
+// Behind everything: it passes where nothing has been drawn, so hidden parts of it cost nothing.
 PipelineHandle make_background(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                                VkPipelineLayout layout) {
   PipelineDesc desc = scene_desc(plan, layout);
@@ -121,18 +119,10 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
   made.tone_layout = vulkan::make_pipeline_layout(device, {&sets.tone, 1}, {});
   const VkPipelineLayout layout = made.scene_layout.get();
   made.background = make_background(device, plan, shaders, layout);
-  if (plan.surfaces) {
-    made.surfaces = make_surfaces(device, plan, shaders, layout);
-  }
-  if (plan.shadow_size > 0) {
-    made.shadow = make_shadow(device, shaders, layout);
-  }
-  if (plan.markers) {
-    made.markers = make_markers(device, plan, shaders, layout);
-  }
-  if (plan.ghost) {
-    add_ghost(made, device, plan, shaders, sets.ghost);
-  }
+  if (plan.surfaces) made.surfaces = make_surfaces(device, plan, shaders, layout);
+  if (plan.shadow_size > 0) made.shadow = make_shadow(device, shaders, layout);
+  if (plan.markers) made.markers = make_markers(device, plan, shaders, layout);
+  if (plan.ghost) add_ghost(made, device, plan, shaders, sets.ghost);
   PipelineDesc tone;
   tone.layout = made.tone_layout.get();
   tone.stages = stages(shaders, "screen.vert", "tone.frag");

@@ -41,7 +41,7 @@ struct SetLayouts {
   VkDescriptorSetLayout ghost = VK_NULL_HANDLE;  // read only if the plan has a ghost
 };
 
-/// Throws vulkan::Failure.
+// Throws vulkan::Failure.
 Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                          const SetLayouts& sets);
 

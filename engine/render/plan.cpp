@@ -42,23 +42,16 @@ Result<void> check_options(const RenderOptions& options) {
     return Error{"A shadow map of " + std::to_string(quality.shadow_size) +
                  " pixels a side cannot be made; use 0 (none) to 8192."};
   }
-  if (!(quality.resolution_scale >= 0.25F && quality.resolution_scale <= 1.0F)) {
+  if (!(quality.resolution_scale >= 0.25F && quality.resolution_scale <= 1.0F))
     return Error{"The resolution scale is " + std::to_string(quality.resolution_scale) + "; use 0.25 to 1."};
-  }
   return {};
 }
 
-/// Why nothing is built for shadows; empty: it is.
+// Why nothing is built for shadows; empty: it is.
 std::string no_shadow_because(const SceneFacts& facts, const Quality& quality) {
-  if (!facts.key_light) {
-    return "the scene has no key light";
-  }
-  if (!facts.key_light_casts) {
-    return "the scene's key light throws no shadow";
-  }
-  if (facts.casters == 0) {
-    return "nothing in the scene throws a shadow";
-  }
+  if (!facts.key_light) return "the scene has no key light";
+  if (!facts.key_light_casts) return "the scene's key light throws no shadow";
+  if (facts.casters == 0) return "nothing in the scene throws a shadow";
   return quality.shadow_size == 0 ? "the quality setting switches shadows off" : "";
 }
 
@@ -156,9 +149,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
 }
 
 Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
-  if (const Result<void> fine = check_options(options); !fine) {
-    return Error{fine.error()};
-  }
+  if (const Result<void> fine = check_options(options); !fine) return Error{fine.error()};
   const auto scaled = [&](std::uint32_t pixels) {
     return std::max(1U, static_cast<std::uint32_t>(
                             std::lround(static_cast<float>(pixels) * options.quality.resolution_scale)));
@@ -179,9 +170,7 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
 }
 
 Result<RenderPlan> plan(const VisualDesc& desc, const RenderOptions& options) {
-  if (const Result<void> fine = validate(desc); !fine) {
-    return Error{fine.error()};
-  }
+  if (const Result<void> fine = validate(desc); !fine) return Error{fine.error()};
   return plan(facts_of(desc), options);
 }
 

@@ -16,7 +16,7 @@ namespace fulcrum::render {
 using vulkan::Error;
 using vulkan::Result;
 
-/// Width and height in pixels.
+// Width and height in pixels.
 struct Extent {
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
@@ -31,7 +31,7 @@ struct RenderOptions {
       shader_folder;  // empty: the built-in shaders; else GLSL from here, reloaded when it changes
 };
 
-/// The repository's shaders/ in a Debug build, else empty: what `shader_folder` should be in a program.
+// The repository's shaders/ in a Debug build, else empty: what `shader_folder` should be in a program.
 std::filesystem::path development_shader_folder();
 
 struct BuildItem {
@@ -53,7 +53,7 @@ struct RenderPlan {
   std::vector<BuildItem> left_out;
 };
 
-/// What a plan depends on, so that a renderer need not keep the meshes to plan again at another size.
+// What a plan depends on, so that a renderer need not keep the meshes to plan again at another size.
 struct SceneFacts {
   std::uint64_t vertices = 0;
   std::uint64_t indices = 0;
@@ -67,11 +67,11 @@ struct SceneFacts {
 
 SceneFacts facts_of(const VisualDesc& desc);
 
-/// Fails with a sentence that names the option out of range.
+// Fails with a sentence that names the option out of range.
 Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options);
 
-/// The same from a whole description; fails also with a sentence that names the mesh or instance that is
-/// wrong.
+// The same from a whole description; fails also with a sentence that names the mesh or instance that is
+// wrong.
 Result<RenderPlan> plan(const VisualDesc& desc, const RenderOptions& options);
 
 }  // namespace fulcrum::render

@@ -12,12 +12,10 @@ struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// libpng leaves by longjmp: this function holds nothing that would have to be destroyed.
+// libpng leaves by longjmp: this function holds nothing that would have to be destroyed.
 bool write_rows(std::FILE* file, const Picture& picture) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-  if (png == nullptr) {
-    return false;
-  }
+  if (png == nullptr) return false;
   png_infop info = png_create_info_struct(png);
   if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {
     png_destroy_write_struct(&png, &info);
@@ -31,9 +29,8 @@ bool write_rows(std::FILE* file, const Picture& picture) {
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_write_info(png, info);
   png_set_filler(png, 0, PNG_FILLER_AFTER);  // four bytes a pixel come in, three go out
-  for (std::uint32_t y = 0; y < picture.height; ++y) {
+  for (std::uint32_t y = 0; y < picture.height; ++y)
     png_write_row(png, &picture.rgba[std::size_t{y} * picture.width * 4]);
-  }
   png_write_end(png, info);
   png_destroy_write_struct(&png, &info);
   return true;

@@ -16,9 +16,7 @@ bool AutoQuality::add(double frame_s) {
     return false;
   }
   times_[count_++] = frame_s;
-  if (count_ < kWindow) {
-    return false;
-  }
+  if (count_ < kWindow) return false;
   count_ = 0;
   std::array<double, kWindow> sorted = times_;
   std::nth_element(sorted.begin(), sorted.begin() + kWindow / 2, sorted.end());

@@ -14,15 +14,15 @@ struct Quality {
   bool operator==(const Quality&) const = default;
 };
 
-/// Picks one of a few levels so that a frame takes less than its budget. A step down that gains little is
-/// taken back and not tried again: where vertices or the processor are what takes long, fewer pixels only
-/// blur. Only for windows: a picture that goes to a file must not depend on how busy the machine is.
+// Picks one of a few levels so that a frame takes less than its budget. A step down that gains little is
+// taken back and not tried again: where vertices or the processor are what takes long, fewer pixels only
+// blur. Only for windows: a picture that goes to a file must not depend on how busy the machine is.
 class AutoQuality {
 public:
-  /// Starts at the best level. `budget_s`: what a frame may take.
+  // Starts at the best level. `budget_s`: what a frame may take.
   explicit AutoQuality(double budget_s = 1.0 / 30.0) : budget_s_(budget_s) {}
 
-  /// Tells it the time one frame took (s, without waiting for the screen); true when quality() has changed.
+  // Tells it the time one frame took (s, without waiting for the screen); true when quality() has changed.
   bool add(double frame_s);
 
   const Quality& quality() const { return kLevels[level_]; }

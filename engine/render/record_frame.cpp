@@ -26,9 +26,8 @@ void Renderer::record(VkCommandBuffer commands, OverlayPass* overlay) {
   }
   vulkan::barrier(commands, targets_.scene.get(), kColour, use::kColourTarget, use::kSampled);
   record_tone(commands, ghost);
-  if (overlay != nullptr) {
+  if (overlay != nullptr)
     overlay->record(commands, {targets_.picture.view(), targets_.picture.extent(), generation_});
-  }
   vulkan::barrier(commands, targets_.picture.get(), kColour, use::kColourTarget, use::kCopySource);
 }
 
@@ -51,9 +50,8 @@ void Renderer::record_scene(VkCommandBuffer commands, bool ghost) {
   const vulkan::Image& drawn = resolves ? targets_.samples : targets_.scene;
   vulkan::barrier(commands, targets_.scene.get(), kColour, discarded_after(use::kSampled),
                   use::kColourTarget);
-  if (resolves) {
+  if (resolves)
     vulkan::barrier(commands, drawn.get(), kColour, discarded_after(use::kColourTarget), use::kColourTarget);
-  }
   vulkan::barrier(commands, targets_.depth.get(), kDepth,
                   discarded_after(either(use::kDepthTarget, use::kSampled)), use::kDepthTarget);
 
@@ -77,9 +75,7 @@ void Renderer::record_scene(VkCommandBuffer commands, bool ghost) {
   }
   bind(commands, pipelines_.background.get(), pipelines_.scene_layout.get(), scene_set_.get());
   vkCmdDraw(commands, 3, 1, 0, 0);
-  if (markers_shown_ > 0) {
-    record_markers(commands);
-  }
+  if (markers_shown_ > 0) record_markers(commands);
   vkCmdEndRendering(commands);
 }
 
@@ -105,9 +101,7 @@ void Renderer::record_tone(VkCommandBuffer commands, bool ghost) {
   begin(commands, targets_.picture.extent(), &colour, nullptr);
   bind(commands, pipelines_.tone.get(), pipelines_.tone_layout.get(), tone_set_.get());
   vkCmdDraw(commands, 3, 1, 0, 0);
-  if (ghost) {
-    ghost_->record_over(commands, pipelines_);
-  }
+  if (ghost) ghost_->record_over(commands, pipelines_);
   vkCmdEndRendering(commands);
 }
 

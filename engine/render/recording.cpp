@@ -3,8 +3,8 @@
 namespace fulcrum::render {
 namespace {
 
-/// Y up in clip space, as on paper: the viewport is turned over, so that counter-clockwise stays
-/// counter-clockwise.
+// Y up in clip space, as on paper: the viewport is turned over, so that counter-clockwise stays
+// counter-clockwise.
 void set_area(VkCommandBuffer commands, VkExtent2D extent) {
   const auto width = static_cast<float>(extent.width);
   const auto height = static_cast<float>(extent.height);

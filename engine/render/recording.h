@@ -13,13 +13,13 @@ constexpr VkImageAspectFlags kDepth = VK_IMAGE_ASPECT_DEPTH_BIT;
 VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, VkAttachmentLoadOp load,
                                      VkAttachmentStoreOp store);
 
-/// Begins rendering to all of the targets; null: no such target.
+// Begins rendering to all of the targets; null: no such target.
 void begin(VkCommandBuffer commands, VkExtent2D extent, const VkRenderingAttachmentInfo* colour,
            const VkRenderingAttachmentInfo* depth);
 
 void bind(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set);
 
-/// Content is not kept, but what used it last must be over.
+// Content is not kept, but what used it last must be over.
 vulkan::ImageUse discarded_after(const vulkan::ImageUse& last);
 
 }  // namespace fulcrum::render

@@ -40,13 +40,9 @@ vulkan::SamplerHandle make_shadow_sampler(vulkan::Device& device) {
 Result<std::unique_ptr<Renderer>> Renderer::create(vulkan::Device& device, const VisualDesc& desc,
                                                    const RenderOptions& options) {
   const Result<RenderPlan> planned = render::plan(desc, options);
-  if (!planned) {
-    return Error{planned.error()};
-  }
+  if (!planned) return Error{planned.error()};
   Result<ShaderLibrary> shaders = ShaderLibrary::open(options.shader_folder);
-  if (!shaders) {
-    return Error{shaders.error()};
-  }
+  if (!shaders) return Error{shaders.error()};
   try {
     std::unique_ptr<Renderer> made(new Renderer(device, desc, options, std::move(shaders.value())));
     made->build(planned.value());
@@ -68,12 +64,8 @@ Renderer::Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderO
       frame_buffer_(device, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                     vulkan::Place::upload),
       scene_sampler_(make_scene_sampler(device)) {
-  if (!desc.instances.empty()) {
-    geometry_ = std::make_unique<SceneGeometry>(device, desc);
-  }
-  if (facts_.ghost_edges > 0) {
-    ghost_ = std::make_unique<GhostPass>(device, desc);
-  }
+  if (!desc.instances.empty()) geometry_ = std::make_unique<SceneGeometry>(device, desc);
+  if (facts_.ghost_edges > 0) ghost_ = std::make_unique<GhostPass>(device, desc);
   if (!markers_.empty()) {
     marker_buffer_ = vulkan::Buffer(device, markers_.size() * sizeof(gpu::MarkerData),
                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Place::upload);
@@ -98,15 +90,10 @@ void Renderer::build(const RenderPlan& plan) {
   tone_set_ = vulkan::DescriptorSet(
       device_, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE,
                  targets_.scene.view(), scene_sampler_.get()}});
-  if (other_shadow) {
-    build_scene_set();
-  }
-  if (ghost_) {
-    ghost_->build(plan, targets_.depth.view());
-  }
-  if (other_pipelines) {  // not for another size alone: drivers take long to compile them
+  if (other_shadow) build_scene_set();
+  if (ghost_) ghost_->build(plan, targets_.depth.view());
+  if (other_pipelines)  // not for another size alone: drivers take long to compile them
     build_pipelines();
-  }
   ready_ = true;
 }
 
@@ -141,9 +128,7 @@ void Renderer::build_scene_set() {
 
 Result<void> Renderer::rebuild(const RenderOptions& options) {
   const Result<RenderPlan> planned = render::plan(facts_, options);
-  if (!planned) {
-    return Error{planned.error()};
-  }
+  if (!planned) return Error{planned.error()};
   try {
     build(planned.value());
   } catch (const vulkan::Failure& failure) {
@@ -190,24 +175,17 @@ Result<void> Renderer::update(const FrameState& state) {
                  " marker states, but the scene has " + std::to_string(markers_.size()) +
                  " markers; give one for each, or none."};
   }
-  if (state.ghost.opacity > 0.0F && !ghost_) {
+  if (state.ghost.opacity > 0.0F && !ghost_)
     return Error{"A frame came with a ghost, but the scene has none; name it in the scene."};
-  }
-  if (geometry_ && geometry_->place(state.X_WM)) {
-    shadow_stale_ = true;
-  }
-  if (geometry_ && geometry_->see(state.camera.layers)) {
-    shadow_stale_ = true;
-  }
+  if (geometry_ && geometry_->place(state.X_WM)) shadow_stale_ = true;
+  if (geometry_ && geometry_->see(state.camera.layers)) shadow_stale_ = true;
   if (plan_.shadow_size > 0 && shadow_stale_) {
     const std::vector<Bounds> casters = geometry_->casters();
     light_ = casters.empty() ? LightFit{} : fit_light(*setting_.key_light, casters, plan_.shadow_size);
   }
   const gpu::FrameData data = frame_data(setting_, state, plan_.scene, light_, plan_.shadow_size);
   std::memcpy(frame_buffer_.mapped(), &data, sizeof(data));
-  if (ghost_) {
-    ghost_->update(state, plan_);
-  }
+  if (ghost_) ghost_->update(state, plan_);
   markers_shown_ = plan_.markers ? write_markers(markers_, state.markers,
                                                  reinterpret_cast<gpu::MarkerData*>(marker_buffer_.mapped()))
                                  : 0;
@@ -217,9 +195,7 @@ Result<void> Renderer::update(const FrameState& state) {
 Result<void> Renderer::frame(const FrameState& state) {
   try {
     reload_shaders();
-    if (Result<void> updated = update(state); !updated) {
-      return updated;
-    }
+    if (Result<void> updated = update(state); !updated) return updated;
     commands_.run([&](VkCommandBuffer commands) { record(commands, state.overlay); });
     last_frame_s_ = commands_.last_run_s();
     drawn_ = true;
@@ -230,19 +206,13 @@ Result<void> Renderer::frame(const FrameState& state) {
 }
 
 Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window, Extent size) {
-  if (size.width == 0 || size.height == 0) {
-    return false;
-  }
+  if (size.width == 0 || size.height == 0) return false;
   if (!(size == options_.extent)) {
-    if (const Result<void> resized = resize(size); !resized) {
-      return Error{resized.error()};
-    }
+    if (const Result<void> resized = resize(size); !resized) return Error{resized.error()};
   }
   try {
     reload_shaders();
-    if (const Result<void> updated = update(state); !updated) {
-      return Error{updated.error()};
-    }
+    if (const Result<void> updated = update(state); !updated) return Error{updated.error()};
     const VkExtent2D extent{size.width, size.height};
     const bool shown = window.show(commands_, extent, targets_.picture.get(), targets_.picture.extent(),
                                    [&](VkCommandBuffer commands) { record(commands, state.overlay); });
@@ -257,9 +227,7 @@ Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window,
 }
 
 Result<Picture> Renderer::read_back() {
-  if (!drawn_) {
-    return Error{"There is no picture yet: draw a frame before reading it back."};
-  }
+  if (!drawn_) return Error{"There is no picture yet: draw a frame before reading it back."};
   const VkExtent2D extent = targets_.picture.extent();
   Picture picture{extent.width, extent.height, {}};
   try {

@@ -18,7 +18,7 @@ namespace fulcrum::render {
 
 class Renderer {
 public:
-  /// Plans, then builds the plan. The device must outlive the renderer; `desc` is not needed afterwards.
+  // Plans, then builds the plan. The device must outlive the renderer; `desc` is not needed afterwards.
   static Result<std::unique_ptr<Renderer>> create(vulkan::Device& device, const VisualDesc& desc,
                                                   const RenderOptions& options);
   ~Renderer();
@@ -26,18 +26,18 @@ public:
   const RenderPlan& plan() const { return plan_; }
   const Quality& quality() const { return options_.quality; }
 
-  /// Draws one frame into the picture and waits for it. Fails where the state does not fit the scene, or the
-  /// device is lost.
+  // Draws one frame into the picture and waits for it. Fails where the state does not fit the scene, or the
+  // device is lost.
   Result<void> frame(const FrameState& state);
 
-  /// The same, and shows it. The picture takes the window's size (pixels). False: the window is minimised or
-  /// changed this very moment, and nothing was drawn.
+  // The same, and shows it. The picture takes the window's size (pixels). False: the window is minimised or
+  // changed this very moment, and nothing was drawn.
   Result<bool> frame(const FrameState& state, vulkan::Swapchain& window, Extent size);
 
-  /// How long the last frame took to record and draw, without waiting for the screen (s).
+  // How long the last frame took to record and draw, without waiting for the screen (s).
   double last_frame_s() const { return last_frame_s_; }
 
-  /// The picture of the last frame.
+  // The picture of the last frame.
   Result<Picture> read_back();
 
   Result<void> resize(Extent extent);

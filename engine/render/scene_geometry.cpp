@@ -67,9 +67,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     return left.mesh != right.mesh ? left.mesh < right.mesh : left.casts_shadow && !right.casts_shadow;
   });
   std::vector<Bounds> mesh_bounds;
-  for (const Mesh& mesh : desc.meshes) {
-    mesh_bounds.push_back(bounds_of(mesh));
-  }
+  for (const Mesh& mesh : desc.meshes) mesh_bounds.push_back(bounds_of(mesh));
   std::vector<std::uint32_t> slot_of(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto slot = static_cast<std::uint32_t>(i);
@@ -84,11 +82,8 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     batch.tool = batch.tool || (instance.movable && instance.follows == 0);
     batch.layers = instance.layers;
   }
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (desc.instances[i].movable) {
-      movable_slots_.push_back(slot_of[i]);
-    }
-  }
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (desc.instances[i].movable) movable_slots_.push_back(slot_of[i]);
   std::erase_if(batches_, [](const Batch& batch) { return batch.count == 0; });
 }
 
@@ -111,11 +106,8 @@ bool SceneGeometry::see(std::uint32_t layers) {
 
 std::vector<Bounds> SceneGeometry::casters() const {
   std::vector<Bounds> boxes;
-  for (const Slot& slot : slots_) {
-    if (slot.casts && (slot.layers & seen_) != 0) {
-      boxes.push_back(transformed(slot.mesh_bounds, slot.X_WM));
-    }
-  }
+  for (const Slot& slot : slots_)
+    if (slot.casts && (slot.layers & seen_) != 0) boxes.push_back(transformed(slot.mesh_bounds, slot.X_WM));
   return boxes;
 }
 

@@ -12,19 +12,19 @@ namespace fulcrum::render {
 
 class SceneGeometry {
 public:
-  /// A valid description with at least one instance. Throws vulkan::Failure.
+  // A valid description with at least one instance. Throws vulkan::Failure.
   SceneGeometry(vulkan::Device& device, const VisualDesc& desc);
 
   std::size_t movable_count() const { return movable_slots_.size(); }
 
-  /// Writes the poses of the movable instances, while no frame is in flight. True when something that throws
-  /// a shadow has moved.
+  // Writes the poses of the movable instances, while no frame is in flight. True when something that throws
+  // a shadow has moved.
   bool place(std::span<const glm::mat4> X_WM);
 
-  /// Draws from now on what a camera of these layers sees. True when that is other than before.
+  // Draws from now on what a camera of these layers sees. True when that is other than before.
   bool see(std::uint32_t layers);
 
-  /// Boxes around what is seen and throws a shadow, in the world, as placed.
+  // Boxes around what is seen and throws a shadow, in the world, as placed.
   std::vector<Bounds> casters() const;
 
   VkBuffer instances() const { return instances_.get(); }
@@ -34,11 +34,11 @@ public:
     casters,
     tool  // each mesh that follows the tool, once: for a pipeline that brings its own pose
   };
-  /// Binds the buffers and draws; pipeline and descriptor sets are bound by the caller.
+  // Binds the buffers and draws; pipeline and descriptor sets are bound by the caller.
   void draw(VkCommandBuffer commands, Which which) const;
 
 private:
-  /// All instances of one mesh lie side by side, those that throw a shadow first: one draw a mesh.
+  // All instances of one mesh lie side by side, those that throw a shadow first: one draw a mesh.
   struct Batch {
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
@@ -50,7 +50,7 @@ private:
     std::uint32_t layers = 0;
   };
 
-  /// A place in the instance buffer.
+  // A place in the instance buffer.
   struct Slot {
     Bounds mesh_bounds;
     glm::mat4 X_WM{1.0F};

@@ -15,16 +15,16 @@ namespace fulcrum::render {
 
 class ShaderLibrary {
 public:
-  /// An empty folder: the shaders that are built in. Else `folder` holds the repository's shaders/; fails
-  /// with the compiler's sentences.
+  // An empty folder: the shaders that are built in. Else `folder` holds the repository's shaders/; fails
+  // with the compiler's sentences.
   static vulkan::Result<ShaderLibrary> open(const std::filesystem::path& folder);
 
-  /// SPIR-V by file name ("tone.frag"); valid until the next refresh(). Throws vulkan::Failure for an unknown
-  /// name.
+  // SPIR-V by file name ("tone.frag"); valid until the next refresh(). Throws vulkan::Failure for an unknown
+  // name.
   std::span<const std::uint32_t> code(const std::string& name) const;
 
-  /// True when the folder has changed and all of it compiled; a sentence when it does not compile: what was
-  /// loaded before stays in use. A version of the folder is compiled, and complained about, once.
+  // True when the folder has changed and all of it compiled; a sentence when it does not compile: what was
+  // loaded before stays in use. A version of the folder is compiled, and complained about, once.
   vulkan::Result<bool> refresh();
 
 private:

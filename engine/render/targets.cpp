@@ -6,9 +6,8 @@ Targets make_targets(vulkan::Device& device, const RenderPlan& plan) {
   const VkExtent2D scene{plan.scene.width, plan.scene.height};
   const VkSampleCountFlagBits samples = sample_count(plan);
   Targets made;
-  if (samples != VK_SAMPLE_COUNT_1_BIT) {
+  if (samples != VK_SAMPLE_COUNT_1_BIT)
     made.samples = vulkan::Image(device, {kSceneFormat, scene, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples});
-  }
   made.scene = vulkan::Image(
       device, {kSceneFormat, scene, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
   const VkImageUsageFlags read_by_ghost = plan.ghost ? VK_IMAGE_USAGE_SAMPLED_BIT : 0;

@@ -22,7 +22,7 @@ inline VkSampleCountFlagBits sample_count(const RenderPlan& plan) {
   return plan.samples == 4 ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT;
 }
 
-/// All throw vulkan::Failure where memory runs out.
+// All throw vulkan::Failure where memory runs out.
 Targets make_targets(vulkan::Device& device, const RenderPlan& plan);
 vulkan::Image make_shadow_map(vulkan::Device& device, const RenderPlan& plan);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr int kColumns = 40;
 constexpr float kSmooth = 0.766F;  // cosine of the largest bend without an edge
 
-/// A normal in the plane of the profile: x off the axis, y along it.
+// A normal in the plane of the profile: x off the axis, y along it.
 glm::vec2 normal_of(const Turned& from, const Turned& to) {
   return glm::normalize(glm::vec2(to.along - from.along, from.radius - to.radius));
 }
@@ -29,9 +29,8 @@ void add_turned(Mesh& mesh, const glm::vec3& foot, const glm::vec3& axis, std::s
   const glm::vec3 u = glm::normalize(glm::cross(aside, w));
   const glm::vec3 v = glm::cross(w, u);
   std::vector<glm::vec2> normals;
-  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i)
     normals.push_back(normal_of(profile[i], profile[i + 1]));
-  }
   const auto add_ring = [&](const Turned& at, const glm::vec2& normal) {
     for (int k = 0; k <= kColumns; ++k) {
       const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(k) / kColumns;
@@ -46,12 +45,10 @@ void add_turned(Mesh& mesh, const glm::vec3& foot, const glm::vec3& axis, std::s
     add_ring(profile[i], i > 0 ? smoothed(normals[i], normals[i - 1]) : normals[i]);
     add_ring(profile[i + 1], i + 1 < normals.size() ? smoothed(normals[i], normals[i + 1]) : normals[i]);
     for (std::uint32_t k = 0; k < kColumns; ++k) {
-      if (profile[i].radius > 0.0F) {
+      if (profile[i].radius > 0.0F)
         mesh.indices.insert(mesh.indices.end(), {first + k, first + k + 1, second + k});
-      }
-      if (profile[i + 1].radius > 0.0F) {
+      if (profile[i + 1].radius > 0.0F)
         mesh.indices.insert(mesh.indices.end(), {first + k + 1, second + k + 1, second + k});
-      }
     }
   }
 }
@@ -59,9 +56,7 @@ void add_turned(Mesh& mesh, const glm::vec3& foot, const glm::vec3& axis, std::s
 void add_bar(Mesh& mesh, const glm::vec3& from, const glm::vec3& to, float radius_from, float radius_to) {
   const float length = glm::distance(from, to);
   const float bevel = 0.15F * std::min({radius_from, radius_to, length});
-  if (!(bevel > 0.0F)) {
-    return;
-  }
+  if (!(bevel > 0.0F)) return;
   const std::array profile = {Turned{0.0F, 0.0F},
                               Turned{radius_from - bevel, 0.0F},
                               Turned{radius_from, bevel},

@@ -19,9 +19,8 @@ std::string named(const char* what, const std::string& name, std::size_t index) 
 
 Result<void> check_mesh(const Mesh& mesh, std::size_t index) {
   const std::string who = "The " + named("mesh", mesh.name, index);
-  if (mesh.positions.empty() || mesh.indices.empty()) {
+  if (mesh.positions.empty() || mesh.indices.empty())
     return Error{who + " has no triangles; leave it out of the scene."};
-  }
   if (mesh.normals.size() != mesh.positions.size()) {
     return Error{who + " has " + std::to_string(mesh.positions.size()) + " positions and " +
                  std::to_string(mesh.normals.size()) + " normals; give one normal for each position."};
@@ -41,11 +40,9 @@ Result<void> check_mesh(const Mesh& mesh, std::size_t index) {
                    std::to_string(mesh.positions.size()) + " positions."};
     }
   }
-  for (const glm::vec3& position : mesh.positions) {
-    if (!finite(position)) {
+  for (const glm::vec3& position : mesh.positions)
+    if (!finite(position))
       return Error{who + " has a position that is not a number; export the model again."};
-    }
-  }
   return {};
 }
 
@@ -78,16 +75,10 @@ Result<void> check_instance(const VisualDesc& desc, std::size_t index) {
 }  // namespace
 
 Result<void> validate(const VisualDesc& desc) {
-  for (std::size_t i = 0; i < desc.meshes.size(); ++i) {
-    if (Result<void> fine = check_mesh(desc.meshes[i], i); !fine) {
-      return fine;
-    }
-  }
-  for (std::size_t i = 0; i < desc.instances.size(); ++i) {
-    if (Result<void> fine = check_instance(desc, i); !fine) {
-      return fine;
-    }
-  }
+  for (std::size_t i = 0; i < desc.meshes.size(); ++i)
+    if (Result<void> fine = check_mesh(desc.meshes[i], i); !fine) return fine;
+  for (std::size_t i = 0; i < desc.instances.size(); ++i)
+    if (Result<void> fine = check_instance(desc, i); !fine) return fine;
   for (std::size_t i = 0; i < desc.markers.size(); ++i) {
     const Marker& marker = desc.markers[i];
     if (!(marker.radius > 0.0F) || !finite(marker.position)) {
@@ -105,9 +96,8 @@ Result<void> validate(const VisualDesc& desc) {
     return Error{"The ghost's lines are " + std::to_string(desc.ghost->line_width) +
                  " of the picture's height wide; use more than 0 and at most 0.05."};
   }
-  if (desc.key_light && !(glm::length(desc.key_light->direction) > 0.0F)) {
+  if (desc.key_light && !(glm::length(desc.key_light->direction) > 0.0F))
     return Error{"The key light has no direction; give the way its light travels, such as 0 -1 0."};
-  }
   return {};
 }
 

@@ -6,7 +6,7 @@
 
 namespace fulcrum::render {
 
-/// The first mistake in a sentence that names what is wrong.
+// The first mistake in a sentence that names what is wrong.
 vulkan::Result<void> validate(const VisualDesc& desc);
 
 }  // namespace fulcrum::render

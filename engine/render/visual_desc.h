@@ -13,7 +13,7 @@
 
 namespace fulcrum::render {
 
-/// Triangles in the mesh frame M. Counter-clockwise seen from outside; back faces are not drawn.
+// Triangles in the mesh frame M. Counter-clockwise seen from outside; back faces are not drawn.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;    // (n) m
@@ -22,7 +22,7 @@ struct Mesh {
   std::vector<std::uint32_t> indices;  // (3 x triangles) into positions
 };
 
-/// Metal-rough material, as in glTF 2.0.
+// Metal-rough material, as in glTF 2.0.
 struct Material {
   std::string name;
   glm::vec3 base_colour{0.8F};  // linear; for a metal its reflectance at normal incidence
@@ -30,7 +30,7 @@ struct Material {
   float roughness = 0.5F;       // 0 mirror .. 1 matt (perceptual: alpha = roughness^2)
 };
 
-/// One mesh placed in the world.
+// One mesh placed in the world.
 struct Instance {
   std::size_t mesh = 0;      // index into VisualDesc::meshes
   std::size_t material = 0;  // index into VisualDesc::materials
@@ -43,7 +43,7 @@ struct Instance {
   std::size_t follows = 0;   // of a movable one: 0 the tool, which a ghost copies; else what poses it knows
 };
 
-/// The one light that throws shadows.
+// The one light that throws shadows.
 struct KeyLight {
   enum class Kind { directional, spot };
   Kind kind = Kind::directional;
@@ -56,7 +56,7 @@ struct KeyLight {
   bool casts_shadow = true;
 };
 
-/// Light from everywhere else: a studio of this sky and this ground, with soft boxes that metal can mirror.
+// Light from everywhere else: a studio of this sky and this ground, with soft boxes that metal can mirror.
 struct Ambient {
   glm::vec3 sky{0.36F, 0.40F, 0.46F};     // linear
   glm::vec3 ground{0.10F, 0.09F, 0.08F};  // linear
@@ -70,15 +70,15 @@ struct Camera {
   std::uint32_t layers = 1;  // bits of the instances that it sees
 };
 
-/// A place that the trainee has to reach, drawn as a glowing sphere.
+// A place that the trainee has to reach, drawn as a glowing sphere.
 struct Marker {
   std::string name;
   glm::vec3 position{0.0F};  // m, world
   float radius = 0.01F;      // m
 };
 
-/// The tool once more, as lines: where the hand has turned to while the scene holds the tool. A copy of all
-/// instances that follow it, in one pose that comes with every FrameState.
+// The tool once more, as lines: where the hand has turned to while the scene holds the tool. A copy of all
+// instances that follow it, in one pose that comes with every FrameState.
 struct Ghost {
   glm::vec3 colour{0.03F, 0.80F, 1.0F};  // linear; shown as it is, whatever the light
   float line_width = 0.0032F;            // of the picture's height; never less than 1.3 pixels

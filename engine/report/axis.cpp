@@ -15,9 +15,8 @@ constexpr double kRounding = 1e-9;  // of a step: a mark this little beyond the 
 // 1, 2 or 5 times a power of ten, at least `least`.
 double round_step(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least) + kRounding));
-  for (const double times : {1.0, 2.0, 5.0}) {
+  for (const double times : {1.0, 2.0, 5.0})
     if (times * power >= least * (1 - kRounding)) return times * power;
-  }
   return 10 * power;
 }
 

@@ -67,13 +67,11 @@ double Legend::text_width(const std::string& text) {
 }
 
 Legend::Legend(const Plot& plot, double left, double right) : left_(left), next_(left) {
-  for (const Series& series : plot.series) {
+  for (const Series& series : plot.series)
     if (!series.name.empty()) place({series.name, &series, 0, 0, 0}, right);
-  }
   next_ = right + 1;  // bands on rows of their own
-  for (const Band& band : plot.cells.bands) {
+  for (const Band& band : plot.cells.bands)
     if (!band.name.empty()) place({band.name, nullptr, band.shade, 0, 0}, right);
-  }
 }
 
 void Legend::place(Entry entry, double right) {

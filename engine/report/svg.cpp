@@ -126,10 +126,9 @@ private:
   std::string markers(const Series& series) const {
     std::string out;
     if (series.marker == Marker::none) return out;
-    for (const Point& p : series.points) {
+    for (const Point& p : series.points)
       if (holds(p))
         out += marker_path(series.marker, px(p.x), py(p.y), series.strong ? 5.5 : series.faint ? 2.5 : 4);
-    }
     return "<path class=\"" + marker_class(series) + "\" d=\"" + out + "\"/>";
   }
 

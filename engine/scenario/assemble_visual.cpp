@@ -42,9 +42,8 @@ Result<std::monostate> apply(const MaterialOverride& override, std::vector<rende
   }
   if (applied) return std::monostate{};
   std::vector<std::string_view> names;
-  for (const render::Material& material : materials) {
+  for (const render::Material& material : materials)
     if (std::ranges::find(names, material.name) == names.end()) names.push_back(material.name);
-  }
   return Error{override.where + ": no model has a material " + in_quotes(override.name) +
                did_you_mean(override.name, names, "there is: " + joined(names))};
 }
@@ -97,9 +96,8 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
     add_model(desc, scenario.models[i], models.models[i], models.p_MT, X_WT_start,
               layers_of(scenario.models[i], scenario.models));
   }
-  for (const MaterialOverride& material : scenario.materials) {
+  for (const MaterialOverride& material : scenario.materials)
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();
-  }
   if (draws_arms(scenario, scene)) {
     if (const auto refused = Mechanism::refuse(scene.device.mechanism)) return *refused;
     add_device_arms(desc, scene.device.mechanism, scene.mapping, scenario.device.floor, kWhole | kCut);

@@ -31,9 +31,8 @@ bool ContentFile::is_installed() const {
 }
 
 fs::path ContentFile::installed() const {
-  for (const fs::path& root : content_roots()) {
+  for (const fs::path& root : content_roots())
     if (fs::path file = root / kind_ / file_; is_there(file)) return file;
-  }
   return {};
 }
 

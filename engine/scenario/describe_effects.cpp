@@ -53,8 +53,9 @@ void describe_torque_substitution(KeyVisitor& visitor, TorqueSubstitutionDesc& e
   visitor.boolean({"limit_stiffness", "",
                    "the coupling is softened in rotation while torque is bad and contact has springs"},
                   effect.limit_stiffness);
-  visitor.mapping({"vibration", "", "of the handle, while torque is bad"},
-                  [&](KeyVisitor& inner) { describe_vibration(inner, effect); });
+  visitor.mapping(
+      {"vibration", "", "of the handle, while torque is bad"},
+      [&](KeyVisitor& inner) { describe_vibration(inner, effect); });
   visitor.mapping({"ghost", "", "of the tool, turned as the hand is, while torque is large"},
                   [&](KeyVisitor& inner) { describe_ghost(inner, effect); });
   const auto is_left_below = [&effect] {
@@ -205,28 +206,34 @@ void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material) {
 }
 
 void describe_effects(KeyVisitor& visitor, Scenario& scenario) {
-  visitor.mapping({"torque_substitution", "", "tells of torque that the device cannot push back"},
-                  [&](KeyVisitor& inner) {
-                    describe_torque_substitution(inner, scenario.effects.torque_substitution.emplace());
-                  });
-  visitor.mapping({"impact", "", "what counts as an impact, for the effects that begin at one"},
-                  [&](KeyVisitor& inner) { describe_impact(inner, scenario.impact); });
-  visitor.mapping({"impact_vibration", "", "a vibration that tells where an impact fell"},
-                  [&](KeyVisitor& inner) { describe_impact_vibration(inner, scenario); });
+  visitor.mapping(
+      {"torque_substitution", "", "tells of torque that the device cannot push back"},
+      [&](KeyVisitor& inner) {
+        describe_torque_substitution(inner, scenario.effects.torque_substitution.emplace());
+      });
+  visitor.mapping(
+      {"impact", "", "what counts as an impact, for the effects that begin at one"},
+      [&](KeyVisitor& inner) { describe_impact(inner, scenario.impact); });
+  visitor.mapping(
+      {"impact_vibration", "", "a vibration that tells where an impact fell"},
+      [&](KeyVisitor& inner) { describe_impact_vibration(inner, scenario); });
   visitor.mapping(
       {"braking_pulse", "", "stops the hand at an impact, so that what it strikes feels harder"},
       [&](KeyVisitor& inner) { describe_braking_pulse(inner, scenario.effects.braking_pulse.emplace()); });
-  visitor.mapping({"vibrotactile_motion", "",
-                   "resistance told by two vibrators at the finger: a phantom that moves against the sweep"},
-                  [&](KeyVisitor& inner) {
-                    describe_vibrotactile_motion(inner, scenario.effects.vibrotactile_motion.emplace());
-                  });
+  visitor.mapping(
+      {"vibrotactile_motion", "",
+       "resistance told by two vibrators at the finger: a phantom that moves against the sweep"},
+      [&](KeyVisitor& inner) {
+        describe_vibrotactile_motion(inner, scenario.effects.vibrotactile_motion.emplace());
+      });
   visitor.mapping(
       {"holding_point", "", "where the hand holds the tool, along a stick: told, or measured by its strip"},
       [&](KeyVisitor& inner) { describe_holding_point(inner, scenario.holding_point.emplace()); });
-  visitor.mapping({"inertia_compensation", "", "makes up for the device's own mass"}, [&](KeyVisitor& inner) {
-    describe_inertia_compensation(inner, scenario.effects.inertia_compensation.emplace());
-  });
+  visitor.mapping(
+      {"inertia_compensation", "", "makes up for the device's own mass"},
+      [&](KeyVisitor& inner) {
+        describe_inertia_compensation(inner, scenario.effects.inertia_compensation.emplace());
+      });
   visitor.mapping({"texture", "", "ridges that are felt while sliding, on surfaces that are smooth"},
                   [&](KeyVisitor& inner) { describe_texture(inner, scenario.effects.texture.emplace()); });
 }

@@ -101,9 +101,11 @@ void describe_tool(KeyVisitor& visitor, ToolEntry& tool) {
                           above_to(0, 100));
   visitor.rule("mass", !(tool.density && tool.mass),
                "and 'tool.density' exclude each other; keep one of them");
-  visitor.mapping({"grasp", "", "the model in the handle, when nothing touches it"}, [&](KeyVisitor& inner) {
-    describe_pose(inner, tool.X_HM, "in the handle's frame", "likewise [w, x, y, z]");
-  });
+  visitor.mapping(
+      {"grasp", "", "the model in the handle, when nothing touches it"},
+      [&](KeyVisitor& inner) {
+        describe_pose(inner, tool.X_HM, "in the handle's frame", "likewise [w, x, y, z]");
+      });
   visitor.mapping({"start", "", "the model in the world, at the beginning", true}, [&](KeyVisitor& inner) {
     describe_pose(inner, tool.X_WM_start, "in the world", "likewise [w, x, y, z]");
   });

@@ -119,8 +119,9 @@ void describe_hands(KeyVisitor& visitor, std::vector<HandEntry>& hands) {
                     above_to(0, 100));
         each.rule("tremor_high_Hz", hand.tremor_high_Hz > hand.tremor_low_Hz,
                   "must be above 'tremor_low_Hz'");
-        each.mapping({"yields", "", "the hand turns back where it is told of torque: a model of no person"},
-                     [&](KeyVisitor& inner) { describe_yielding(inner, hand.yields.emplace()); });
+        each.mapping(
+            {"yields", "", "the hand turns back where it is told of torque: a model of no person"},
+            [&](KeyVisitor& inner) { describe_yielding(inner, hand.yields.emplace()); });
       });
 }
 

@@ -33,9 +33,8 @@ std::vector<Link> links_of(const ArmDesc& arm, const Quat& q_DK) {
 // A device's models in units of this, m: 1 mm where the longest link has 180 mm.
 double unit_of(const MechanismDesc& mechanism) {
   double longest = 0;
-  for (const ArmDesc& arm : mechanism.arms) {
+  for (const ArmDesc& arm : mechanism.arms)
     for (const Link& link : links_of(arm, mechanism.q_DK)) longest = std::max(longest, link.next.norm());
-  }
   return longest / 180;
 }
 

@@ -3,9 +3,8 @@
 namespace fulcrum::scenario {
 
 std::string place_text(std::string file, int line, int column) {
-  if (line > 0) {
+  if (line > 0)
     for (const int number : {line, column}) file.append(1, ':').append(std::to_string(number));
-  }
   return file;
 }
 

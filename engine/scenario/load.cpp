@@ -162,9 +162,8 @@ Checked<Scenario> load_scenario_text(std::string_view text, const std::filesyste
 Checked<Scenario> load_scenario_texts(const SourceTexts& texts, const std::filesystem::path& folder,
                                       std::span<const std::string> overrides) {
   const auto text = texts.files.find(texts.scenario);
-  if (text == texts.files.end()) {
+  if (text == texts.files.end())
     return Faults{{texts.scenario, 0, 0, "the scenario is not among the texts that were kept of it"}};
-  }
   TextStore store(texts.files);
   return load(text->second, texts.scenario, texts.scenario, folder, overrides, store);
 }

@@ -34,9 +34,11 @@ std::string nearby_files(std::string_view name, const std::filesystem::path& fol
 std::string nearby_names(std::string_view name, const std::vector<std::filesystem::path>& folders) {
   std::set<std::string> names;
   for (const auto& folder : folders) {
-    for_each_file(folder, [&](const std::filesystem::path& file) {
-      if (file.extension() == ".yaml") names.insert(file.stem().string());
-    });
+    for_each_file(
+        folder,
+        [&](const std::filesystem::path& file) {
+          if (file.extension() == ".yaml") names.insert(file.stem().string());
+        });
   }
   if (names.contains(std::string(name))) return {};
   const std::vector<std::string_view> list(names.begin(), names.end());

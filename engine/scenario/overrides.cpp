@@ -58,11 +58,9 @@ Result<Parts> resolved(const std::string& path, std::span<const KeyEntry> keys) 
   if (std::ranges::any_of(keys, [&](const KeyEntry& key) { return is_match(key.parts, parts); }))
     return parts;
   std::vector<const KeyEntry*> ending;
-  for (const KeyEntry& key : keys) {
-    if (key.parts.size() > parts.size() && is_match(std::span(key.parts).last(parts.size()), parts)) {
+  for (const KeyEntry& key : keys)
+    if (key.parts.size() > parts.size() && is_match(std::span(key.parts).last(parts.size()), parts))
       ending.push_back(&key);
-    }
-  }
   // "0.radius" must not find checkpoints.*.radius through its wildcard: a part is a key, not an index.
   std::erase_if(ending,
                 [&](const KeyEntry* key) { return key->parts[key->parts.size() - parts.size()] == "*"; });
@@ -122,9 +120,8 @@ void set_mark(Node& node, const Mark& mark) {
 std::optional<Fault> apply(Node& root, const std::string& text, std::span<const KeyEntry> keys) {
   const Mark mark{std::make_shared<const std::string>("--set " + on_one_line(text)), 0, 0};
   const std::size_t equals = text.find('=');
-  if (equals == text.npos || equals == 0) {
+  if (equals == text.npos || equals == 0)
     return mark.fault("an override is written KEY=VALUE, for instance contact.stiffness=5000");
-  }
   const auto parts = resolved(text.substr(0, equals), keys);
   if (!parts) return mark.fault(parts.error().sentence);
 
@@ -141,8 +138,8 @@ std::optional<Fault> apply(Node& root, const std::string& text, std::span<const 
   std::string path;
   Parts done;
   for (const std::string& part : *parts) {
-    const auto parent =
-        std::ranges::find_if(keys, [&](const KeyEntry& key) { return is_match(key.parts, done); });
+    const auto parent = std::ranges::find_if(
+        keys, [&](const KeyEntry& key) { return is_match(key.parts, done); });
     const bool is_entry = std::ranges::any_of(keys, [&](const KeyEntry& key) {
       return key.parts.size() > done.size() && key.parts[done.size()] == "*" &&
              is_match(std::span(key.parts).first(done.size()), done);
@@ -162,9 +159,8 @@ std::optional<Fault> apply(Node& root, const std::string& text, std::span<const 
 
 Faults apply_overrides(Node& root, std::span<const std::string> overrides, std::span<const KeyEntry> keys) {
   Faults faults;
-  for (const std::string& text : overrides) {
+  for (const std::string& text : overrides)
     if (auto fault = apply(root, text, keys)) faults.push_back(std::move(*fault));
-  }
   return faults;
 }
 

@@ -127,11 +127,10 @@ private:
     std::string description(key.doc);
     if (!key.unit.empty()) description = std::string(key.unit) + "; " + description;
     schema["description"] = description;
-    if (key.required) {
+    if (key.required)
       required_.push_back(key.name);
-    } else if (!default_value.is_null()) {
+    else if (!default_value.is_null())
       schema["default"] = default_value;
-    }
     properties_[std::string(key.name)] = std::move(schema);
   }
 

@@ -15,9 +15,8 @@ inline glm::mat4 to_glm(const Pose& X) {
   const Eigen::Matrix3f R = X.q.toRotationMatrix().cast<float>();
   const Eigen::Vector3f p = X.p.cast<float>();
   glm::mat4 M(1.0F);
-  for (int column = 0; column < 3; ++column) {
+  for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) M[column][row] = R(row, column);
-  }
   for (int row = 0; row < 3; ++row) M[3][row] = p[row];
   return M;
 }

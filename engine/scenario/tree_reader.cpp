@@ -27,28 +27,35 @@ public:
 
   void version(const Key& key, std::int64_t version) override;
   void number(const Key& key, double& value, const Range& range) override {
-    take(key, value, [&](const Node& node) { return parse_real(node, range, key.unit); });
+    take(
+        key, value, [&](const Node& node) { return parse_real(node, range, key.unit); });
   }
   void optional_number(const Key& key, std::optional<double>& value, const Range& range) override {
-    take(key, value, [&](const Node& node) { return parse_real(node, range, key.unit); });
+    take(
+        key, value, [&](const Node& node) { return parse_real(node, range, key.unit); });
   }
   void integer(const Key& key, std::int64_t& value, std::int64_t min, std::int64_t max) override {
-    take(key, value, [&](const Node& node) { return parse_integer(node, min, max); });
+    take(
+        key, value, [&](const Node& node) { return parse_integer(node, min, max); });
   }
   void boolean(const Key& key, bool& value) override { take(key, value, parse_boolean); }
   void text(const Key& key, std::string& value) override { take(key, value, parse_line); }
   void word(const Key& key, std::string& value) override { take(key, value, parse_word); }
   void choice(const Key& key, std::size_t& index, std::span<const std::string_view> names) override {
-    take(key, index, [&](const Node& node) { return parse_choice(node, names); });
+    take(
+        key, index, [&](const Node& node) { return parse_choice(node, names); });
   }
   void vector(const Key& key, Vec3& value, const Range& each) override {
-    take(key, value, [&](const Node& node) { return parse_vector(node, each, key.unit); });
+    take(
+        key, value, [&](const Node& node) { return parse_vector(node, each, key.unit); });
   }
   void numbers(const Key& key, std::vector<double>& values, const Range& each, std::size_t most) override {
-    take(key, values, [&](const Node& node) { return parse_numbers(node, each, key.unit, most); });
+    take(
+        key, values, [&](const Node& node) { return parse_numbers(node, each, key.unit, most); });
   }
   void each_axis(const Key& key, Vec3& value, const Range& each) override {
-    take(key, value, [&](const Node& node) { return parse_each_axis(node, each, key.unit); });
+    take(
+        key, value, [&](const Node& node) { return parse_each_axis(node, each, key.unit); });
   }
   void rotation(const Key& key, Quat& value) override { take(key, value, parse_rotation); }
   void colour(const Key& key, Vec3& value) override { take(key, value, parse_colour); }
@@ -226,21 +233,18 @@ void TreeReader::list(const Key& key, std::size_t min_count, const Describe& des
           full(key.name) + " must be a list, each element beginning with '- '; found " + found(*node));
     return;
   }
-  if (node->items.size() < min_count) {
+  if (node->items.size() < min_count)
     fault(node->mark, full(key.name) + " must have at least " + std::to_string(min_count) + " element");
-  }
-  for (std::size_t i = 0; i < node->items.size(); ++i) {
+  for (std::size_t i = 0; i < node->items.size(); ++i)
     read_inner(key, node->items[i], path_ + std::string(key.name) + "." + std::to_string(i), describe_next);
-  }
 }
 
 void TreeReader::named(const Key& key, std::size_t min_count,
                        const std::function<void(std::string_view, KeyVisitor&)>& describe_next) {
   const Node* node = mapping_of(key);
   if (!node) return;
-  if (node->entries.size() < min_count) {
+  if (node->entries.size() < min_count)
     fault(node->mark, full(key.name) + " must have at least " + std::to_string(min_count) + " entry");
-  }
   for (const NodeEntry& entry : node->entries) {
     const std::string path = path_ + std::string(key.name) + "." + entry.key;
     read_inner(key, entry.value, path, [&](KeyVisitor& inner) { describe_next(entry.key, inner); });

@@ -94,9 +94,8 @@ Parsed<double> parse_real(const Node& node, const Range& range, std::string_view
                       "must be " + kind + (has_number ? ", digits alone" : "") + "; found " + found(node)};
   }
   if (!std::isfinite(*value)) return ValueFault{node.mark, "must be a finite number; found " + found(node)};
-  if (!range.holds(*value)) {
+  if (!range.holds(*value))
     return ValueFault{node.mark, "must be " + range_text(range, unit) + "; found " + found(node)};
-  }
   return *value;
 }
 
@@ -106,9 +105,8 @@ Parsed<std::int64_t> parse_integer(const Node& node, std::int64_t min, std::int6
   const char* end = node.text.data() + node.text.size();
   const bool is_plain = is_scalar(node) && !node.quoted;
   const auto [stop, error] = std::from_chars(node.text.data(), end, value);
-  if (!is_plain || error != std::errc() || stop != end || value < min || value > max) {
+  if (!is_plain || error != std::errc() || stop != end || value < min || value > max)
     return ValueFault{node.mark, "must be " + limits + "; found " + found(node)};
-  }
   return value;
 }
 
@@ -128,16 +126,14 @@ Parsed<std::string> parse_line(const Node& node) {
   });
   if (has_control)
     return ValueFault{node.mark, "must be one line of text, without tabs; found " + found(node)};
-  if (node.text.find_first_not_of(' ') == std::string::npos) {
+  if (node.text.find_first_not_of(' ') == std::string::npos)
     return ValueFault{node.mark, "must be text; found " + found(node)};
-  }
   return node.text;
 }
 
 Parsed<std::string> parse_word(const Node& node) {
-  if (!is_scalar(node) || !is_word(node.text)) {
+  if (!is_scalar(node) || !is_word(node.text))
     return ValueFault{node.mark, "must be a name of letters, digits, '_' and '-'; found " + found(node)};
-  }
   return node.text;
 }
 

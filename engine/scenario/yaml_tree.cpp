@@ -54,9 +54,8 @@ public:
     if (wants_key()) refuse(mark, "a key is missing in front of the ':'");
     Node& node = put(Node::Kind::null, mark);
     // The parser notices that a value is missing where the next thing begins: the key is what to point at.
-    if (!open_.empty() && open_.back().node->kind == Node::Kind::mapping) {
+    if (!open_.empty() && open_.back().node->kind == Node::Kind::mapping)
       node.mark = open_.back().node->entries.back().key_mark;
-    }
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
@@ -109,18 +108,16 @@ private:
       refuse(mark, "key " + in_quotes(key) + " is already given on line " +
                        std::to_string(first->key_mark.line) + "; remove one of the two");
     }
-    if (top.node->entries.size() == kMaxKeys) {
+    if (top.node->entries.size() == kMaxKeys)
       refuse(mark, "a mapping with more than " + std::to_string(kMaxKeys) + " keys; is it the right file?");
-    }
     count_node(mark);
     top.node->entries.push_back({key, mark_of(mark), {}});
     top.key_taken = true;
   }
 
   void count_node(const YAML::Mark& mark) {
-    if (++nodes_ > kMaxNodes) {
+    if (++nodes_ > kMaxNodes)
       refuse(mark, "the file has more than " + std::to_string(kMaxNodes) + " values; split it");
-    }
   }
 
   void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag) {
@@ -129,9 +126,8 @@ private:
       refuse(
           mark,
           "a list or mapping stands where a key should, which is plain text; is a closing bracket missing?");
-    if (open_.size() == kMaxDepth) {
+    if (open_.size() == kMaxDepth)
       refuse(mark, "lists and mappings are nested deeper than " + std::to_string(kMaxDepth) + " levels");
-    }
     open_.push_back({&put(kind, mark)});
   }
 

@@ -26,9 +26,8 @@ void draw_busy(const Canvas& canvas, const Busy& busy) {
   constexpr float height = 8.0F;
   const ImVec2 bar{left, at.y + 90.0F};
   canvas.box(bar, {right - left, height}, theme::kTrack, height / 2.0F);
-  if (done > 0.0F) {
+  if (done > 0.0F)
     canvas.box(bar, {std::max(height, done * (right - left)), height}, theme::kAccent, height / 2.0F);
-  }
   canvas.text(fonts.small, {left, at.y + 112.0F}, theme::kFaint,
               canvas.fitted(fonts.small, busy.note, right - left));
 }

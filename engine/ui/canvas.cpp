@@ -51,15 +51,12 @@ ImVec2 Canvas::measure(ImFont* font, const std::string& words) const {
 }
 
 std::string Canvas::fitted(ImFont* font, const std::string& words, float width) const {
-  if (measure(font, words).x <= width) {
-    return words;
-  }
+  if (measure(font, words).x <= width) return words;
   std::string shorter = words;
   while (!shorter.empty() && measure(font, shorter + "...").x > width) {
     // A whole UTF-8 character at a time: continuation bytes are 10xxxxxx.
-    while (shorter.size() > 1 && (static_cast<unsigned char>(shorter.back()) & 0xC0U) == 0x80U) {
+    while (shorter.size() > 1 && (static_cast<unsigned char>(shorter.back()) & 0xC0U) == 0x80U)
       shorter.pop_back();
-    }
     shorter.pop_back();
   }
   return shorter + "...";

@@ -7,7 +7,7 @@
 
 namespace fulcrum::ui {
 
-/// Typefaces at their sizes, rasterised for one scale.
+// Typefaces at their sizes, rasterised for one scale.
 struct Fonts {
   ImFont* small = nullptr;
   ImFont* body = nullptr;
@@ -20,7 +20,7 @@ enum class Align { left, centre, right };
 
 class Canvas {
 public:
-  /// `size`: of the picture (pixels); `scale`: pixels for one unit of theme.h.
+  // `size`: of the picture (pixels); `scale`: pixels for one unit of theme.h.
   Canvas(ImDrawList& list, const Fonts& fonts, ImVec2 size, float scale)
       : list_(list), fonts_(fonts), size_(size), scale_(scale) {}
 
@@ -39,7 +39,7 @@ public:
   void text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& words, Align align = Align::left) const;
   ImVec2 measure(ImFont* font, const std::string& words) const;
 
-  /// The words, with an ellipsis where they are wider than `width`.
+  // The words, with an ellipsis where they are wider than `width`.
   std::string fitted(ImFont* font, const std::string& words, float width) const;
 
 private:

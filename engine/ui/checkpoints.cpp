@@ -67,9 +67,7 @@ void draw_hard_touches(const Canvas& canvas, ImVec2 at, std::int64_t count) {
 }  // namespace
 
 void draw_checkpoints(const Canvas& canvas, const OverlayState& state) {
-  if (state.checkpoints.empty()) {
-    return;
-  }
+  if (state.checkpoints.empty()) return;
   const ImVec2 at{theme::kMargin, theme::kMargin};
   const auto rows = static_cast<float>(state.checkpoints.size());
   const auto done = std::count_if(state.checkpoints.begin(), state.checkpoints.end(),
@@ -88,9 +86,7 @@ void draw_checkpoints(const Canvas& canvas, const OverlayState& state) {
     draw_row(canvas, {at.x, y}, line);
     y += kRow;
   }
-  if (state.hard_touches) {
-    draw_hard_touches(canvas, {at.x, y}, *state.hard_touches);
-  }
+  if (state.hard_touches) draw_hard_touches(canvas, {at.x, y}, *state.hard_touches);
 }
 
 }  // namespace fulcrum::ui

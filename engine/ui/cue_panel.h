@@ -12,7 +12,7 @@
 
 namespace fulcrum::ui {
 
-/// Theme units from the top left of a picture, of the given height in pixels.
+// Theme units from the top left of a picture, of the given height in pixels.
 float overlay_scale(std::uint32_t height);
 
 struct PanelPoint {
@@ -20,7 +20,7 @@ struct PanelPoint {
   float x = 0.0F, y = 0.0F;  // likewise, from its top left
 };
 
-/// (x, y) in fractions of the picture's height, from its top left.
+// (x, y) in fractions of the picture's height, from its top left.
 PanelPoint panel_point(render::Extent picture, double x, double y);
 
 struct CuePress {
@@ -28,8 +28,8 @@ struct CuePress {
   double gain = 0.0;    // 0..1, what the press sets it to
 };
 
-/// A press at (x, y) of a picture that is `width` wide, all in theme units: on a switch it turns the cue off,
-/// or on at `gains` of it; on the bar below it sets the gain. Elsewhere: nothing.
+// A press at (x, y) of a picture that is `width` wide, all in theme units: on a switch it turns the cue off,
+// or on at `gains` of it; on the bar below it sets the gain. Elsewhere: nothing.
 std::optional<CuePress> pressed_cue(const OverlayState& state, const std::vector<double>& gains, float width,
                                     float x, float y);
 

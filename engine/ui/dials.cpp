@@ -34,7 +34,7 @@ std::string number(double value, double limit) {
   return text;
 }
 
-/// The limit without digits that say nothing: 3.3, 0.2, 8.
+// The limit without digits that say nothing: 3.3, 0.2, 8.
 std::string plain(double value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.3g", value);
@@ -65,9 +65,8 @@ void draw_dial(const Canvas& canvas, ImVec2 at, const char* title, const char* u
   canvas.card(at, kSize);
   canvas.text(canvas.fonts().small, {middle.x, at.y + 8.0F}, theme::kSecondary, title, Align::centre);
   draw_scale(canvas, middle);
-  if (fraction > 0.002F) {
+  if (fraction > 0.002F)
     canvas.arc(middle, kRadius, angle_at(0.0F), angle_at(fraction), load_colour(fraction), kWidth);
-  }
   const float peak_angle = angle_at(part(peak));
   canvas.line(on_circle(middle, kRadius - kWidth / 2.0F, peak_angle),
               on_circle(middle, kRadius + kWidth / 2.0F + 4.0F, peak_angle), load_colour(part(peak)), 2.2F);
@@ -92,9 +91,8 @@ void draw_dials(const Canvas& canvas, const OverlayState& state, const Peaks& pe
     draw_dial(canvas, at, "FORCE", "N", state.force_N, peaks.force_N);
     at.x += kSize.x + 10.0F;
   }
-  if (state.torque_Nm.limit > 0.0) {
+  if (state.torque_Nm.limit > 0.0)
     draw_dial(canvas, at, "TORQUE", "N\u00B7m", state.torque_Nm, peaks.torque_Nm);
-  }
 }
 
 }  // namespace fulcrum::ui

@@ -7,8 +7,8 @@
 
 namespace fulcrum::ui {
 
-/// Fills the current ImGui atlas anew. `note` gets one line where the typeface is not installed, else
-/// nothing.
+// Fills the current ImGui atlas anew. `note` gets one line where the typeface is not installed, else
+// nothing.
 Fonts load_fonts(float scale, std::string& note);
 
 }  // namespace fulcrum::ui

@@ -13,10 +13,10 @@ struct HoldingPress {
   double value = 0.0;  // m; 0 or 1; N/m; an index into HoldingPanel::methods
 };
 
-/// A press at (x, y) of a picture that is `width` wide, all in theme units. Elsewhere: nothing.
+// A press at (x, y) of a picture that is `width` wide, all in theme units. Elsewhere: nothing.
 std::optional<HoldingPress> pressed_holding(const OverlayState& state, float width, float x, float y);
 
-/// m: where a slider that is held is drawn to, by x alone.
+// m: where a slider that is held is drawn to, by x alone.
 double dragged_place(const OverlayState& state, float width, float x);
 
 }  // namespace fulcrum::ui

@@ -16,7 +16,7 @@
 namespace fulcrum::ui {
 namespace {
 
-/// ImGui 1.86 knows render passes only. This one draws over what dynamic rendering has left in the picture.
+// ImGui 1.86 knows render passes only. This one draws over what dynamic rendering has left in the picture.
 vulkan::RenderPassHandle make_render_pass(VkDevice device) {
   VkAttachmentDescription picture{};
   picture.format = render::kPictureFormat;
@@ -87,9 +87,7 @@ public:
   void prepare(const OverlayState& state, render::Extent picture) {
     ImGui::SetCurrentContext(context_);
     const float scale = overlay_scale(picture.height);
-    if (scale != scale_) {
-      start_backend(scale);
-    }
+    if (scale != scale_) start_backend(scale);
     const ImVec2 size{static_cast<float>(picture.width), static_cast<float>(picture.height)};
     ImGui::GetIO().DisplaySize = size;
     ImGui::GetIO().DeltaTime = 1.0F / 60.0F;  // nothing is animated by ImGui itself
@@ -100,16 +98,12 @@ public:
   }
 
   void record(VkCommandBuffer commands, const render::OverlayTarget& target) {
-    if (generation_ != target.generation) {
-      make_framebuffer(target);
-    }
+    if (generation_ != target.generation) make_framebuffer(target);
     ImGui::SetCurrentContext(context_);
     ImDrawData* data = ImGui::GetDrawData();
     const bool fits = data != nullptr && data->DisplaySize.x == static_cast<float>(target.extent.width) &&
                       data->DisplaySize.y == static_cast<float>(target.extent.height);
-    if (!fits) {
-      return;  // prepared for another size, or never: the next frame is right
-    }
+    if (!fits) return;  // prepared for another size, or never: the next frame is right
     VkRenderPassBeginInfo begin{};
     begin.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
     begin.renderPass = pass_.get();
@@ -141,7 +135,7 @@ private:
     draw_banner(canvas, state);  // last: nothing hides it
   }
 
-  /// The backend keeps the texture of one atlas for its lifetime: other fonts, another backend.
+  // The backend keeps the texture of one atlas for its lifetime: other fonts, another backend.
   void start_backend(float scale) {
     vulkan::check(vkDeviceWaitIdle(device_.get()), "draw text");
     shut_backend();

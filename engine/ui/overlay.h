@@ -12,15 +12,15 @@ namespace fulcrum::ui {
 
 class Overlay : public render::OverlayPass {
 public:
-  /// The device must outlive the overlay. Where the font is not installed, ImGui's own is used, and
-  /// font_note() says so.
+  // The device must outlive the overlay. Where the font is not installed, ImGui's own is used, and
+  // font_note() says so.
   static vulkan::Result<std::unique_ptr<Overlay>> create(vulkan::Device& device);
   ~Overlay() override;
 
-  /// Lays out what the next frame shows, for a picture of that size; text grows with its height.
+  // Lays out what the next frame shows, for a picture of that size; text grows with its height.
   vulkan::Result<void> prepare(const OverlayState& state, render::Extent picture);
 
-  /// Empty, or one line to print: that the font is missing, and how to install it.
+  // Empty, or one line to print: that the font is missing, and how to install it.
   const std::string& font_note() const;
 
   void record(VkCommandBuffer commands, const render::OverlayTarget& target) override;

@@ -10,7 +10,7 @@
 
 namespace fulcrum::ui {
 
-/// A dial: the magnitude that the hand feels, and the most that the device may give.
+// A dial: the magnitude that the hand feels, and the most that the device may give.
 struct Dial {
   double value = 0.0;
   double limit = 0.0;  // 0: no such actuator, and the dial is left out
@@ -21,7 +21,7 @@ struct CheckpointLine {
   render::MarkerState state;  // hidden: still to come
 };
 
-/// How the haptic thread is doing.
+// How the haptic thread is doing.
 struct TickHealth {
   double rate_Hz = 0.0;
   std::uint64_t late = 0;
@@ -35,7 +35,7 @@ struct KeyLine {
   std::string meaning;  // "stop all force"
 };
 
-/// Something that tells of torque or of impacts: a switch, a gain and how strongly it tells now.
+// Something that tells of torque or of impacts: a switch, a gain and how strongly it tells now.
 struct CueLine {
   std::string name;    // "Vibration"
   std::string key;     // that switches it
@@ -43,7 +43,7 @@ struct CueLine {
   double level = 0.0;  // 0..1
 };
 
-/// A motor, in fractions of its limit.
+// A motor, in fractions of its limit.
 struct MotorBar {
   std::string name;   // "lower yaw"
   double load = 0.0;  // -1..1
@@ -51,7 +51,7 @@ struct MotorBar {
   double high = 0.0;
 };
 
-/// Where the hand holds a stick, and what follows from it.
+// Where the hand holds a stick, and what follows from it.
 struct HoldingPanel {
   double place = 0.0;            // m along the stick, what is used
   double low = 0.0, high = 0.0;  // m, its ends
@@ -69,7 +69,7 @@ struct HoldingPanel {
   bool faded = false;      // it would add energy
 };
 
-/// Something that takes long, before there is a scene to show.
+// Something that takes long, before there is a scene to show.
 struct Busy {
   std::string title;      // "A spanner behind the pipes"
   std::string what;       // "Baking the distance field"

@@ -40,20 +40,17 @@ std::vector<Fact> facts_of(const TickHealth& ticks) {
 
 float key_column(const Canvas& canvas, const OverlayState& state) {
   float widest = 0.0F;
-  for (const KeyLine& line : state.keys) {
+  for (const KeyLine& line : state.keys)
     widest = std::max(widest, canvas.measure(canvas.fonts().strong, line.key).x);
-  }
   return widest;
 }
 
 float text_width(const Canvas& canvas, const OverlayState& state, float column) {
   float widest = 0.0F;
-  for (const KeyLine& line : state.keys) {
+  for (const KeyLine& line : state.keys)
     widest = std::max(widest, column + canvas.measure(canvas.fonts().body, line.meaning).x);
-  }
-  for (const std::string& line : state.mapping) {
+  for (const std::string& line : state.mapping)
     widest = std::max(widest, canvas.measure(canvas.fonts().body, line).x);
-  }
   return widest;
 }
 
@@ -86,9 +83,7 @@ void draw_health(const Canvas& canvas, const OverlayState& state) {
 }
 
 void draw_message(const Canvas& canvas, const OverlayState& state) {
-  if (state.message.empty()) {
-    return;
-  }
+  if (state.message.empty()) return;
   ImFont* font = canvas.fonts().body;
   const std::string words = canvas.fitted(font, state.message, canvas.width() - 4.0F * theme::kMargin);
   const ImVec2 text = canvas.measure(font, words);
@@ -103,9 +98,7 @@ void draw_message(const Canvas& canvas, const OverlayState& state) {
 }
 
 void draw_keys(const Canvas& canvas, const OverlayState& state) {
-  if (!state.keys_visible) {
-    return;
-  }
+  if (!state.keys_visible) return;
   constexpr float row = 27.0F;
   constexpr float inset = 24.0F;
   const float column = key_column(canvas, state) + 40.0F;
@@ -141,9 +134,7 @@ void draw_keys(const Canvas& canvas, const OverlayState& state) {
 }
 
 void draw_banner(const Canvas& canvas, const OverlayState& state) {
-  if (state.force == Force::on) {
-    return;
-  }
+  if (state.force == Force::on) return;
   if (state.force == Force::returning) {
     const char* words = "Force is coming back";
     const ImVec2 text = canvas.measure(canvas.fonts().strong, words);

@@ -6,20 +6,20 @@
 
 namespace fulcrum::ui {
 
-/// Peaks to mark on the dials.
+// Peaks to mark on the dials.
 struct Peaks {
   double force_N = 0.0;
   double torque_Nm = 0.0;
 };
 
-/// Calm, serious, at the limit: of what is driven by this fraction of it.
+// Calm, serious, at the limit: of what is driven by this fraction of it.
 ImU32 load_colour(float fraction);
 
-/// Theme units, of the panel at the top right.
+// Theme units, of the panel at the top right.
 float health_height(const OverlayState& state);
-/// Likewise, of the panel below it; 0: there is none.
+// Likewise, of the panel below it; 0: there is none.
 float cues_height(const OverlayState& state);
-/// Theme units from the top of the picture to the lower edge of the panel below that; 0: there is none.
+// Theme units from the top of the picture to the lower edge of the panel below that; 0: there is none.
 float holding_bottom(const OverlayState& state);
 
 void draw_dials(const Canvas& canvas, const OverlayState& state, const Peaks& peaks);  // bottom left

@@ -8,7 +8,7 @@ namespace fulcrum::ui {
 
 class PeakHold {
 public:
-  /// A value at a time (s); returns the peak to show. Time that runs backwards starts anew.
+  // A value at a time (s); returns the peak to show. Time that runs backwards starts anew.
   double add(double value, double time_s) {
     const double since_s = time_s - last_s_;
     if (value >= peak_ || since_s < 0.0) {

@@ -11,7 +11,7 @@ inline const ImVec2 kSwitch{30.0F, 16.0F};
 
 void draw_switch(const Canvas& canvas, ImVec2 at, bool on);
 
-/// A key's cap, its right upper corner at a place. Returns its width.
+// A key's cap, its right upper corner at a place. Returns its width.
 float draw_key(const Canvas& canvas, ImVec2 right, const std::string& key);
 
 }  // namespace fulcrum::ui

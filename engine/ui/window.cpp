@@ -77,18 +77,20 @@ vulkan::Result<std::unique_ptr<Window>> Window::create(const std::string& title,
 Window::Window(GLFWwindow* window) : window_(window) {
   watch_for_loss(window_);
   glfwSetWindowUserPointer(window_, this);
-  glfwSetKeyCallback(window_, [](GLFWwindow* from, int key, int, int action, int modifiers) {
-    if (const auto& handler = window_of(from)->events_.key) {
-      handler(key, action, modifiers);
-    }
-  });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* from, int button, int action, int modifiers) {
-    if (const auto& handler = window_of(from)->events_.button) {
-      handler(button, action, modifiers);
-    }
-  });
-  glfwSetCursorPosCallback(window_,
-                           [](GLFWwindow* from, double x, double y) { window_of(from)->on_cursor(x, y); });
+  glfwSetKeyCallback(
+      window_,
+      [](GLFWwindow* from, int key, int, int action, int modifiers) {
+        if (const auto& handler = window_of(from)->events_.key) handler(key, action, modifiers);
+      });
+  glfwSetMouseButtonCallback(
+      window_,
+      [](GLFWwindow* from, int button, int action, int modifiers) {
+        if (const auto& handler = window_of(from)->events_.button) {
+          handler(button, action, modifiers);
+        }
+      });
+  glfwSetCursorPosCallback(
+      window_, [](GLFWwindow* from, double x, double y) { window_of(from)->on_cursor(x, y); });
   glfwSetScrollCallback(window_, [](GLFWwindow* from, double dx, double dy) {
     if (const auto& handler = window_of(from)->events_.scroll) {
       handler(dx, dy);
@@ -105,9 +107,8 @@ void Window::on_cursor(double x, double y) {
   int width = 0;
   int height = 0;
   if (!ask_display([&] { glfwGetWindowSize(window_, &width, &height); })) return;
-  if (events_.cursor && height > 0) {
+  if (events_.cursor && height > 0)
     events_.cursor((pointer_ ? pointer_->x() : x) / height, (pointer_ ? pointer_->y() : y) / height);
-  }
 }
 
 void Window::hold_pointer(bool held) {
@@ -121,11 +122,10 @@ void Window::hold_pointer(bool held) {
   });
   if (!answered) return;
   pointer_.reset();
-  if (held) {
+  if (held)
     pointer_.emplace(x, y, screens);
-  } else {
+  else
     on_cursor(x, y);  // where it is seen
-  }
 }
 
 // After all that has been told: an event that is still on its way comes from either side of the jump, and

@@ -15,7 +15,7 @@ struct GLFWwindow;
 
 namespace fulcrum::ui {
 
-/// Raw events, with GLFW's numbers for keys, buttons, actions and modifiers. Any may be empty.
+// Raw events, with GLFW's numbers for keys, buttons, actions and modifiers. Any may be empty.
 struct WindowEvents {
   std::function<void(int key, int action, int modifiers)> key;
   std::function<void(int button, int action, int modifiers)> button;
@@ -24,12 +24,12 @@ struct WindowEvents {
   std::function<void(double dx, double dy)> scroll;  // wheel steps
 };
 
-/// Why no window can be opened here, and what would change that; empty where one can.
+// Why no window can be opened here, and what would change that; empty where one can.
 std::string why_no_window();
 
 class Window {
 public:
-  /// Hidden until show(). Fails with a sentence where there is no display. `size` in screen units.
+  // Hidden until show(). Fails with a sentence where there is no display. `size` in screen units.
   static vulkan::Result<std::unique_ptr<Window>> create(const std::string& title, render::Extent size);
   ~Window();
   Window(const Window&) = delete;
@@ -39,17 +39,17 @@ public:
 
   void set_events(WindowEvents events) { events_ = std::move(events); }
 
-  /// What vulkan::InstanceOptions::extensions must hold.
+  // What vulkan::InstanceOptions::extensions must hold.
   std::vector<std::string> instance_extensions() const;
 
-  /// Destroyed before the window and the instance.
+  // Destroyed before the window and the instance.
   vulkan::Result<vulkan::Surface> surface(const vulkan::Instance& instance) const;
 
-  /// While held, the pointer goes on at the other edge of the screen when it comes to one, and cursor events
-  /// go on counting: a drag may be as long as it likes.
+  // While held, the pointer goes on at the other edge of the screen when it comes to one, and cursor events
+  // go on counting: a drag may be as long as it likes.
   void hold_pointer(bool held);
 
-  /// Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
+  // Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
   void poll();
 
   bool closing() const;           // its close button was pressed, or it is lost

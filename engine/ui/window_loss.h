@@ -9,18 +9,18 @@ struct GLFWwindow;
 
 namespace fulcrum::ui {
 
-/// Of one window at a time, since Xlib's handlers are the process's.
+// Of one window at a time, since Xlib's handlers are the process's.
 void watch_for_loss(GLFWwindow* window);
-/// Nothing may be asked of GLFW any more, not even to clean up.
+// Nothing may be asked of GLFW any more, not even to clean up.
 bool window_lost();
 
 namespace detail {
 extern std::jmp_buf* on_loss;  // of the innermost ask_display(); null: none
 }
 
-/// Asks GLFW something that may have to ask the X server. False: the connection is lost, and `ask` was not
-/// run or was left halfway, out of Xlib, which cannot go on from there: its requests have nowhere to be
-/// written. Between `ask` and Xlib there may be nothing but C.
+// Asks GLFW something that may have to ask the X server. False: the connection is lost, and `ask` was not
+// run or was left halfway, out of Xlib, which cannot go on from there: its requests have nowhere to be
+// written. Between `ask` and Xlib there may be nothing but C.
 template <class Ask>
 bool ask_display(const Ask& ask) {
   if (window_lost()) return false;

@@ -5,7 +5,7 @@
 
 namespace fulcrum::ui {
 
-/// In a window's coordinates, y down. Empty until something is added.
+// In a window's coordinates, y down. Empty until something is added.
 struct ScreenArea {
   double left = 0, top = 0, right = 0, bottom = 0;  // pixels `right` and `bottom` are no longer in it
   void add(double x, double y, double width, double height);
@@ -15,16 +15,16 @@ class WrappedPointer {
 public:
   WrappedPointer(double x, double y, const ScreenArea& area) : area_(area), at_{x, y}, sum_{x, y} {}
 
-  /// The pointer is at this place of the screen.
+  // The pointer is at this place of the screen.
   void move(double x, double y);
-  /// Where it would be, had the screen no edges.
+  // Where it would be, had the screen no edges.
   double x() const { return sum_.x; }
   double y() const { return sum_.y; }
 
   struct Place {
     double x = 0, y = 0;
   };
-  /// Where the pointer is to be put, if it is at an edge.
+  // Where the pointer is to be put, if it is at an edge.
   std::optional<Place> jump();
 
 private:

@@ -9,7 +9,7 @@
 
 namespace fulcrum::vulkan {
 
-/// What a submission waits for and signals besides its fence: the window's side of a frame. Null: nothing.
+// What a submission waits for and signals besides its fence: the window's side of a frame. Null: nothing.
 struct SubmitSemaphores {
   VkSemaphore wait = VK_NULL_HANDLE;
   VkPipelineStageFlags2 wait_stage = VK_PIPELINE_STAGE_2_NONE;
@@ -18,13 +18,13 @@ struct SubmitSemaphores {
 
 class Commands {
 public:
-  /// Throws Failure.
+  // Throws Failure.
   explicit Commands(Device& device);
 
-  /// Records with `record`, submits, and returns when the device is done. Throws Failure.
+  // Records with `record`, submits, and returns when the device is done. Throws Failure.
   void run(const std::function<void(VkCommandBuffer)>& record, const SubmitSemaphores& semaphores = {});
 
-  /// How long the last run took, from recording to the device being done (s).
+  // How long the last run took, from recording to the device being done (s).
   double last_run_s() const { return last_run_s_; }
 
 private:
@@ -35,7 +35,7 @@ private:
   double last_run_s_ = 0.0;
 };
 
-/// One side of an image barrier.
+// One side of an image barrier.
 struct ImageUse {
   VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_NONE;
   VkAccessFlags2 access = VK_ACCESS_2_NONE;

@@ -51,9 +51,7 @@ DescriptorSet::DescriptorSet(Device& device, const std::vector<Binding>& binding
   allocate.descriptorSetCount = 1;
   allocate.pSetLayouts = &layout_object;
   check(vkAllocateDescriptorSets(device.get(), &allocate, &set_), "make a descriptor set");
-  for (const Binding& binding : bindings) {
-    point(device.get(), set_, binding);
-  }
+  for (const Binding& binding : bindings) point(device.get(), set_, binding);
 }
 
 SamplerHandle make_sampler(Device& device, const VkSamplerCreateInfo& info) {

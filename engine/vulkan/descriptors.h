@@ -8,7 +8,7 @@
 
 namespace fulcrum::vulkan {
 
-/// A buffer or an image with its sampler; the one whose type is named.
+// A buffer or an image with its sampler; the one whose type is named.
 struct Binding {
   std::uint32_t number = 0;
   VkDescriptorType type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
@@ -21,7 +21,7 @@ struct Binding {
 class DescriptorSet {
 public:
   DescriptorSet() = default;
-  /// Throws Failure.
+  // Throws Failure.
   DescriptorSet(Device& device, const std::vector<Binding>& bindings);
 
   VkDescriptorSetLayout layout() const { return layout_.get(); }

@@ -41,7 +41,7 @@ int preference(const std::string& kind) {
   return static_cast<int>(found - order.begin());  // "software" comes last
 }
 
-/// The first queue family that can draw and, with a surface, show.
+// The first queue family that can draw and, with a surface, show.
 std::optional<std::uint32_t> drawing_family(VkPhysicalDevice device, VkSurfaceKHR surface) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
@@ -49,12 +49,8 @@ std::optional<std::uint32_t> drawing_family(VkPhysicalDevice device, VkSurfaceKH
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
   for (std::uint32_t i = 0; i < count; ++i) {
     VkBool32 shows = VK_TRUE;
-    if (surface != VK_NULL_HANDLE) {
-      vkGetPhysicalDeviceSurfaceSupportKHR(device, i, surface, &shows);
-    }
-    if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0 && shows == VK_TRUE) {
-      return i;
-    }
+    if (surface != VK_NULL_HANDLE) vkGetPhysicalDeviceSurfaceSupportKHR(device, i, surface, &shows);
+    if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0 && shows == VK_TRUE) return i;
   }
   return std::nullopt;
 }
@@ -64,9 +60,7 @@ std::string why_not(VkPhysicalDevice device, const VkPhysicalDeviceProperties& p
     return "its driver offers Vulkan " + std::to_string(VK_API_VERSION_MAJOR(properties.apiVersion)) + "." +
            std::to_string(VK_API_VERSION_MINOR(properties.apiVersion)) + ", Fulcrum needs 1.3";
   }
-  if (!drawing_family(device, VK_NULL_HANDLE)) {
-    return "it computes only, it does not draw";
-  }
+  if (!drawing_family(device, VK_NULL_HANDLE)) return "it computes only, it does not draw";
   return {};  // dynamic rendering and synchronization2 are part of every Vulkan 1.3
 }
 
@@ -78,7 +72,8 @@ std::string lower(std::string text) {
 
 bool is_number(const std::string& text) {
   return !text.empty() && text.size() < 6 &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+         std::all_of(
+             text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 }  // namespace
@@ -95,9 +90,8 @@ std::vector<DeviceInfo> list_devices(const Instance& instance) {
 }
 
 std::string describe(const std::vector<DeviceInfo>& devices) {
-  if (devices.empty()) {
+  if (devices.empty())
     return "No Vulkan device: install the driver of the graphics card, or mesa-vulkan-drivers.\n";
-  }
   std::string table;
   for (const DeviceInfo& device : devices) {
     table += std::to_string(device.index) + "  " + device.name + " (" + device.kind + ")";
@@ -133,9 +127,7 @@ Result<DeviceInfo> choose(const std::vector<DeviceInfo>& devices, const std::str
 Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const std::string& wanted,
                                                VkSurfaceKHR surface) {
   const Result<DeviceInfo> chosen = choose(list_devices(instance), wanted);
-  if (!chosen) {
-    return Error{chosen.error()};
-  }
+  if (!chosen) return Error{chosen.error()};
   std::unique_ptr<Device> made(new Device);
   made->info_ = chosen.value();
   made->instance_ = instance.get();

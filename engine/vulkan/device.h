@@ -11,7 +11,7 @@
 
 namespace fulcrum::vulkan {
 
-/// What `--gpu list` shows.
+// What `--gpu list` shows.
 struct DeviceInfo {
   std::uint32_t index = 0;
   std::string name;
@@ -21,18 +21,18 @@ struct DeviceInfo {
 
 std::vector<DeviceInfo> list_devices(const Instance& instance);
 
-/// The table of `--gpu list`, one line a device; a sentence where there is none.
+// The table of `--gpu list`, one line a device; a sentence where there is none.
 std::string describe(const std::vector<DeviceInfo>& devices);
 
-/// The device that `wanted` means: empty, the best one (a real graphics card before a software rasteriser,
-/// then the order of the driver); a number, the one with that index; else the first whose name contains it,
-/// whatever the case. A sentence names the devices where none fits.
+// The device that `wanted` means: empty, the best one (a real graphics card before a software rasteriser,
+// then the order of the driver); a number, the one with that index; else the first whose name contains it,
+// whatever the case. A sentence names the devices where none fits.
 Result<DeviceInfo> choose(const std::vector<DeviceInfo>& devices, const std::string& wanted);
 
 class Device {
 public:
-  /// `wanted` as in choose(). With a surface, the device must be able to show pictures on it.
-  /// The instance must outlive the device, and the device all that is made on it.
+  // `wanted` as in choose(). With a surface, the device must be able to show pictures on it.
+  // The instance must outlive the device, and the device all that is made on it.
   static Result<std::unique_ptr<Device>> create(const Instance& instance, const std::string& wanted,
                                                 VkSurfaceKHR surface = VK_NULL_HANDLE);
   ~Device();

@@ -8,16 +8,10 @@ std::optional<std::uint64_t> FreeList::take(std::uint64_t size, std::uint64_t al
   for (auto hole = free_.begin(); hole != free_.end(); ++hole) {
     const auto [start, length] = *hole;
     const std::uint64_t offset = (start + alignment - 1) & ~(alignment - 1);
-    if (offset + size > start + length) {
-      continue;
-    }
+    if (offset + size > start + length) continue;
     free_.erase(hole);
-    if (offset > start) {
-      free_.emplace(start, offset - start);
-    }
-    if (offset + size < start + length) {
-      free_.emplace(offset + size, start + length - offset - size);
-    }
+    if (offset > start) free_.emplace(start, offset - start);
+    if (offset + size < start + length) free_.emplace(offset + size, start + length - offset - size);
     return offset;
   }
   return std::nullopt;

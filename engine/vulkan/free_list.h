@@ -11,10 +11,10 @@ class FreeList {
 public:
   explicit FreeList(std::uint64_t size) : free_{{0, size}} {}
 
-  /// Takes the lowest place that fits; nothing where none does. The alignment is a power of two.
+  // Takes the lowest place that fits; nothing where none does. The alignment is a power of two.
   std::optional<std::uint64_t> take(std::uint64_t size, std::uint64_t alignment);
 
-  /// Gives back what take() returned for this size, and joins it to its free neighbours.
+  // Gives back what take() returned for this size, and joins it to its free neighbours.
   void give_back(std::uint64_t offset, std::uint64_t size);
 
 private:

@@ -20,9 +20,7 @@ public:
     return *this;
   }
   ~Handle() {
-    if (object_ != VK_NULL_HANDLE) {
-      Destroy(device_, object_, nullptr);
-    }
+    if (object_ != VK_NULL_HANDLE) Destroy(device_, object_, nullptr);
   }
 
   T get() const { return object_; }

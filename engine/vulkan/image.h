@@ -16,7 +16,7 @@ struct ImageDesc {
 class Image {
 public:
   Image() = default;
-  /// Throws Failure where memory runs out.
+  // Throws Failure where memory runs out.
   Image(Device& device, const ImageDesc& desc);
 
   VkImage get() const { return image_.get(); }

@@ -35,11 +35,8 @@ bool layer_installed(const char* name) {
   vkEnumerateInstanceLayerProperties(&count, nullptr);
   std::vector<VkLayerProperties> layers(count);
   vkEnumerateInstanceLayerProperties(&count, layers.data());
-  for (const VkLayerProperties& layer : layers) {
-    if (std::strcmp(layer.layerName, name) == 0) {
-      return true;
-    }
-  }
+  for (const VkLayerProperties& layer : layers)
+    if (std::strcmp(layer.layerName, name) == 0) return true;
   return false;
 }
 
@@ -77,9 +74,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
   application.apiVersion = VK_API_VERSION_1_3;
 
   std::vector<const char*> extensions;
-  for (const std::string& extension : options.extensions) {
-    extensions.push_back(extension.c_str());
-  }
+  for (const std::string& extension : options.extensions) extensions.push_back(extension.c_str());
 
   Instance made;
   VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(made.log_.get());
@@ -95,9 +90,8 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
   info.pApplicationInfo = &application;
   if (options.validation) {
-    if (!layer_installed(kValidationLayer)) {
+    if (!layer_installed(kValidationLayer))
       return Error{"The Vulkan validation layers are not installed: apt install vulkan-validationlayers."};
-    }
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     info.pNext = &features;
     info.enabledLayerCount = 1;
@@ -113,9 +107,8 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
   if (options.validation) {
     const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(made.instance_, "vkCreateDebugUtilsMessengerEXT"));
-    if (create == nullptr || create(made.instance_, &messenger, nullptr, &made.messenger_) != VK_SUCCESS) {
+    if (create == nullptr || create(made.instance_, &messenger, nullptr, &made.messenger_) != VK_SUCCESS)
       return Error{"The Vulkan validation layers cannot report messages: reinstall vulkan-validationlayers."};
-    }
   }
   return made;
 }
@@ -138,9 +131,7 @@ Instance::~Instance() {
         vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
     destroy(instance_, messenger_, nullptr);
   }
-  if (instance_ != VK_NULL_HANDLE) {
-    vkDestroyInstance(instance_, nullptr);
-  }
+  if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
 }
 
 }  // namespace fulcrum::vulkan

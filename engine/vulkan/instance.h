@@ -17,7 +17,7 @@ struct InstanceOptions {
   std::vector<std::string> extensions;  // what a window system asks for; empty: pictures go to files only
 };
 
-/// Collects warnings and errors of the validation layers. Any thread may write to it.
+// Collects warnings and errors of the validation layers. Any thread may write to it.
 class MessageLog {
 public:
   void add(std::string message);
@@ -30,8 +30,8 @@ private:
 
 class Instance {
 public:
-  /// Fails with a sentence where no Vulkan driver is installed, where it is older than 1.3, or where
-  /// validation is asked for and the layers are not installed.
+  // Fails with a sentence where no Vulkan driver is installed, where it is older than 1.3, or where
+  // validation is asked for and the layers are not installed.
   static Result<Instance> create(const InstanceOptions& options);
 
   Instance(Instance&& other) noexcept;
@@ -40,7 +40,7 @@ public:
 
   VkInstance get() const { return instance_; }
 
-  /// What the validation layers had to say so far; empty without validation.
+  // What the validation layers had to say so far; empty without validation.
   std::vector<std::string> messages() const { return log_->messages(); }
 
 private:

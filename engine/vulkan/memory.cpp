@@ -39,9 +39,7 @@ Allocation& Allocation::operator=(Allocation&& other) noexcept {
 }
 
 Allocation::~Allocation() {
-  if (block_) {
-    block_->list.give_back(offset_, size_);
-  }
+  if (block_) block_->list.give_back(offset_, size_);
 }
 
 VkDeviceMemory Allocation::memory() const {
@@ -70,9 +68,7 @@ std::uint32_t Memory::type_for(std::uint32_t allowed, Place place) const {
   for (const VkMemoryPropertyFlags wish : wishes[static_cast<std::size_t>(place)]) {
     for (std::uint32_t type = 0; type < properties_.memoryTypeCount; ++type) {
       const bool fits = (properties_.memoryTypes[type].propertyFlags & wish) == wish;
-      if ((allowed >> type & 1U) != 0 && fits) {
-        return type;
-      }
+      if ((allowed >> type & 1U) != 0 && fits) return type;
     }
   }
   throw Failure(
@@ -107,9 +103,7 @@ Allocation Memory::allocate(const VkMemoryRequirements& needs, Place place, bool
   made.size_ = needs.size;
   for (const auto& known : blocks_) {
     const std::shared_ptr<Allocation::Block> block = known.lock();
-    if (block->type != type || block->image != image || (block->mapped != nullptr) != map) {
-      continue;
-    }
+    if (block->type != type || block->image != image || (block->mapped != nullptr) != map) continue;
     if (const auto offset = block->list.take(needs.size, needs.alignment)) {
       made.block_ = block;
       made.offset_ = *offset;

@@ -11,7 +11,7 @@
 
 namespace fulcrum::vulkan {
 
-/// Where memory should lie.
+// Where memory should lie.
 enum class Place {
   device,   // fastest for the device; the program cannot reach it
   upload,   // written by the program, read by the device; mapped
@@ -20,7 +20,7 @@ enum class Place {
 
 class Memory;
 
-/// A piece of a block; gives itself back.
+// A piece of a block; gives itself back.
 class Allocation {
 public:
   Allocation() = default;
@@ -48,8 +48,8 @@ public:
   Memory(const Memory&) = delete;
   Memory& operator=(const Memory&) = delete;
 
-  /// `image`: for an optimally tiled image; images and buffers never share a block, so that no page holds
-  /// both (VkPhysicalDeviceLimits::bufferImageGranularity). Throws Failure where no memory fits.
+  // `image`: for an optimally tiled image; images and buffers never share a block, so that no page holds
+  // both (VkPhysicalDeviceLimits::bufferImageGranularity). Throws Failure where no memory fits.
   Allocation allocate(const VkMemoryRequirements& needs, Place place, bool image);
 
 private:

@@ -105,9 +105,8 @@ PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc) {
   blend.pAttachments = &attachment;
 
   std::vector<VkDynamicState> changing = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-  if (desc.depth_test && desc.depth_test->compare_is_dynamic) {
+  if (desc.depth_test && desc.depth_test->compare_is_dynamic)
     changing.push_back(VK_DYNAMIC_STATE_DEPTH_COMPARE_OP);
-  }
   VkPipelineDynamicStateCreateInfo dynamic{};
   dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
   dynamic.dynamicStateCount = static_cast<std::uint32_t>(changing.size());

@@ -10,7 +10,7 @@
 
 namespace fulcrum::vulkan {
 
-/// SPIR-V of one stage; entry point main.
+// SPIR-V of one stage; entry point main.
 struct Stage {
   VkShaderStageFlagBits stage = VK_SHADER_STAGE_VERTEX_BIT;
   std::span<const std::uint32_t> code;
@@ -42,7 +42,7 @@ struct PipelineDesc {
   Blend blend = Blend::none;
 };
 
-/// Both throw Failure.
+// Both throw Failure.
 PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc);
 PipelineLayoutHandle make_pipeline_layout(Device& device, std::span<const VkDescriptorSetLayout> sets,
                                           std::span<const VkPushConstantRange> constants);

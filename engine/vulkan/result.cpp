@@ -30,9 +30,7 @@ std::string name_of(VkResult code) {
 }
 
 void check(VkResult code, const char* doing) {
-  if (code == VK_SUCCESS) {
-    return;
-  }
+  if (code == VK_SUCCESS) return;
   std::string sentence = std::string("Vulkan could not ") + doing + " (" + name_of(code) + ")";
   switch (code) {
     case VK_ERROR_OUT_OF_HOST_MEMORY:

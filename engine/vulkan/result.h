@@ -19,7 +19,7 @@ struct Error {
   std::string sentence;
 };
 
-/// A value, or the sentence that says why there is none.
+// A value, or the sentence that says why there is none.
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -36,7 +36,7 @@ private:
   std::variant<T, Error> state_;
 };
 
-/// Done, or the sentence that says why not.
+// Done, or the sentence that says why not.
 template <>
 class [[nodiscard]] Result<void> {
 public:
@@ -51,16 +51,16 @@ private:
   std::optional<Error> error_;
 };
 
-/// A Vulkan call that failed at run time.
+// A Vulkan call that failed at run time.
 class Failure : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// "VK_ERROR_DEVICE_LOST" and so on; the number for a code that is not expected here.
+// "VK_ERROR_DEVICE_LOST" and so on; the number for a code that is not expected here.
 std::string name_of(VkResult code);
 
-/// Throws Failure "Vulkan could not DOING: CODE." with a remedy unless the code is VK_SUCCESS.
+// Throws Failure "Vulkan could not DOING: CODE." with a remedy unless the code is VK_SUCCESS.
 void check(VkResult code, const char* doing);
 
 }  // namespace fulcrum::vulkan

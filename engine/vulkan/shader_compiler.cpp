@@ -15,9 +15,7 @@ namespace {
 
 std::optional<std::string> text_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    return std::nullopt;
-  }
+  if (!stream) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
@@ -47,7 +45,7 @@ private:
   std::filesystem::path folder_;
 };
 
-/// glslang keeps tables for the whole process.
+// glslang keeps tables for the whole process.
 struct Process {
   Process() { glslang::InitializeProcess(); }
   ~Process() { glslang::FinalizeProcess(); }
@@ -58,9 +56,7 @@ struct Process {
 Result<std::vector<std::uint32_t>> compile_shader(const std::filesystem::path& file) {
   static const Process process;
   const std::optional<std::string> text = text_of(file);
-  if (!text) {
-    return Error{"The shader " + file.string() + " cannot be read; does the file exist?"};
-  }
+  if (!text) return Error{"The shader " + file.string() + " cannot be read; does the file exist?"};
   const EShLanguage stage = file.extension() == ".vert" ? EShLangVertex : EShLangFragment;
   glslang::TShader shader(stage);
   const std::string name = file.string();
@@ -73,14 +69,12 @@ Result<std::vector<std::uint32_t>> compile_shader(const std::filesystem::path& f
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
   const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
   Includer includer(file.parent_path());
-  if (!shader.parse(GetDefaultResources(), 460, false, messages, includer)) {
+  if (!shader.parse(GetDefaultResources(), 460, false, messages, includer))
     return Error{"The shader " + name + " does not compile:\n" + shader.getInfoLog()};
-  }
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(messages)) {
+  if (!program.link(messages))
     return Error{"The shader " + name + " does not link:\n" + program.getInfoLog()};
-  }
   std::vector<std::uint32_t> code;
   glslang::GlslangToSpv(*program.getIntermediate(stage), code);
   return code;

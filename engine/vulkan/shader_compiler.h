@@ -9,9 +9,9 @@
 
 namespace fulcrum::vulkan {
 
-/// Compiles NAME.vert or NAME.frag; #include is looked up beside the including file, then in the shader's
-/// folder. Fails with the compiler's own sentences, which name file and line. Not for several threads at
-/// once.
+// Compiles NAME.vert or NAME.frag; #include is looked up beside the including file, then in the shader's
+// folder. Fails with the compiler's own sentences, which name file and line. Not for several threads at
+// once.
 Result<std::vector<std::uint32_t>> compile_shader(const std::filesystem::path& file);
 
 }  // namespace fulcrum::vulkan

@@ -16,11 +16,8 @@ SemaphoreHandle make_semaphore(VkDevice device) {
 }
 
 VkCompositeAlphaFlagBitsKHR alpha_mode(VkCompositeAlphaFlagsKHR offered) {
-  for (const auto mode : {VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR, VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR}) {
-    if ((offered & mode) != 0) {
-      return mode;
-    }
-  }
+  for (const auto mode : {VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR, VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR})
+    if ((offered & mode) != 0) return mode;
   return VK_COMPOSITE_ALPHA_PRE_MULTIPLIED_BIT_KHR;  // the same picture: its alpha is 1 everywhere
 }
 
@@ -50,9 +47,7 @@ Surface& Surface::operator=(Surface&& other) noexcept {
 }
 
 Surface::~Surface() {
-  if (surface_ != VK_NULL_HANDLE) {
-    vkDestroySurfaceKHR(instance_, surface_, nullptr);
-  }
+  if (surface_ != VK_NULL_HANDLE) vkDestroySurfaceKHR(instance_, surface_, nullptr);
 }
 
 Result<std::unique_ptr<Swapchain>> Swapchain::create(Device& device, VkSurfaceKHR surface) {
@@ -84,9 +79,7 @@ bool Swapchain::remake(VkExtent2D wanted) {
     extent.width = std::clamp(wanted.width, can.minImageExtent.width, can.maxImageExtent.width);
     extent.height = std::clamp(wanted.height, can.minImageExtent.height, can.maxImageExtent.height);
   }
-  if (extent.width == 0 || extent.height == 0) {
-    return false;
-  }
+  if (extent.width == 0 || extent.height == 0) return false;
   check(vkDeviceWaitIdle(device_.get()), "wait for the screen");
 
   VkSwapchainCreateInfoKHR info{};
@@ -113,9 +106,7 @@ bool Swapchain::remake(VkExtent2D wanted) {
   images_.resize(count);
   check(vkGetSwapchainImagesKHR(device_.get(), made, &count, images_.data()), "find the window's pictures");
   drawn_.clear();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    drawn_.push_back(make_semaphore(device_.get()));
-  }
+  for (std::uint32_t i = 0; i < count; ++i) drawn_.push_back(make_semaphore(device_.get()));
   acquired_ = make_semaphore(device_.get());
   extent_ = extent;
   asked_ = wanted;
@@ -142,19 +133,11 @@ std::optional<std::uint32_t> Swapchain::acquire() {
 
 bool Swapchain::show(Commands& commands, VkExtent2D wanted, VkImage source, VkExtent2D source_extent,
                      const std::function<void(VkCommandBuffer)>& record) {
-  if (wanted.width == 0 || wanted.height == 0) {
-    return false;
-  }
-  if (wanted.width != asked_.width || wanted.height != asked_.height) {
-    stale_ = true;
-  }
-  if (stale_ && !remake(wanted)) {
-    return false;
-  }
+  if (wanted.width == 0 || wanted.height == 0) return false;
+  if (wanted.width != asked_.width || wanted.height != asked_.height) stale_ = true;
+  if (stale_ && !remake(wanted)) return false;
   const std::optional<std::uint32_t> index = acquire();
-  if (!index) {
-    return false;  // the window changed this very moment: the next frame makes new pictures
-  }
+  if (!index) return false;  // the window changed this very moment: the next frame makes new pictures
   const VkImage target = images_[*index];
   const VkSemaphore drawn = drawn_[*index].get();
   const auto record_and_copy = [&](VkCommandBuffer buffer) {
@@ -177,11 +160,10 @@ bool Swapchain::show(Commands& commands, VkExtent2D wanted, VkImage source, VkEx
   present.pSwapchains = &swapchain;
   present.pImageIndices = &*index;
   const VkResult code = vkQueuePresentKHR(device_.queue(), &present);
-  if (code == VK_ERROR_OUT_OF_DATE_KHR || code == VK_SUBOPTIMAL_KHR) {
+  if (code == VK_ERROR_OUT_OF_DATE_KHR || code == VK_SUBOPTIMAL_KHR)
     stale_ = true;
-  } else {
+  else
     check(code, "show a picture in the window");
-  }
   return true;
 }
 

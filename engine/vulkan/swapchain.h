@@ -9,7 +9,7 @@
 
 namespace fulcrum::vulkan {
 
-/// What a window offers to draw on; destroyed before its instance and its window.
+// What a window offers to draw on; destroyed before its instance and its window.
 class Surface {
 public:
   Surface(VkInstance instance, VkSurfaceKHR surface) : instance_(instance), surface_(surface) {}
@@ -25,13 +25,13 @@ private:
 
 class Swapchain {
 public:
-  /// Shows in step with the screen (FIFO). Fails with a sentence where the window offers no 8-bit colour
-  /// format. Nothing is made yet: a window may still be without size.
+  // Shows in step with the screen (FIFO). Fails with a sentence where the window offers no 8-bit colour
+  // format. Nothing is made yet: a window may still be without size.
   static Result<std::unique_ptr<Swapchain>> create(Device& device, VkSurfaceKHR surface);
 
-  /// Shows `source`, an image in layout TRANSFER_SRC once `record` has run, scaled to the window if it must
-  /// be. `wanted`: the window's size in pixels; where it is zero (minimised) nothing is drawn and the answer
-  /// is false. Made anew whenever the window has changed. Throws Failure.
+  // Shows `source`, an image in layout TRANSFER_SRC once `record` has run, scaled to the window if it must
+  // be. `wanted`: the window's size in pixels; where it is zero (minimised) nothing is drawn and the answer
+  // is false. Made anew whenever the window has changed. Throws Failure.
   bool show(Commands& commands, VkExtent2D wanted, VkImage source, VkExtent2D source_extent,
             const std::function<void(VkCommandBuffer)>& record);
 

@@ -53,9 +53,8 @@ std::optional<Error> Mechanism::refuse(const MechanismDesc& desc) {
     if (arm.joints.size() != 3 && !(arm.joints.size() == 6 && desc.arms.size() == 1))
       return Error{"The arm '" + arm.name +
                    "' must have three joints, and hold the handle by a gimbal; or six, and be the only one."};
-    for (std::size_t j = 0; j < arm.joints.size(); ++j) {
+    for (std::size_t j = 0; j < arm.joints.size(); ++j)
       if (auto error = refuse_joint(arm, j)) return error;
-    }
   }
   if (!desc.spin) return std::nullopt;
   if (desc.arms.size() != 2)
@@ -113,9 +112,8 @@ void Mechanism::follow(const Pose& X_DH) noexcept {
 void Mechanism::write_columns(const Arm& arm, const Pose& X_DH, int first) noexcept {
   const int joints = arm.chain.joints();
   Square J = arm.chain.jacobian(arm.chain.place(arm.angles));
-  for (int j = joints - 1; j > 0; --j) {  // the last one first: the next goes by what it has become
+  for (int j = joints - 1; j > 0; --j)  // the last one first: the next goes by what it has become
     if (arm.chain.through_parallelogram(j)) J.col(j - 1) -= J.col(j);
-  }
   if (joints == 3) {
     const Square pushes = inverse_transposed(J);
     const Vec3 lever = X_DH.q * arm.X_HE.p;

@@ -102,9 +102,8 @@ double measure_cell(UnionDistance& exact, const Vec3& corner, double voxel_m, st
     worst = std::max(worst, std::abs(interpolate(values, cell, face) - exact(corner + voxel_m * face)));
   }
   const Vec3 t = (surface - corner) / voxel_m;
-  if ((t.array() >= 0.0).all() && (t.array() <= 1.0).all()) {
+  if ((t.array() >= 0.0).all() && (t.array() <= 1.0).all())
     worst = std::max(worst, std::abs(interpolate(values, cell, t) - exact(surface)));
-  }
   return worst;
 }
 
@@ -112,11 +111,9 @@ double measure_cell(UnionDistance& exact, const Vec3& corner, double voxel_m, st
 
 void fill_own_values(UnionDistance& exact, const BrickPlace& place, std::span<float> values) {
   for (int k = 0; k < kBrickCells; ++k) {
-    for (int j = 0; j < kBrickCells; ++j) {
-      for (int i = 0; i < kBrickCells; ++i) {
+    for (int j = 0; j < kBrickCells; ++j)
+      for (int i = 0; i < kBrickCells; ++i)
         values[static_cast<std::size_t>(index_of(i, j, k))] = lattice_value(exact, place, {i, j, k});
-      }
-    }
   }
 }
 
@@ -149,11 +146,10 @@ double measure_brick(UnionDistance& exact, const BrickPlace& place, std::span<co
       for (int i = 0; i < kBrickCells; ++i) {
         if (!is_near(values, index_of(i, j, k), place.near_m)) continue;
         const Cell cell{bend(bends, index_of(i, j, k)), {i, j, k}};
-        if (cell.bend > kSmooth * place.voxel_m) {
+        if (cell.bend > kSmooth * place.voxel_m)
           bent.push_back(cell);
-        } else {
+        else
           worst = std::max(worst, cell.bend);
-        }
       }
     }
   }

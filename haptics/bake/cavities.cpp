@@ -14,9 +14,8 @@ bool holds(const Solid& solid, const SolidComponent& outer, const Winding& windi
            const SolidComponent& inner) {
   if (!outer.bounds.contains(inner.bounds)) return false;
   for (std::uint32_t t = inner.first_triangle; t < inner.first_triangle + inner.triangle_count; ++t) {
-    for (const std::uint32_t v : solid.mesh.triangles[t]) {
+    for (const std::uint32_t v : solid.mesh.triangles[t])
       if (winding.around(solid.mesh.vertices[v]) < 1) return false;
-    }
   }
   return true;
 }

@@ -100,8 +100,8 @@ bool overlap(const Corners3& a, const Corners3& b, double depth) {
 namespace {
 
 bool share_a_corner(const Triangle& a, const Triangle& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&b](std::uint32_t v) { return std::find(b.begin(), b.end(), v) != b.end(); });
+  return std::any_of(
+      a.begin(), a.end(), [&b](std::uint32_t v) { return std::find(b.begin(), b.end(), v) != b.end(); });
 }
 
 // Whether the surface winds around both sides of a triangle, or around neither.
@@ -137,9 +137,8 @@ std::optional<std::uint32_t> find_crossing(const Solid& solid, std::uint32_t com
   std::sort(touching.begin(), touching.end());
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
   const Winding winding(own_triangles(solid.mesh, own));
-  for (const std::uint32_t t : touching) {
+  for (const std::uint32_t t : touching)
     if (is_swallowed(corners_of(solid.mesh, t), winding, depth)) return t;
-  }
   return std::nullopt;
 }
 

@@ -40,9 +40,8 @@ std::optional<Error> lay_grid(FieldData& field) {
                  spell_mm(1.05 * scale * field.voxel_m) + " or more, or remove far-away parts."};
   }
   field.origin = field.surface_box.center() - 0.5 * brick_m * bricks;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
     field.bricks[axis] = static_cast<std::int32_t>(bricks[static_cast<Eigen::Index>(axis)]);
-  }
   const auto count = static_cast<std::size_t>(bricks.prod());
   field.brick_slot.assign(count, kNoBrick);
   field.centre_m.assign(count, 0.0f);
@@ -112,11 +111,9 @@ private:
     near_[block].emplace(exact_, solid_, brick_corner(first) + Vec3::Constant(half_edge),
                          kBlockBricks * brick_radius(field_.voxel_m));
     for (std::int32_t k = first[2]; k < std::min(first[2] + kBlockBricks, field_.bricks[2]); ++k) {
-      for (std::int32_t j = first[1]; j < std::min(first[1] + kBlockBricks, field_.bricks[1]); ++j) {
-        for (std::int32_t i = first[0]; i < std::min(first[0] + kBlockBricks, field_.bricks[0]); ++i) {
+      for (std::int32_t j = first[1]; j < std::min(first[1] + kBlockBricks, field_.bricks[1]); ++j)
+        for (std::int32_t i = first[0]; i < std::min(first[0] + kBlockBricks, field_.bricks[0]); ++i)
           classify_brick({i, j, k}, *near_[block]);
-        }
-      }
     }
   }
 

@@ -134,9 +134,8 @@ private:
       width = std::min(width, (b - a).cross(centre - a).norm() / std::max((b - a).norm(), 1e-300));
     }
     if (!(width > nothing())) return;
-    for (const Corners3& c : over) {
+    for (const Corners3& c : over)
       if (closest_on_triangle(centre, c[0], c[1], c[2]).squared <= nothing() * nothing()) return;
-    }
     const Vec3 beside = std::min(kBeside * diagonal_, 0.1 * width) * n;
     const int front = winding_.around(centre + beside), back = winding_.around(centre - beside);
     if (std::min(front, back) < 0 && !kept.inside_out) {

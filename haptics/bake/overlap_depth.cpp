@@ -46,9 +46,8 @@ double radius_about(const Corners3& c, const Vec3& centre) {
 std::array<Corners3, 2> halves(const Corners3& corners) {
   const auto side = [&](std::size_t i) { return (corners[(i + 1) % 3] - corners[i]).squaredNorm(); };
   std::size_t longest = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
+  for (std::size_t i = 1; i < 3; ++i)
     if (side(i) > side(longest)) longest = i;
-  }
   const Vec3 &a = corners[longest], &b = corners[(longest + 1) % 3], &c = corners[(longest + 2) % 3];
   const Vec3 middle = (a + b) / 2;
   return {Corners3{a, middle, c}, Corners3{middle, b, c}};
@@ -108,13 +107,12 @@ public:
     for (std::size_t i = 0; i < pairs_.size(); i = end_of(i)) add(pairs_[i].mine, i, end_of(i));
     for (std::size_t i = 0; i < pairs_.size(); i = end_of(i)) enter_behind(pairs_[i].mine);
     // Behind a surface that crosses itself a walk over edges does not reach everywhere.
-    for (const SolidComponent& mine : surface_.components) {
+    for (const SolidComponent& mine : surface_.components)
       if (!mine.shell.triangles.empty()) try_all(mine);
       // A surface that crosses nothing lies behind the other one whole, or not at all.
       else if (!crosses(mine) &&
                solid_.components[component].bounds.contains(corners(mine.first_triangle)[0]))
         enter(mine.first_triangle);
-    }
     refine();
   }
 
@@ -203,9 +201,8 @@ private:
 
   // From a triangle that crosses to its neighbours that do not, and on to theirs, as long as they lie behind.
   void enter_behind(std::uint32_t crossing) {
-    for (const std::uint32_t next : surface_.neighbours[crossing]) {
+    for (const std::uint32_t next : surface_.neighbours[crossing])
       if (next != Solid::kNoNeighbour) enter(next);
-    }
   }
   void enter(std::uint32_t first) {
     std::vector<std::uint32_t> waiting{first};
@@ -218,9 +215,8 @@ private:
       if (!known_behind && !behind(t)) return;
       known_behind = true;
       add(t, 0, 0);
-      for (const std::uint32_t next : surface_.neighbours[t]) {
+      for (const std::uint32_t next : surface_.neighbours[t])
         if (next != Solid::kNoNeighbour) waiting.push_back(next);
-      }
     }
   }
 
@@ -248,9 +244,8 @@ private:
       const Cut next = cut_by(plane, piece.corners);
       if (next.evenly > best.evenly) best = next;
     };
-    if (piece.crossing.size() <= kFewPlanes) {
+    if (piece.crossing.size() <= kFewPlanes)
       for (const std::uint32_t theirs : piece.crossing) offer(plane_of(corners_of(solid_.mesh, theirs)));
-    }
     if (best.evenly <= kMeets) {
       const Corners3 nearest = corners_of(solid_.mesh, piece.nearest);
       const Vec3 normal = plane_of(nearest).normal;
@@ -303,9 +298,8 @@ void search(const Solid& surface, const Solid& solid, const TriangleDistance& di
   for (std::uint32_t k = 0; k < solid.components.size(); ++k) {
     if (!solid.components[k].bounds.intersects(all)) continue;
     std::vector<Pair> own;
-    for (const Pair& pair : pairs) {
+    for (const Pair& pair : pairs)
       if (component_of(solid, pair.theirs) == k) own.push_back(pair);
-    }
     each.run(k, own);
   }
 }

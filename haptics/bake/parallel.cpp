@@ -18,9 +18,8 @@ void for_each_piece(std::size_t count, unsigned threads, const std::function<voi
     }
   };
   std::vector<std::jthread> helpers;
-  for (std::size_t i = 1; i < std::min<std::size_t>(wanted, count); ++i) {
+  for (std::size_t i = 1; i < std::min<std::size_t>(wanted, count); ++i)
     helpers.emplace_back([&] { take_all(false); });
-  }
   try {
     take_all(true);
   } catch (...) {

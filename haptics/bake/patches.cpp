@@ -29,9 +29,8 @@ Result<std::vector<Patch>> cut_into_patches(TriangleMesh& mesh) {
   std::vector<bool> open(mesh.triangles.size()), joined(mesh.triangles.size());
   EdgeFans(mesh.triangles).for_each([&](std::span<const HalfEdge> fan) {
     if (fan.size() == 1) open[fan[0].place / 3] = true;
-    if (fan.size() > 2) {
+    if (fan.size() > 2)
       for (const HalfEdge& edge : fan) joined[edge.place / 3] = true;
-    }
     if (fan.size() != 2) return;
     for (std::size_t i = 0; i < 2; ++i) {
       links[fan[i].place / 3].there[fan[i].place % 3] = fan[1 - i].place / 3;

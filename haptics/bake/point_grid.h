@@ -34,9 +34,8 @@ public:
     Nearest best;
     const Cube middle = cube_of(p);
     // Points in cubes of ring r are at least (r - 1) cubes away.
-    for (int ring = 0; (ring - 1) * cube_m_ < reach_m && (ring - 1) * cube_m_ < best.distance; ++ring) {
+    for (int ring = 0; (ring - 1) * cube_m_ < reach_m && (ring - 1) * cube_m_ < best.distance; ++ring)
       look_at_ring(p, middle, ring, counts, best);
-    }
     return best.distance <= reach_m ? best : Nearest{};
   }
 

@@ -32,9 +32,8 @@ TrianglePoint closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, c
 
   const double va = d3 * d6 - d5 * d4;
   const double e1 = d4 - d3, e2 = d5 - d6;
-  if (va <= 0.0 && e1 >= 0.0 && e2 >= 0.0) {
+  if (va <= 0.0 && e1 >= 0.0 && e2 >= 0.0)
     return at(p, b + (c - b) * (e1 / (e1 + e2)), TriangleFeature::edge1);
-  }
   const double scale = 1.0 / (va + vb + vc);
   return at(p, a + ab * (vb * scale) + ac * (vc * scale), TriangleFeature::face);
 }

@@ -24,9 +24,8 @@ constexpr std::size_t kTold = 5;      // holes and sheets each; the others toget
 
 Box3 bounds_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   Box3 box;
-  for (const std::uint32_t t : triangles) {
+  for (const std::uint32_t t : triangles)
     for (const std::uint32_t v : mesh.triangles[t]) box.extend(mesh.vertices[v]);
-  }
   return box;
 }
 
@@ -42,9 +41,8 @@ double area_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& trian
 
 void remove(TriangleMesh& mesh, const std::vector<bool>& gone) {
   std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (!gone[t]) mesh.triangles[kept++] = mesh.triangles[t];
-  }
   mesh.triangles.resize(kept);
 }
 
@@ -67,9 +65,8 @@ private:
 
   void close() {
     Box3 box;
-    for (const Triangle& corner : mesh().triangles) {
+    for (const Triangle& corner : mesh().triangles)
       for (const std::uint32_t v : corner) box.extend(mesh().vertices[v]);
-    }
     const double width = kCrack * box.diagonal().norm();
     if (const std::size_t moved = close_cracks(mesh(), width); moved > 0)
       tell("Cracks narrower than " + spell_mm(width) +

@@ -32,9 +32,8 @@ void append(Solid& solid, SolidComponent component, const TriangleMesh& mesh,
     solid.mesh.triangles.push_back(
         {corner[0] + first_vertex, corner[1] + first_vertex, corner[2] + first_vertex});
     Triangle neighbour = neighbours[t];
-    for (std::uint32_t& there : neighbour) {
+    for (std::uint32_t& there : neighbour)
       if (there != Solid::kNoNeighbour) there += component.first_triangle;
-    }
     solid.neighbours.push_back(neighbour);
   }
   solid.components.push_back(std::move(component));
@@ -51,9 +50,8 @@ std::vector<Triangle> neighbours_of(const TriangleMesh& welded) {
 std::vector<Triangle> neighbours_of(const Solid& solid, const SolidComponent& part) {
   std::vector<Triangle> neighbours(solid.neighbours.begin() + part.first_triangle,
                                    solid.neighbours.begin() + part.first_triangle + part.triangle_count);
-  for (Triangle& neighbour : neighbours) {
+  for (Triangle& neighbour : neighbours)
     for (std::uint32_t& there : neighbour) there -= part.first_triangle;
-  }
   return neighbours;
 }
 

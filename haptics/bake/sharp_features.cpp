@@ -44,9 +44,8 @@ public:
 
   std::vector<SurfacePoint> sample(double spacing) {
     std::vector<SurfacePoint> points;
-    for (const auto vertex : mesh_.vertices()) {
+    for (const auto vertex : mesh_.vertices())
       if (is_corner(vertex)) points.push_back(at_vertex(vertex));
-    }
     for (const auto vertex : mesh_.vertices()) {
       if (!is_corner(vertex)) continue;
       for (const auto edge : vertex.outgoing_halfedges()) walk(edge, spacing, points);
@@ -81,9 +80,8 @@ private:
   // Where sharp edges end, meet, or turn.
   bool is_corner(const Vertex& vertex) const {
     std::vector<Vec3> directions;
-    for (const auto edge : vertex.outgoing_halfedges()) {
+    for (const auto edge : vertex.outgoing_halfedges())
       if (sharp_[index(edge.edge())]) directions.push_back(along(edge));
-    }
     if (directions.size() != 2) return !directions.empty();
     return -directions[0].dot(directions[1]) < math::cos(angle_);
   }
@@ -116,18 +114,16 @@ private:
     double passed = 0.0, next = step;
     for (const Halfedge& link : chain) {
       const double link_length = (position(link.to()) - position(link.from())).norm();
-      for (; next <= passed + link_length && next < length - 0.5 * step; next += step) {
+      for (; next <= passed + link_length && next < length - 0.5 * step; next += step)
         points.push_back({position(link.from()) + (next - passed) * along(link), edge_normal(link)});
-      }
       passed += link_length;
     }
   }
 
   // The other sharp edge at the end of this one; the end is no corner, so there is exactly one.
   Halfedge next_sharp(const Halfedge& edge) const {
-    for (const auto candidate : edge.to().outgoing_halfedges()) {
+    for (const auto candidate : edge.to().outgoing_halfedges())
       if (sharp_[index(candidate.edge())] && candidate.edge() != edge.edge()) return candidate;
-    }
     return edge;
   }
 

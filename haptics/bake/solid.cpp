@@ -24,9 +24,8 @@ Result<std::vector<std::string>> repair_bodies(TriangleMesh& welded, const EdgeF
     for (const HalfEdge& edge : fan) bodies.join(fan[0].place / 3, edge.place / 3);
   });
   std::vector<bool> faulty(welded.triangles.size());  // by the number that stands for the body
-  for (std::uint32_t h = 0; h < across.size(); ++h) {
+  for (std::uint32_t h = 0; h < across.size(); ++h)
     if (across[h] == kNoIndex) faulty[bodies.find(h / 3)] = true;
-  }
   TriangleMesh broken{welded.vertices, {}};
   std::vector<Triangle> whole;
   for (std::uint32_t t = 0; t < welded.triangles.size(); ++t)

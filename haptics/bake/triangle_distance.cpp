@@ -32,9 +32,8 @@ TriangleDistance::TriangleDistance(const Solid& solid)
     const Triangle& corner = triangles_[t];
     const auto at = [&](std::size_t i) { return solid.mesh.vertices[corner[i % 3]]; };
     face_normals_[t] = unit_or_zero((at(1) - at(0)).cross(at(2) - at(0)));
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
       vertex_normals_[corner[i]] += face_normals_[t] * angle_between(at(i + 1) - at(i), at(i + 2) - at(i));
-    }
   }
   for (Vec3& normal : vertex_normals_) normal = unit_or_zero(normal);
 

@@ -100,9 +100,8 @@ TriangleTree::Root TriangleTree::make_leaf(std::span<const Item> items, const So
     for (std::size_t f = 0; f < 4; ++f) {
       const Vec3 edge = f == 0 ? n : (v[f % 3] - v[f - 1]).normalized().cross(n);
       const auto lane = static_cast<Eigen::Index>(i);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
         leaf[f].normal[axis][lane] = static_cast<float>(edge[static_cast<Eigen::Index>(axis)]);
-      }
       leaf[f].offset[lane] = static_cast<float>(-edge.dot(v[f == 0 ? 0 : f - 1] - centre_));
     }
   }
@@ -196,9 +195,8 @@ TriangleTree::Nearest TriangleTree::nearest(Root root, const Vec3& p, double lim
     if (is_leaf(next.reference)) {
       const std::uint32_t leaf = leaf_index(next.reference);
       all = bounds_of(leaves_[leaf], q, slack_);
-      for (std::uint32_t i = 0; i < leaf_count(next.reference); ++i) {
+      for (std::uint32_t i = 0; i < leaf_count(next.reference); ++i)
         if (bounds[i] <= reach) look_at(corners_[kLeafTriangles * leaf + i]);
-      }
       continue;
     }
     const Node& node = nodes_[next.reference];

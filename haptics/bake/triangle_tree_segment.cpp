@@ -77,10 +77,9 @@ std::optional<TriangleTree::Hit> TriangleTree::first_hit(Root root, const Vec3& 
       continue;
     }
     const Node& node = nodes_[next];
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
       if (node.child[i] != kNone && enters_box(node, static_cast<Eigen::Index>(i)) <= limit)
         stack[top++] = node.child[i];
-    }
   }
   return first;
 }
@@ -103,9 +102,8 @@ void TriangleTree::near_box(Root root, const Box3& box, std::vector<std::uint32_
       const auto a = static_cast<Eigen::Index>(axis);
       meets = meets && node.low[axis] <= high[a] && node.high[axis] >= low[a];
     }
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
       if (meets[static_cast<Eigen::Index>(i)] && node.child[i] != kNone) stack[top++] = node.child[i];
-    }
   }
 }
 

@@ -55,9 +55,8 @@ ThinSpot thinnest_wall(const Solid& solid, const TriangleDistance& exact, unsign
   };
   for_each_piece(thinnest.size(), threads, measure, {});
   ThinSpot result{std::numeric_limits<double>::infinity(), Vec3::Zero()};
-  for (const ThinSpot& spot : thinnest) {
+  for (const ThinSpot& spot : thinnest)
     if (spot.thickness_m < result.thickness_m) result = spot;
-  }
   return result;
 }
 

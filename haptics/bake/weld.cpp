@@ -25,9 +25,8 @@ bool collapsed(const Triangle& corner) {
 }  // namespace
 
 std::optional<Error> check_numbers(const TriangleMesh& soup) {
-  if (soup.triangles.empty()) {
+  if (soup.triangles.empty())
     return Error{"The mesh has no triangles: check that the file holds a surface, not only lines or points."};
-  }
   if (soup.vertices.size() >= kNoIndex / 8 || soup.triangles.size() >= kNoIndex / 24) {
     return Error{"The mesh has " + std::to_string(soup.triangles.size()) +
                  " triangles, more than can be indexed: simplify it before export."};
@@ -65,11 +64,10 @@ TriangleMesh weld(const TriangleMesh& soup, std::uint32_t& dropped) {
       }
       corner[i] = vertex;
     }
-    if (collapsed(corner)) {
+    if (collapsed(corner))
       ++dropped;
-    } else {
+    else
       welded.triangles.push_back(corner);
-    }
   }
   return welded;
 }
@@ -89,13 +87,11 @@ std::size_t close_cracks(TriangleMesh& mesh, double width_m) {
   Sets sets(mesh.vertices.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
     for (std::size_t j = i + 1;
-         j < open.size() && mesh.vertices[open[j]].x() <= mesh.vertices[open[i]].x() + width_m; ++j) {
+         j < open.size() && mesh.vertices[open[j]].x() <= mesh.vertices[open[i]].x() + width_m; ++j)
       if ((mesh.vertices[open[i]] - mesh.vertices[open[j]]).norm() <= width_m) sets.join(open[i], open[j]);
-    }
   }
-  for (Triangle& corner : mesh.triangles) {
+  for (Triangle& corner : mesh.triangles)
     for (std::uint32_t& v : corner) v = sets.find(v);
-  }
   std::erase_if(mesh.triangles, collapsed);
   return static_cast<std::size_t>(
       std::count_if(open.begin(), open.end(), [&sets](std::uint32_t v) { return sets.find(v) != v; }));

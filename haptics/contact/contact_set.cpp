@@ -19,11 +19,10 @@ void take_in(Contact& kept, const Contact& other) {
 void ContactSet::add(const Contact& contact) noexcept {
   while (contacts_.size() == kMaxContacts && (complete() || !of_one_run(contacts_.back(), contact.point)))
     lengthen_runs();
-  if (!complete() && !contacts_.empty() && of_one_run(contacts_.back(), contact.point)) {
+  if (!complete() && !contacts_.empty() && of_one_run(contacts_.back(), contact.point))
     take_in(contacts_.back(), contact);
-  } else {
+  else
     contacts_.push_back(contact);  // within the reserved storage
-  }
 }
 
 bool ContactSet::absorb(std::uint32_t point, double depth, const Overlap& overlap) noexcept {
@@ -37,13 +36,11 @@ bool ContactSet::absorb(std::uint32_t point, double depth, const Overlap& overla
 void ContactSet::lengthen_runs() noexcept {
   run_bits_ = complete() ? kPatchBits : run_bits_ + 1;
   std::size_t kept = 0;
-  for (std::size_t i = 1; i < contacts_.size(); ++i) {
-    if (of_one_run(contacts_[kept], contacts_[i].point)) {
+  for (std::size_t i = 1; i < contacts_.size(); ++i)
+    if (of_one_run(contacts_[kept], contacts_[i].point))
       take_in(contacts_[kept], contacts_[i]);
-    } else {
+    else
       contacts_[++kept] = contacts_[i];
-    }
-  }
   contacts_.resize(kept + 1);
 }
 

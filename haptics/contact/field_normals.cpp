@@ -61,11 +61,10 @@ void look_up_batch(const FieldView& field, Normals kind, NormalBatch& batch) {
 }
 
 void normals_for_target(const FieldView& field, Normals kind, NormalBatch& batch) {
-  if (field.format == FieldFormat::int16) {
+  if (field.format == FieldFormat::int16)
     look_up_batch<std::int16_t>(field, kind, batch);
-  } else {
+  else
     look_up_batch<float>(field, kind, batch);
-  }
 }
 
 }  // namespace fulcrum::HWY_NAMESPACE

@@ -27,9 +27,8 @@ std::span<const Impact> ImpactDetector::process(const Tick& tick) noexcept {
     its = its || find(X_TW * contact.p_W, contact.nhat_W, radius_) < count_;
   }
   impact_count_ = 0;
-  for (std::size_t r = 0; r < touching.regions.size(); ++r) {
+  for (std::size_t r = 0; r < touching.regions.size(); ++r)
     if (!known[r] && tick_ > 0) strike(tick, r, X_TW);
-  }
   for (const Contact& contact : touching.contacts)
     remember(tick.X_WT,
              {X_TW * contact.p_W, contact.nhat_W, contact.nhat_W.dot(contact.p_W) + contact.depth, tick_});
@@ -71,11 +70,10 @@ void ImpactDetector::forget(const Pose& X_WT) noexcept {
     const Vec3 p_W = X_WT * place.p_T;
     const bool away = place.tick < tick_ && (place.nhat_W.dot(p_W) - place.surface > desc_.retreat ||
                                              field_->distance(p_W) > desc_.retreat);
-    if (away) {
+    if (away)
       places_[i] = places_[--count_];
-    } else {
+    else
       ++i;
-    }
   }
 }
 

@@ -99,9 +99,8 @@ void RegionTracker::inherit_ids(std::span<const ContactRegion> before) noexcept 
     regions_[best_new].id = before[best_old].id;
     regions_[best_new].age_ticks = before[best_old].age_ticks + 1;
   }
-  for (std::size_t r = 0; r < count_; ++r) {
+  for (std::size_t r = 0; r < count_; ++r)
     if (!given[r]) regions_[r].id = next_id_++;
-  }
 }
 
 }  // namespace fulcrum

@@ -100,11 +100,10 @@ private:
 
 void walk_for_target(const ShellWalk& walk) {
   const std::size_t root = walk.tree->levels.size();
-  if (walk.field.format == FieldFormat::int16) {
+  if (walk.field.format == FieldFormat::int16)
     Walker<std::int16_t>(walk).visit(root, 0);
-  } else {
+  else
     Walker<float>(walk).visit(root, 0);
-  }
 }
 
 const char* target_name() {

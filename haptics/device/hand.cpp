@@ -58,10 +58,9 @@ Tremor::Tremor(const HandDesc& desc) {
 
 Vec6 Tremor::at(double time) const {
   Vec6 sum = Vec6::Zero();
-  for (std::size_t axis = 0; axis < 6; ++axis) {
+  for (std::size_t axis = 0; axis < 6; ++axis)
     for (const Tone& tone : tones_[axis])
       sum[static_cast<Eigen::Index>(axis)] += tone.amplitude * math::sin(tone.w * time + tone.phase);
-  }
   return sum;
 }
 

@@ -69,9 +69,8 @@ std::optional<StripFit> fit_strip(const HoldingStripDesc& strip, std::span<const
   fit.low_ohm = mean_ohm + slope * (strip.low_place - mean_place);
   fit.high_ohm = mean_ohm + slope * (strip.high_place - mean_place);
   double squares = 0;
-  for (const StripPress& press : presses) {
+  for (const StripPress& press : presses)
     squares += math::square(press.ohm - (mean_ohm + slope * (press.place - mean_place)));
-  }
   fit.residual_ohm = std::sqrt(squares / n);
   fit.residual = fit.residual_ohm / std::abs(slope);
   return fit;

@@ -19,9 +19,8 @@ struct Held {
 
 Held hold(const DeviceAxis& axis, double T) {
   const double z = axis.damping * T / axis.mass;
-  if (z < 1e-6) {  // to first order in z, where the closed form loses its digits
+  if (z < 1e-6)  // to first order in z, where the closed form loses its digits
     return {T * (1 - z / 2), T * T / axis.mass * (0.5 - z / 6), 1 - z, T / axis.mass * (1 - z / 2)};
-  }
   const double gone = -math::expm1(-z), x_v = axis.mass / axis.damping * gone;
   return {x_v, (T - x_v) / axis.damping, 1 - gone, gone / axis.damping};
 }
@@ -74,11 +73,19 @@ double exact_growth(const WallLoop& loop, const Wall& wall, const std::optional<
 }
 
 double exact_stiffness_limit(const WallLoop& loop, double B) {
-  return end_above(kSoftest, kPrecision, [&](double K) { return exact_growth(loop, {K, B}) < 0; });
+  return end_above(
+      kSoftest, kPrecision,
+      [&](double K) {
+        return exact_growth(loop, {K, B}) < 0;
+      });
 }
 
 double exact_damping_limit(const WallLoop& loop) {
-  return end_above(kSoftest, kPrecision, [&](double B) { return exact_growth(loop, {kSoftest, B}) < 0; });
+  return end_above(
+      kSoftest, kPrecision,
+      [&](double B) {
+        return exact_growth(loop, {kSoftest, B}) < 0;
+      });
 }
 
 }  // namespace fulcrum

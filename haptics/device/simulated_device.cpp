@@ -171,9 +171,8 @@ void SimulatedDevice::advance_axes(const Wrench& F_H_D, const HandTarget& target
   }
   // A handle that is not alike about all axes turns about its own; that they turn with it is left out.
   const Quat q_DA = turns_alike_ ? Quat::Identity() : X_DH_.q;
-  if (!turns_alike_) {
+  if (!turns_alike_)
     for (Vec6* of : {&force, &hand_x, &hand_v}) of->tail<3>() = q_DA.conjugate() * of->tail<3>();
-  }
   Vec3 turn = Vec3::Zero();
   for (std::size_t axis = 0; axis < 6; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);

@@ -33,9 +33,8 @@ struct VibrotactileDesc {
   std::vector<ChannelDesc> channels;
 
   std::optional<std::size_t> find(std::string_view name) const {
-    for (std::size_t i = 0; i < channels.size(); ++i) {
+    for (std::size_t i = 0; i < channels.size(); ++i)
       if (channels[i].name == name) return i;
-    }
     return std::nullopt;
   }
 };

@@ -28,17 +28,21 @@ void for_each_effect(const EffectDescs& descs, F&& f) {
 // Of those alone that are built.
 template <class F>
 void for_each_built(const PlainScene& scene, const EffectDescs& descs, F&& f) {
-  for_each_effect(descs, [&]<class T>(Entry<T> entry, const std::optional<typename T::Desc>& desc) {
-    if (is_built<T>(scene, desc)) f(entry, *desc);
-  });
+  for_each_effect(
+      descs,
+      [&]<class T>(Entry<T> entry, const std::optional<typename T::Desc>& desc) {
+        if (is_built<T>(scene, desc)) f(entry, *desc);
+      });
 }
 
 }  // namespace
 
 void check_effects(FigureCheck& figures, const EffectDescs& descs) {
-  for_each_effect(descs, [&]<class T>(Entry<T>, const std::optional<typename T::Desc>& desc) {
-    if (desc) T::check(figures, *desc);
-  });
+  for_each_effect(
+      descs,
+      [&]<class T>(Entry<T>, const std::optional<typename T::Desc>& desc) {
+        if (desc) T::check(figures, *desc);
+      });
 }
 
 std::optional<Error> refuse_effects(const PlainScene& scene, const EffectDescs& descs) {

@@ -120,11 +120,10 @@ FieldSample DistanceField::sample(const Vec3& p_W) const noexcept {
   if (cell.stored) {
     const Trilinear found = interpolate(corners(cell), cell.t);
     FieldSample result{found.value, found.slope * cells_per_m_, std::abs(found.value) <= data_.band_m};
-    if (result.gradient.norm() > kNoDirection) {
+    if (result.gradient.norm() > kNoDirection)
       result.gradient.normalize();
-    } else {
+    else
       result.gradient = coarse_sample(cell).gradient;  // midway between two walls
-    }
     return result;
   }
   if (cell.in_grid) return coarse_sample(cell);

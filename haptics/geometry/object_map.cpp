@@ -46,13 +46,11 @@ void ObjectMap::search(std::size_t level, std::size_t node, const Vec3& p_W, Bes
   const std::vector<Box3>& boxes = levels_[level - 1];
   const std::size_t end = std::min(first + kRun, boxes.size());
   std::size_t nearest = first;
-  for (std::size_t i = first + 1; i < end; ++i) {
+  for (std::size_t i = first + 1; i < end; ++i)
     if (boxes[i].squaredExteriorDistance(p_W) < boxes[nearest].squaredExteriorDistance(p_W)) nearest = i;
-  }
   search(level - 1, nearest, p_W, best);
-  for (std::size_t i = first; i < end; ++i) {
+  for (std::size_t i = first; i < end; ++i)
     if (i != nearest && boxes[i].squaredExteriorDistance(p_W) < best.squared) search(level - 1, i, p_W, best);
-  }
 }
 
 std::size_t ObjectMap::bytes() const {

@@ -17,9 +17,8 @@ Result<Pointshell> pointshell_from_points(std::span<const Vec3> positions, std::
                  std::to_string(normals.size()) + " normals and " + std::to_string(areas_m2.size()) +
                  " areas: give one of each per point."};
   }
-  if (!(covering_radius_m >= 0.0) || !std::isfinite(covering_radius_m)) {
+  if (!(covering_radius_m >= 0.0) || !std::isfinite(covering_radius_m))
     return Error{"A pointshell's covering radius must be zero or a positive length in metres."};
-  }
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const bool good = positions[i].allFinite() && normals[i].allFinite() && normals[i].norm() > 0.0 &&
                       std::isfinite(areas_m2[i]) && areas_m2[i] >= 0.0;

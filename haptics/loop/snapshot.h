@@ -18,9 +18,8 @@ public:
   // The reader's thread only. The newest published value; before the first one, a default T. The reference
   // stays valid, and the value unchanged, until the next newest().
   const T& newest() noexcept {
-    if ((middle_.load(std::memory_order_relaxed) & kFresh) != 0) {
+    if ((middle_.load(std::memory_order_relaxed) & kFresh) != 0)
       front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;
-    }
     return slots_[front_].value;
   }
 

@@ -25,9 +25,7 @@ public:
   bool push(const T& value) noexcept {
     const std::size_t write = write_.load(std::memory_order_relaxed);
     const std::size_t next = after(write);
-    if (next == read_.load(std::memory_order_acquire)) {
-      return false;
-    }
+    if (next == read_.load(std::memory_order_acquire)) return false;
     slots_[write] = value;
     write_.store(next, std::memory_order_release);
     return true;
@@ -36,9 +34,7 @@ public:
   // The consumer's thread only. False: the ring is empty and `value` is as it was.
   bool pop(T& value) noexcept {
     const std::size_t read = read_.load(std::memory_order_relaxed);
-    if (read == write_.load(std::memory_order_acquire)) {
-      return false;
-    }
+    if (read == write_.load(std::memory_order_acquire)) return false;
     value = slots_[read];
     read_.store(after(read), std::memory_order_release);
     return true;

@@ -9,8 +9,8 @@
 #include "haptics/contact/regions.h"
 #include "haptics/contact/voxel_query.h"
 #include "haptics/motion/tool_motion.h"
-#include "haptics/tool/virtual_coupling.h"
 #include "haptics/scene/plain_scene.h"
+#include "haptics/tool/virtual_coupling.h"
 
 namespace fulcrum {
 

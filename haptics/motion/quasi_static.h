@@ -4,8 +4,8 @@
 
 #include "haptics/estimate/velocity.h"
 #include "haptics/math/rotation.h"
-#include "haptics/tool/virtual_coupling.h"
 #include "haptics/scene/plain_scene.h"
+#include "haptics/tool/virtual_coupling.h"
 
 namespace fulcrum {
 

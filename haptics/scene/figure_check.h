@@ -38,13 +38,16 @@ public:
   }
 
   void finite(const std::string& name, const Vec3& v) {
-    each(name, v, [this](const std::string& n, double x) { finite(n, x); });
+    each(
+        name, v, [this](const std::string& n, double x) { finite(n, x); });
   }
   void above(const std::string& name, const Vec3& v) {
-    each(name, v, [this](const std::string& n, double x) { above(n, x); });
+    each(
+        name, v, [this](const std::string& n, double x) { above(n, x); });
   }
   void at_least(const std::string& name, const Vec3& v) {
-    each(name, v, [this](const std::string& n, double x) { at_least(n, x); });
+    each(
+        name, v, [this](const std::string& n, double x) { at_least(n, x); });
   }
   void symmetric(const std::string& name, const Mat3& I) {
     for (Eigen::Index row = 0; row < 3; ++row) finite(name, Vec3(I.row(row)));

@@ -23,8 +23,8 @@ struct EffectTick {
   std::span<const Impact> impacts;         // of this tick, where an effect asks for them
   ContactCentroid touched;                 // where the scene names a holding point
 
-  bool stopped = false;         // safety holds the force back until it is acknowledged
-  double gain = 0;              // of ramp and stop, at the last command: 0 to 1
+  bool stopped = false;          // safety holds the force back until it is acknowledged
+  double gain = 0;               // of ramp and stop, at the last command: 0 to 1
   Vec3 wished_D = Vec3::Zero();  // (3) N on the handle, of the coupling, whether the device can push or not
   // Effect::shape()
   Wrench wanted_F_H_D;  // continuous, on the handle about H

@@ -14,15 +14,15 @@ struct HandleMotion {
   Pose X_WG;   // where the hand wants the tool
   Twist V_WG;
 
-  Vec6 moved_D = Vec6::Zero();         // (6) m and rad, counted since the sample before
-  Vec6 within_tick_D = Vec6::Zero();   // (6) m and rad, the part of it that fell within this tick
-  Vec6 per_tick_D = Vec6::Zero();      // (6) m and rad per tick, known between two counts too
-  double sample_age = 0;               // s, of the sample
+  Vec6 moved_D = Vec6::Zero();        // (6) m and rad, counted since the sample before
+  Vec6 within_tick_D = Vec6::Zero();  // (6) m and rad, the part of it that fell within this tick
+  Vec6 per_tick_D = Vec6::Zero();     // (6) m and rad per tick, known between two counts too
+  double sample_age = 0;              // s, of the sample
 
-  double place = 0;                    // m along the stick from H, where the hand holds it; 0: no scene says
-  Vec3 p_TG = Vec3::Zero();            // (3) m, the same place on the tool, in T
-  Vec3 p_HG_D = Vec3::Zero();          // (3) m at the device, the same place from H
-  bool engaged = true;                 // the hand holds the tool: the clutch is not pressed
+  double place = 0;            // m along the stick from H, where the hand holds it; 0: no scene says
+  Vec3 p_TG = Vec3::Zero();    // (3) m, the same place on the tool, in T
+  Vec3 p_HG_D = Vec3::Zero();  // (3) m at the device, the same place from H
+  bool engaged = true;         // the hand holds the tool: the clutch is not pressed
 };
 
 }  // namespace fulcrum

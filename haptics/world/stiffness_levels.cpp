@@ -7,8 +7,8 @@ namespace fulcrum {
 
 void StiffnessLevels::apply(const Command& command) noexcept {
   if (command.kind != Command::Kind::contact_stiffness || !std::isfinite(command.value)) return;
-  wanted_ = *std::ranges::min_element(
-      levels_, {}, [&command](double level) { return std::abs(level - command.value); });
+  wanted_ = *std::ranges::min_element(levels_, {},
+                                      [&command](double level) { return std::abs(level - command.value); });
 }
 
 void StiffnessLevels::set(ToolMotion& motion) noexcept {

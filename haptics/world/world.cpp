@@ -60,9 +60,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   t.felt_D = w.output_.render(t.wanted_F_H_D, correction_F_H_D, t.handle, faults);
 
   // What is sudden.
-  for (const auto& effect : w.effects_) {
+  for (const auto& effect : w.effects_)
     if (const std::optional<Transient> wanted = effect->strike(t)) w.output_.want(*wanted);
-  }
   w.output_.render_transients(t.handle.moved_D, faults);
 
   // What became of it.
@@ -151,9 +150,8 @@ StepResult World::leave(const EffectTick& tick, std::uint32_t faults) noexcept {
   record.clutched = !tick.handle.engaged;
   if (record.impact) {
     record.impact->count = static_cast<std::int32_t>(tick.impacts.size());
-    for (const Impact& each : tick.impacts) {
+    for (const Impact& each : tick.impacts)
       if (each.speed > record.impact->hardest.speed) record.impact->hardest = each;
-    }
   }
   return result;
 }

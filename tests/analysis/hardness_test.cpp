@@ -100,9 +100,7 @@ TEST(Strike, InTheTickTheWholeIsHeldAndExactIsAhead) {
       }
       cut += exact.missing > striker.strike(PulseMethod::exact, {}, strike).missing + 1e-9;
     }
-    if (device.kinematics == Kinematics::arms) {
-      EXPECT_GT(cut, 0);
-    }
+    if (device.kinematics == Kinematics::arms) EXPECT_GT(cut, 0);
   }
 }
 

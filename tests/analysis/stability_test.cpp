@@ -56,10 +56,9 @@ TEST(PassiveBorder, IsColgatesAndSchenkels) {
 }
 
 TEST(PassiveBorder, LiesBelowTheExactOne) {
-  for (int n : {0, 1, 2, 4}) {
+  for (int n : {0, 1, 2, 4})
     for (double B : {0.0, 0.05, 0.2, 0.45})
       EXPECT_LE(passive_stiffness_limit(reference(n), B), exact_stiffness_limit(reference(n), B)) << n << B;
-  }
 }
 
 TEST(Plane, NamedPointsLieWhereTheyShould) {

@@ -38,13 +38,11 @@ INSTANTIATE_TEST_SUITE_P(Each, Orders,
                          [](const auto& convergent) -> std::string { return convergent.param.name; });
 
 TEST(WorkPrecision, AHeldToneKeepsItsAmplitude) {
-  for (const WorkPoint& point : study_tone(true).points) {
-    if (point.method == "held") {
+  for (const WorkPoint& point : study_tone(true).points)
+    if (point.method == "held")
       EXPECT_LT(point.error, 1e-9) << point.value;
-    } else {
+    else
       EXPECT_GT(point.error, 1e-3) << point.value;
-    }
-  }
 }
 
 // At the same voxel, where both look up the same points: what that costs is for the report, no test.

@@ -41,9 +41,8 @@ class Enemy {
 public:
   Enemy(const app::Prepared& prepared, const SceneDesc& scene, std::uint64_t seed)
       : scene_(scene), random_(seed) {
-    for (const scenario::HandScript& hand : prepared.haptic.hands) {
+    for (const scenario::HandScript& hand : prepared.haptic.hands)
       for (const Waypoint& waypoint : hand.waypoints) places_.push_back(waypoint.X_WT);
-    }
     places_.push_back(scene.tool.X_WT_start);
     go_elsewhere();
   }
@@ -161,9 +160,8 @@ std::vector<double> motor_limits(const DeviceDesc& device) {
     if (device.renders_torque) limits.insert(limits.end(), 3, device.max_torque);
   }
   if (device.kinematics == Kinematics::arms) {
-    for (const ArmDesc& arm : device.mechanism.arms) {
+    for (const ArmDesc& arm : device.mechanism.arms)
       for (const JointDesc& joint : arm.joints) limits.push_back(joint.max_torque);
-    }
     if (device.mechanism.spin) limits.push_back(device.mechanism.spin->max_torque);
   }
   return limits;

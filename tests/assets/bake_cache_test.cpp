@@ -143,11 +143,10 @@ TEST_F(BakeCacheTest, TheFolderFollowsTheEnvironment) {
   EXPECT_EQ(BakeCache().folder(), fs::path("/somewhere/fulcrum"));
   ::setenv("XDG_CACHE_HOME", "relative", 1);
   EXPECT_NE(BakeCache().folder(), fs::path("relative/fulcrum"));
-  if (before.empty()) {
+  if (before.empty())
     ::unsetenv("XDG_CACHE_HOME");
-  } else {
+  else
     ::setenv("XDG_CACHE_HOME", before.c_str(), 1);
-  }
 }
 
 }  // namespace

@@ -118,13 +118,11 @@ std::vector<HullPoints> spanner_pieces(const TriangleMesh& spanner_T) {
 PipePieces pipe_pieces(const std::vector<SweptPipe>& pipes) {
   PipePieces pieces;
   for (const SweptPipe& pipe : pipes) {
-    for (const auto& part : pipe.parts) {
-      if (const auto* run = std::get_if<Run>(&part)) {
+    for (const auto& part : pipe.parts)
+      if (const auto* run = std::get_if<Run>(&part))
         pieces.runs.push_back({run->from, run->to, pipe.radius});
-      } else {
+      else
         add_bend(std::get<Bend>(part), pipe.radius, pieces.bends);
-      }
-    }
   }
   return pieces;
 }

@@ -60,13 +60,11 @@ struct DeepestPoint::Search {
     const Ball& ball = tool.levels_[level][node];
     if (hopeless(-at(ball.centre).distance + ball.radius)) return;
     const std::size_t count = level == 0 ? tool.triangles_.size() : tool.levels_[level - 1].size();
-    for (std::size_t i = node * kFan; i < std::min(count, (node + 1) * kFan); ++i) {
-      if (level == 0) {
+    for (std::size_t i = node * kFan; i < std::min(count, (node + 1) * kFan); ++i)
+      if (level == 0)
         visit(tool.triangles_[i]);
-      } else {
+      else
         visit(level - 1, i);
-      }
-    }
   }
 };
 

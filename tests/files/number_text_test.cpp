@@ -40,9 +40,7 @@ TEST(NumberText, ReadsBackToTheSameBits) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 100000; ++i) {
     const double value = std::bit_cast<double>(random());
-    if (!std::isfinite(value)) {
-      continue;
-    }
+    if (!std::isfinite(value)) continue;
     const std::string written = text(value);
     double read = 0;
     std::from_chars(written.data(), written.data() + written.size(), read);
@@ -64,9 +62,8 @@ TEST(NumberText, KnowsNoLocale) {
 }
 
 TEST(NumberText, KnowsNoGerman) {
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
     GTEST_SKIP() << "this machine has no locale de_DE.UTF-8";
-  }
   EXPECT_EQ(text(1234.5), "1234.5");
   std::setlocale(LC_ALL, "C");
 }

@@ -38,10 +38,9 @@ Words options() {
   Scenario scenario;
   Words options;
   for (KeyEntry& key : list_keys([&](KeyVisitor& visitor) { describe_scenario(visitor, scenario); })) {
-    for (std::string& part : key.parts) {
+    for (std::string& part : key.parts)
       if (part == "*")
         part = key.parts.front() == "models" ? "peg" : key.parts.front() == "hands" ? "sure" : "0";
-    }
     options.insert(key.path() + "=");
   }
   return options;

@@ -23,8 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (motion->samples.empty() || !(motion->tick_s > 0)) std::abort();
   if (motion->space == fulcrum::record::HandleMotion::Space::device) return 0;  // as the device gave it
-  for (const fulcrum::DeviceSample& sample : motion->samples) {
+  for (const fulcrum::DeviceSample& sample : motion->samples)
     if (!sample.X_DH.p.allFinite() || !(std::abs(sample.X_DH.q.norm() - 1) < 1e-8)) std::abort();
-  }
   return 0;
 }

@@ -71,9 +71,7 @@ public:
     record.regions = static_cast<std::int32_t>(random_() % 5);
     record.depth_max = number() * 1e-4;
     record.device_F_H_D = wrench();
-    for (double& load : record.actuator_load) {
-      load = number();
-    }
+    for (double& load : record.actuator_load) load = number();
     record.energy_port = number();
     record.energy_unrendered = number();
     record.force_gain = 1;

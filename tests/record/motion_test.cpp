@@ -59,9 +59,8 @@ TEST(Motion, OfATraceIsItsHandleBitForBit) {
   EXPECT_EQ(motion->tick_s, 0.001);
   EXPECT_TRUE(motion->complete);
   ASSERT_EQ(motion->samples.size(), records.size());
-  for (std::size_t i = 0; i < records.size(); ++i) {
+  for (std::size_t i = 0; i < records.size(); ++i)
     EXPECT_TRUE(same(motion->samples[i].X_DH, records[i].X_WH)) << i;
-  }
 }
 
 TEST(Motion, AStripInATraceIsRead) {

@@ -54,9 +54,8 @@ std::int64_t expect_agreement(const std::filesystem::path& folder) {
   const std::int64_t rows = rows_in(folder / "trace.csv");
   EXPECT_EQ(rows, std::ssize(tape->entries));
   EXPECT_EQ(rows, rows_in(folder / "timing.csv"));
-  for (std::size_t i = 0; i < tape->entries.size(); ++i) {
+  for (std::size_t i = 0; i < tape->entries.size(); ++i)
     EXPECT_EQ(tape->entries[i].digest, digest(SyntheticRun(i).record(static_cast<std::int64_t>(i))));
-  }
   return rows;
 }
 
@@ -126,9 +125,7 @@ TEST(Recorder, KilledLosesNoMoreThanASecond) {
     for (std::int64_t tick = 0; recorder; ++tick) {
       run_ticks(*recorder, tick, tick + 1);
       recorder->flush_if_due(Recorder::Clock::now());
-      if (::write(told[1], &tick, sizeof tick) != sizeof tick) {
-        break;
-      }
+      if (::write(told[1], &tick, sizeof tick) != sizeof tick) break;
     }
     ::_exit(1);
   }
@@ -137,9 +134,8 @@ TEST(Recorder, KilledLosesNoMoreThanASecond) {
   while (last < 3777 && ::read(told[0], &last, sizeof last) == sizeof last) {
   }
   ::kill(child, SIGKILL);
-  for (std::int64_t tick; ::read(told[0], &tick, sizeof tick) == sizeof tick;) {
+  for (std::int64_t tick; ::read(told[0], &tick, sizeof tick) == sizeof tick;)
     last = tick;  // what was in the pipe still
-  }
   ::close(told[0]);
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -198,9 +194,8 @@ TEST(Recorder, StopsAtAFullDiskWhereverItIsFull) {
   const TemporaryFolder folder;
   for (int size_KiB = 180; size_KiB < 340; size_KiB += 4) {
     const std::string options = "size=" + std::to_string(size_KiB) + "k";
-    if (::mount("fulcrum-test", folder.path().c_str(), "tmpfs", 0, options.c_str()) != 0) {
+    if (::mount("fulcrum-test", folder.path().c_str(), "tmpfs", 0, options.c_str()) != 0)
       GTEST_SKIP() << "mounting needs root";
-    }
     expect_stop_at_full_disk(folder.path(), "the disk is full");
     ASSERT_EQ(::umount(folder.path().c_str()), 0);
   }
@@ -208,9 +203,8 @@ TEST(Recorder, StopsAtAFullDiskWhereverItIsFull) {
 
 TEST(Recorder, AFolderThatIsFullFromTheStartIsASentence) {
   const TemporaryFolder folder;
-  if (::mount("fulcrum-test", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0) {
+  if (::mount("fulcrum-test", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
     GTEST_SKIP() << "mounting needs root";
-  }
   write(folder / "filler", std::string(64 * 1024, 'x'));
   const Result<Recorder> recorder = Recorder::begin(folder.path(), made_up_header(), columns());
   EXPECT_FALSE(recorder);

@@ -72,9 +72,7 @@ protected:
 
   ReplayCheck check(const std::vector<TickRecord>& replay) const {
     ReplayCheck check;
-    for (std::size_t i = 0; i < replay.size(); ++i) {
-      check.tick({replay[i], 0}, digest(run_[i]));
-    }
+    for (std::size_t i = 0; i < replay.size(); ++i) check.tick({replay[i], 0}, digest(run_[i]));
     return check;
   }
 
@@ -95,9 +93,7 @@ TEST_F(Replay, NamesTickAndColumnAndValues) {
   replay[8].tick = 99;  // later, and not the one to name
   std::filesystem::remove(folder_ / "trace.csv");
   Result<TraceWriter> trace = TraceWriter::create(folder_ / "trace.csv", columns_);
-  for (const TickRecord& record : run_) {
-    trace->row({record, 0});
-  }
+  for (const TickRecord& record : run_) trace->row({record, 0});
   ASSERT_FALSE(trace->flush());
   const ReplayCheck differing = check(replay);
   ASSERT_FALSE(differing.same());

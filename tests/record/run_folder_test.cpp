@@ -108,9 +108,7 @@ TEST(RunFolder, AFileInItsPlaceIsASentence) {
 
 TEST(RunFolder, OneThatCannotBeWrittenIsASentence) {
   EXPECT_FALSE(prepare_run_folder("/proc/fulcrum", false));
-  if (::geteuid() == 0) {
-    GTEST_SKIP() << "to root every other folder is writable";
-  }
+  if (::geteuid() == 0) GTEST_SKIP() << "to root every other folder is writable";
   const TemporaryFolder folder;
   fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
   EXPECT_FALSE(prepare_run_folder(folder.path(), false));

@@ -18,9 +18,7 @@ double percentile_by_counting(const std::vector<std::int64_t>& times, int per_mi
   std::int64_t best = std::numeric_limits<std::int64_t>::max();
   for (const std::int64_t candidate : times) {
     const auto within = std::count_if(times.begin(), times.end(), [&](auto t) { return t <= candidate; });
-    if (within * 1000 >= per_mille * std::ssize(times)) {
-      best = std::min(best, candidate);
-    }
+    if (within * 1000 >= per_mille * std::ssize(times)) best = std::min(best, candidate);
   }
   return static_cast<double>(best) / 1000;
 }
@@ -29,9 +27,7 @@ TEST(Percentiles, AreWhatCountingGives) {
   std::mt19937_64 random(1);
   for (const std::size_t count : {1u, 2u, 3u, 99u, 100u, 101u, 999u, 1000u, 1001u, 1500u}) {
     std::vector<std::int64_t> times(count);
-    for (std::int64_t& time : times) {
-      time = static_cast<std::int64_t>(random() % 500);  // with ties
-    }
+    for (std::int64_t& time : times) time = static_cast<std::int64_t>(random() % 500);  // with ties
     std::vector<std::int64_t> sorted = times;
     const TickCpu cpu = tick_cpu_percentiles(sorted);
     EXPECT_EQ(cpu.p50, percentile_by_counting(times, 500)) << count;
@@ -108,9 +104,7 @@ TEST(RunTotals, TellsFaultsFromLimits) {
 TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
   const nlohmann::ordered_json document = nlohmann::ordered_json::parse(summary_json(Summary()));
   std::string keys;
-  for (const auto& [key, value] : document.items()) {
-    keys += key + ' ';
-  }
+  for (const auto& [key, value] : document.items()) keys += key + ' ';
   EXPECT_EQ(keys,
             "version scenario device hand seed ticks tick_s completed checkpoints completion_time_s "
             "torque_error_Nms "
@@ -118,9 +112,8 @@ TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
             "peak_torque_rendered_Nm max_penetration_m max_penetration_within_m max_penetration_at_s "
             "max_penetration_part tick_cpu_us late_ticks lost_ticks faults "
             "limits built left_out trace_sha256 ");
-  for (const char* unknown : {"completion_time_s", "max_penetration_m", "tick_cpu_us", "trace_sha256"}) {
+  for (const char* unknown : {"completion_time_s", "max_penetration_m", "tick_cpu_us", "trace_sha256"})
     EXPECT_TRUE(document[unknown].is_null()) << unknown;
-  }
   EXPECT_TRUE(document["checkpoints"].is_array());
   EXPECT_TRUE(document["faults"].is_array());
 }

@@ -26,25 +26,19 @@ std::uint32_t word(const std::string& text, std::size_t at) {
 
 // Makes the checksum that follows text[at, at + size) fit. False: there is no room for one.
 bool mend(std::string& text, std::size_t at, std::size_t size) {
-  if (at + size + 4 > text.size()) {
-    return false;
-  }
+  if (at + size + 4 > text.size()) return false;
   const std::uint32_t crc = crc32c(bytes_of(text).subspan(at, size));
   std::memcpy(text.data() + at + size, &crc, sizeof crc);
   return true;
 }
 
 void mend_all(std::string& text) {
-  if (!mend(text, 0, 16)) {
-    return;
-  }
+  if (!mend(text, 0, 16)) return;
   std::size_t at = 20;
   std::size_t size = word(text, 12);
   while (mend(text, at, size)) {
     at += size + 4;
-    if (!mend(text, at, 8)) {
-      return;
-    }
+    if (!mend(text, at, 8)) return;
     size = word(text, at + 4);
     at += 12;
   }
@@ -57,9 +51,7 @@ std::string small_tape() {
   const Command stop{Command::Kind::stop};
   for (int i = 0; i < 12; ++i) {
     writer->entry(made_up.sample(), std::span(&stop, i % 2 == 0 ? 1 : 0), 0, 1);
-    if (i % 4 == 3) {
-      EXPECT_FALSE(writer->flush());
-    }
+    if (i % 4 == 3) EXPECT_FALSE(writer->flush());
   }
   EXPECT_FALSE(writer->finish());
   return contents(folder / "tape");
@@ -73,9 +65,8 @@ void damage(std::string& text, std::mt19937_64& random) {
       text[at] = static_cast<char>(random());
       break;
     case 1:  // numbers that sizes and counts go wrong with
-      for (std::size_t i = at; i < std::min(at + 4, text.size()); ++i) {
+      for (std::size_t i = at; i < std::min(at + 4, text.size()); ++i)
         text[i] = random() % 2 == 0 ? '\xff' : '\x7f';
-      }
       break;
     case 2:
       text.erase(at, run);
@@ -90,9 +81,7 @@ void damage(std::string& text, std::mt19937_64& random) {
       text.insert(at, std::string(run, static_cast<char>(random())));
       break;
   }
-  if (text.empty()) {
-    text.push_back('F');
-  }
+  if (text.empty()) text.push_back('F');
 }
 
 TEST(TapeFuzz, AnyBytesGiveASentenceOrATape) {
@@ -101,13 +90,9 @@ TEST(TapeFuzz, AnyBytesGiveASentenceOrATape) {
   int read = 0, refused = 0, mended_and_refused = 0;
   for (int i = 0; i < 20000; ++i) {
     std::string text = original;
-    for (std::uint64_t n = 1 + random() % 4; n > 0; --n) {
-      damage(text, random);
-    }
+    for (std::uint64_t n = 1 + random() % 4; n > 0; --n) damage(text, random);
     const bool mended = random() % 2 == 0;
-    if (mended) {
-      mend_all(text);
-    }
+    if (mended) mend_all(text);
     const Result<Tape> tape = parse_tape(bytes_of(text));
     if (!tape) {
       EXPECT_FALSE(tape.error().sentence.empty());
@@ -130,12 +115,8 @@ TEST(TapeFuzz, GarbageBehindTheMagicIsRefused) {
   for (int i = 0; i < 5000; ++i) {
     std::string text("FULCTAPE\3\0\0\0", 12);
     const std::size_t size = random() % 300;
-    for (std::size_t j = 0; j < size; ++j) {
-      text += static_cast<char>(random());
-    }
-    if (i % 2 == 0) {
-      mend_all(text);
-    }
+    for (std::size_t j = 0; j < size; ++j) text += static_cast<char>(random());
+    if (i % 2 == 0) mend_all(text);
     EXPECT_FALSE(parse_tape(bytes_of(text)));
   }
 }

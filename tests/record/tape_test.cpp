@@ -61,9 +61,7 @@ std::string tape_of(const std::vector<TapeEntry>& entries, std::vector<std::size
   const std::filesystem::path path = folder / "tape";
   Result<TapeWriter> writer = TapeWriter::create(path, made_up_header());
   const auto note = [&] {
-    if (boundaries != nullptr) {
-      boundaries->push_back(std::filesystem::file_size(path));
-    }
+    if (boundaries != nullptr) boundaries->push_back(std::filesystem::file_size(path));
   };
   note();
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -90,9 +88,7 @@ TEST(Tape, ReadsBackWhatWasWritten) {
   EXPECT_EQ(tape->header, made_up_header());
   EXPECT_TRUE(tape->complete);
   ASSERT_EQ(tape->entries.size(), entries.size());
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    expect_same(tape->entries[i], entries[i]);
-  }
+  for (std::size_t i = 0; i < entries.size(); ++i) expect_same(tape->entries[i], entries[i]);
 }
 
 TEST(Tape, CutAnywhereGivesTheWholeChunks) {
@@ -108,13 +104,9 @@ TEST(Tape, CutAnywhereGivesTheWholeChunks) {
     ASSERT_TRUE(tape) << size << ": " << tape.error().sentence;
     EXPECT_FALSE(tape->complete) << size;
     std::size_t chunks = 0;
-    while (chunks + 1 < boundaries.size() && boundaries[chunks + 1] <= size) {
-      ++chunks;
-    }
+    while (chunks + 1 < boundaries.size() && boundaries[chunks + 1] <= size) ++chunks;
     ASSERT_EQ(tape->entries.size(), std::min<std::size_t>(4 * chunks, entries.size())) << size;
-    for (std::size_t i = 0; i < tape->entries.size(); ++i) {
-      expect_same(tape->entries[i], entries[i]);
-    }
+    for (std::size_t i = 0; i < tape->entries.size(); ++i) expect_same(tape->entries[i], entries[i]);
   }
 }
 
@@ -148,9 +140,7 @@ TEST(Tape, OfVersion2IsStillRead) {
   std::vector<std::size_t> ends;
   std::string text = tape_of(entries, &ends);
   const auto put_word = [&text](std::size_t at, std::uint32_t value) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      text[at + i] = static_cast<char>((value >> (8 * i)) & 0xff);
-    }
+    for (std::size_t i = 0; i < 4; ++i) text[at + i] = static_cast<char>((value >> (8 * i)) & 0xff);
   };
   const auto seal = [&](std::size_t at, std::size_t size) {
     put_word(at + size, crc32c(bytes_of(text).subspan(at, size)));

@@ -33,11 +33,8 @@ std::string cell(const TraceColumns& columns, const std::string& name, const Tic
                  std::int32_t task_step = 0) {
   const std::string line = row_text(columns, record, task_step);
   const std::vector<std::string_view> cells = split_cells(line);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (columns.columns()[i].name == name) {
-      return std::string(cells[i]);
-    }
-  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (columns.columns()[i].name == name) return std::string(cells[i]);
   return "no column " + name;
 }
 
@@ -221,9 +218,7 @@ TEST(Trace, FileIsHeaderAndRowsAndItsHash) {
     const TickRecord record = made_up.record(tick);
     writer->row({record, 0});
     columns.append_row(expected, {record, 0});
-    if (tick % 70 == 0) {
-      ASSERT_FALSE(writer->flush());
-    }
+    if (tick % 70 == 0) ASSERT_FALSE(writer->flush());
   }
   ASSERT_FALSE(writer->flush());
   ASSERT_FALSE(writer->close());

@@ -18,17 +18,15 @@ namespace {
 
 std::uint32_t number(const std::string& bytes, std::size_t at, int size) {
   std::uint32_t value = 0;
-  for (int i = size - 1; i >= 0; --i) {
+  for (int i = size - 1; i >= 0; --i)
     value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
-  }
   return value;
 }
 
 std::vector<int> samples_of(const std::string& bytes) {
   std::vector<int> samples;
-  for (std::size_t at = 44; at + 1 < bytes.size(); at += 2) {
+  for (std::size_t at = 44; at + 1 < bytes.size(); at += 2)
     samples.push_back(static_cast<std::int16_t>(number(bytes, at, 2)));
-  }
   return samples;
 }
 

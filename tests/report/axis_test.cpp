@@ -10,9 +10,8 @@ namespace {
 
 std::vector<std::string> labels(const Axis& axis) {
   std::vector<std::string> found;
-  for (const Tick& tick : axis.ticks()) {
+  for (const Tick& tick : axis.ticks())
     if (!tick.label.empty()) found.push_back(tick.label);
-  }
   return found;
 }
 

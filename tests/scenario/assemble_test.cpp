@@ -18,9 +18,8 @@ std::string box_glb(const Eigen::Vector3f& low, const Eigen::Vector3f& high, boo
   const auto put = [&binary](const void* data, std::size_t size) {
     binary.append(static_cast<const char*>(data), size);
   };
-  for (int corner = 0; corner < 8; ++corner) {
+  for (int corner = 0; corner < 8; ++corner)
     for (int axis = 0; axis < 3; ++axis) put(corner >> axis & 1 ? &high[axis] : &low[axis], 4);
-  }
   std::uint16_t indices[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
                                2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
   if (faulty) std::swap(indices[0], indices[1]);

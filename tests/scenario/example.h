@@ -85,11 +85,10 @@ class Installed {
 public:
   explicit Installed(const std::filesystem::path& root) { ::setenv("FULCRUM_CONTENT", root.c_str(), 1); }
   ~Installed() {
-    if (before_) {
+    if (before_)
       ::setenv("FULCRUM_CONTENT", before_->c_str(), 1);
-    } else {
+    else
       ::unsetenv("FULCRUM_CONTENT");
-    }
   }
 
 private:

@@ -28,12 +28,10 @@ void collect(const Json& schema, const std::string& path, std::set<std::string>&
   }
   if (schema.contains("items") && schema["items"].contains("properties"))
     collect(schema["items"], prefix + "*", paths);
-  if (schema.contains("additionalProperties") && schema["additionalProperties"].is_object()) {
+  if (schema.contains("additionalProperties") && schema["additionalProperties"].is_object())
     collect(schema["additionalProperties"], prefix + "*", paths);
-  }
-  if (schema.contains("oneOf")) {
+  if (schema.contains("oneOf"))
     for (const Json& form : schema["oneOf"]) collect(form, path, paths);
-  }
 }
 
 std::set<std::string> paths_of(const std::string& schema_text) {

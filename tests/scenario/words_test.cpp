@@ -39,9 +39,8 @@ TEST(Words, ReadsNumbersAsYamlWritesThem) {
   EXPECT_EQ(parse_number(".inf"), INFINITY);
   EXPECT_TRUE(std::isnan(*parse_number(".nan")));
   for (const char* text :
-       {"", ".", "-", "e5", "1e", "1 2", "0x10", "nan", "inf", "1_000", "1,5", "5 mm", "--1"}) {
+       {"", ".", "-", "e5", "1e", "1 2", "0x10", "nan", "inf", "1_000", "1,5", "5 mm", "--1"})
     EXPECT_EQ(parse_number(text), std::nullopt) << text;
-  }
 }
 
 TEST(Words, WritesNumbersThatReadBack) {

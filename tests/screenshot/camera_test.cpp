@@ -18,9 +18,7 @@ glm::vec3 projected(const glm::mat4& clip_from_world, const glm::vec3& point) {
 }
 
 void expect_near(const glm::vec3& actual, const glm::vec3& expected) {
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(actual[i], expected[i], 1e-5F);
-  }
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], 1e-5F);
 }
 
 TEST(OrbitCamera, StartsWhereItIsToldAndReturns) {

@@ -81,9 +81,8 @@ TEST(FreeList, GivesAlignedPlacesThatNeverOverlap) {
     if (const auto offset = list.take(size, alignment); offset && random() % 3 != 0) {
       EXPECT_EQ(*offset % alignment, 0U);
       EXPECT_LE(*offset + size, std::uint64_t{1} << 16);
-      for (const Piece& other : held) {
+      for (const Piece& other : held)
         EXPECT_TRUE(*offset + size <= other.offset || other.offset + other.size <= *offset);
-      }
       held.push_back({*offset, size});
     } else if (offset) {
       list.give_back(*offset, size);
@@ -94,9 +93,7 @@ TEST(FreeList, GivesAlignedPlacesThatNeverOverlap) {
       held.pop_back();
     }
   }
-  for (const Piece& piece : held) {
-    list.give_back(piece.offset, piece.size);
-  }
+  for (const Piece& piece : held) list.give_back(piece.offset, piece.size);
   EXPECT_EQ(list.take(1 << 16, 1), 0U);  // joined to one again
 }
 

@@ -12,7 +12,7 @@
 namespace fulcrum::render {
 namespace {
 
-/// The test scene with a bar instead of the ball: of a ball nobody sees how it is turned.
+// The test scene with a bar instead of the ball: of a ball nobody sees how it is turned.
 VisualDesc bar_scene() {
   VisualDesc desc = test::make_scene();
   desc.meshes[2] = test::make_box({0.10F, 0.012F, 0.025F});
@@ -23,24 +23,17 @@ VisualDesc bar_scene() {
 class GhostTest : public testing::Test {
 protected:
   void TearDown() override {
-    for (const std::string& message : gpu_.instance.messages()) {
-      ADD_FAILURE() << message;
-    }
+    for (const std::string& message : gpu_.instance.messages()) ADD_FAILURE() << message;
   }
 
-  /// One frame, the ghost where the first movable instance is but turned by `angle` about `axis`.
+  // One frame, the ghost where the first movable instance is but turned by `angle` about `axis`.
   Picture draw(const VisualDesc& desc, float opacity, float angle = 0.44F,
                const glm::vec3& axis = {0.0F, 1.0F, 0.3F}, const Quality& quality = {4, 512, 1.0F}) {
     const auto renderer = Renderer::create(*gpu_.device, desc, {{480, 270}, quality, {}});
-    if (!renderer) {
-      throw std::runtime_error(renderer.error());
-    }
+    if (!renderer) throw std::runtime_error(renderer.error());
     std::vector<glm::mat4> poses;
-    for (const Instance& instance : desc.instances) {
-      if (instance.movable) {
-        poses.push_back(instance.X_WM);
-      }
-    }
+    for (const Instance& instance : desc.instances)
+      if (instance.movable) poses.push_back(instance.X_WM);
     FrameState state;
     state.X_WM = poses;
     state.camera = desc.camera;
@@ -53,7 +46,7 @@ protected:
   test::Gpu gpu_ = test::make_gpu("llvmpipe");
 };
 
-/// The sum of differences in green over the part of the picture, and how many pixels differ clearly.
+// The sum of differences in green over the part of the picture, and how many pixels differ clearly.
 struct Lit {
   std::size_t pixels = 0;
   double sum = 0.0;
@@ -117,16 +110,12 @@ TEST_F(GhostTest, HidesItsOwnRearLines) {
   large.camera = {{0.02F, 0.14F, 0.7F}, {0.02F, 0.14F, 0.0F}, 0.7F};
   VisualDesc both = large;
   Mesh small = test::make_box({0.05F, 0.04F, 0.005F});
-  for (glm::vec3& position : small.positions) {
-    position.z -= 0.05F;
-  }
+  for (glm::vec3& position : small.positions) position.z -= 0.05F;
   const auto shift = static_cast<std::uint32_t>(both.meshes[2].positions.size());
   Mesh& mesh = both.meshes[2];
   mesh.positions.insert(mesh.positions.end(), small.positions.begin(), small.positions.end());
   mesh.normals.insert(mesh.normals.end(), small.normals.begin(), small.normals.end());
-  for (const std::uint32_t i : small.indices) {
-    mesh.indices.push_back(shift + i);
-  }
+  for (const std::uint32_t i : small.indices) mesh.indices.push_back(shift + i);
   EXPECT_EQ(lit(draw(both, 1.0F, 0.0F), draw(large, 1.0F, 0.0F)).sum, 0.0);
   // Turned until the small one looks out from behind, it is seen.
   EXPECT_GT(lit(draw(both, 1.0F, 1.2F), draw(large, 1.0F, 1.2F)).pixels, 100U);
@@ -144,9 +133,7 @@ TEST_F(GhostTest, OfABallIsARing) {
   for (std::size_t y = 0; y < with.height; ++y) {
     for (std::size_t x = 0; x < with.width; ++x) {
       const std::size_t i = (y * with.width + x) * 4;
-      if (with.rgba[i] == without.rgba[i] && with.rgba[i + 1] == without.rgba[i + 1]) {
-        continue;
-      }
+      if (with.rgba[i] == without.rgba[i] && with.rgba[i + 1] == without.rgba[i + 1]) continue;
       const float from_middle =
           std::hypot(static_cast<float>(x) + 0.5F - 240.0F, static_cast<float>(y) + 0.5F - 135.0F);
       EXPECT_NEAR(from_middle, radius, 5.0F);
@@ -165,9 +152,8 @@ TEST_F(GhostTest, IsDrawnTheSameAtEveryQuality) {
   };
   const double best = drawn_at({4, 512, 1.0F});
   for (const Quality& quality :
-       {Quality{1, 512, 1.0F}, Quality{1, 512, 0.75F}, Quality{1, 0, 0.5F}, Quality{4, 0, 0.37F}}) {
+       {Quality{1, 512, 1.0F}, Quality{1, 512, 0.75F}, Quality{1, 0, 0.5F}, Quality{4, 0, 0.37F}})
     EXPECT_NEAR(drawn_at(quality), best, 0.06 * best) << quality.samples << ", " << quality.resolution_scale;
-  }
 }
 
 TEST_F(GhostTest, RunsOutOfThePictureWhereItPassesTheEye) {

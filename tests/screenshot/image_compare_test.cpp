@@ -10,9 +10,7 @@ namespace fs = std::filesystem;
 
 render::Picture grey(std::uint32_t width, std::uint32_t height) {
   render::Picture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height * 4, 128)};
-  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
-    picture.rgba[i] = 255;
-  }
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
   return picture;
 }
 

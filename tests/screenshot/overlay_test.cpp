@@ -31,9 +31,7 @@ OverlayState full_state() {
 class OverlayTest : public testing::Test {
 protected:
   void TearDown() override {
-    for (const std::string& message : gpu_.instance.messages()) {
-      ADD_FAILURE() << message;
-    }
+    for (const std::string& message : gpu_.instance.messages()) ADD_FAILURE() << message;
   }
 
   render::Picture draw(const OverlayState& state) {
@@ -238,10 +236,9 @@ TEST(CuePanel, SwitchesOnAtTheGainOfBeforeAndTheBarSetsIt) {
   state.cues = {{"Vibration", "V", 0.0, 0.0}, {"Ghost", "G", 1.0, 0.0}};
   const std::vector<double> gains{0.7, 0.6};
   std::vector<double> set;  // by presses down the middle of the panel, first cue only
-  for (float y = 0; y < 300.0F; y += 1.0F) {
+  for (float y = 0; y < 300.0F; y += 1.0F)
     if (const auto press = pressed_cue(state, gains, 1280.0F, 1155.0F, y); press && press->cue == 0)
       set.push_back(press->gain);
-  }
   ASSERT_FALSE(set.empty());
   EXPECT_EQ(set.front(), 0.7);
   EXPECT_NEAR(set.back(), 0.5, 0.01);
@@ -303,9 +300,7 @@ TEST(PeakHold, HoldsThenFallsToTheValue) {
   EXPECT_DOUBLE_EQ(peak.add(2.0, 0.0), 2.0);
   EXPECT_DOUBLE_EQ(peak.add(1.0, 1.0), 2.0);
   double last = 2.0;
-  for (int i = 0; i < 100; ++i) {
-    last = peak.add(1.0, 1.6 + 0.05 * i);
-  }
+  for (int i = 0; i < 100; ++i) last = peak.add(1.0, 1.6 + 0.05 * i);
   EXPECT_DOUBLE_EQ(last, 1.0);
   EXPECT_DOUBLE_EQ(peak.add(0.5, 0.0), 0.5);  // a run that starts again
 }

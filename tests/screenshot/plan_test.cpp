@@ -30,9 +30,8 @@ std::string complaint(const VisualDesc& desc, const RenderOptions& options = {})
 TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   const RenderPlan all = planned(test::make_scene());
   for (const char* pipeline : {"surfaces", "shadows", "markers", "ghost depth", "ghost lines", "ghost",
-                               "background", "tone mapping"}) {
+                               "background", "tone mapping"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
-  }
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);
   EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 1280U * 720U * 8U * 4U);
@@ -52,12 +51,9 @@ TEST(Plan, LeavesOutTheGhostWhereTheSceneHasNone) {
   desc.ghost.reset();
   const RenderPlan plan = planned(desc);
   EXPECT_FALSE(plan.ghost);
-  for (const BuildItem& item : plan.built) {
-    EXPECT_FALSE(item.name.starts_with("ghost")) << item.name;
-  }
-  for (const char* kind : {"buffer", "pipeline"}) {
+  for (const BuildItem& item : plan.built) EXPECT_FALSE(item.name.starts_with("ghost")) << item.name;
+  for (const char* kind : {"buffer", "pipeline"})
     EXPECT_EQ(find(plan.left_out, "ghost", kind)->note, "the scene has no ghost");
-  }
 }
 
 TEST(Plan, RefusesAGhostOfNothingAndLinesOfNoWidth) {
@@ -80,9 +76,7 @@ TEST(Plan, LeavesOutShadowsForEachOfItsReasons) {
   };
   VisualDesc desc = test::make_scene();
   EXPECT_EQ(reason(desc, 0), "the quality setting switches shadows off");
-  for (Instance& instance : desc.instances) {
-    instance.casts_shadow = false;
-  }
+  for (Instance& instance : desc.instances) instance.casts_shadow = false;
   EXPECT_EQ(reason(desc), "nothing in the scene throws a shadow");
   desc.key_light->casts_shadow = false;
   EXPECT_EQ(reason(desc), "the scene's key light throws no shadow");

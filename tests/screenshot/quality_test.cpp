@@ -7,12 +7,10 @@
 namespace fulcrum::render {
 namespace {
 
-/// A machine on which a frame costs `cost(quality)`; returns where the choice settles.
+// A machine on which a frame costs `cost(quality)`; returns where the choice settles.
 template <class Cost>
 Quality settled(AutoQuality& choice, Cost cost) {
-  for (int i = 0; i < 1000; ++i) {
-    choice.add(cost(choice.quality()));
-  }
+  for (int i = 0; i < 1000; ++i) choice.add(cost(choice.quality()));
   return choice.quality();
 }
 
@@ -60,9 +58,7 @@ TEST(AutoQuality, DoesNotSwingBetweenTwoLevels) {
   const auto cost = [](const Quality& q) { return q.samples == 4 ? 0.1 : 0.003; };
   settled(choice, cost);
   int changes = 0;
-  for (int i = 0; i < 1000; ++i) {
-    changes += choice.add(cost(choice.quality())) ? 1 : 0;
-  }
+  for (int i = 0; i < 1000; ++i) changes += choice.add(cost(choice.quality())) ? 1 : 0;
   EXPECT_EQ(changes, 0);
   EXPECT_EQ(choice.quality().samples, 1);
 }

@@ -15,27 +15,20 @@ namespace {
 class RendererTest : public testing::Test {
 protected:
   void TearDown() override {
-    for (const std::string& message : gpu_.instance.messages()) {
-      ADD_FAILURE() << message;
-    }
+    for (const std::string& message : gpu_.instance.messages()) ADD_FAILURE() << message;
   }
 
   std::unique_ptr<Renderer> make(const VisualDesc& desc, const RenderOptions& options) {
     auto made = Renderer::create(*gpu_.device, desc, options);
-    if (!made) {
-      throw std::runtime_error(made.error());
-    }
+    if (!made) throw std::runtime_error(made.error());
     return std::move(made.value());
   }
 
-  /// One frame of the scene as described, its markers in `states`.
+  // One frame of the scene as described, its markers in `states`.
   Picture draw(Renderer& renderer, const VisualDesc& desc, std::span<const MarkerState> states = {}) {
     std::vector<glm::mat4> poses;
-    for (const Instance& instance : desc.instances) {
-      if (instance.movable) {
-        poses.push_back(instance.X_WM);
-      }
-    }
+    for (const Instance& instance : desc.instances)
+      if (instance.movable) poses.push_back(instance.X_WM);
     FrameState state;
     state.X_WM = poses;
     state.markers = states;
@@ -146,9 +139,7 @@ TEST_F(RendererTest, ACameraSeesItsLayersOnly) {
   desc.ghost.reset();  // it is a copy of what is taken away here
   VisualDesc without = desc;
   std::erase_if(without.instances, [](const Instance& instance) { return instance.movable; });
-  for (Instance& instance : desc.instances) {
-    instance.layers = instance.movable ? 2 : 3;
-  }
+  for (Instance& instance : desc.instances) instance.layers = instance.movable ? 2 : 3;
   desc.camera.layers = 2;
   const std::unique_ptr<Renderer> renderer = make(desc, small_);
   const Picture whole = draw(*renderer, desc);

@@ -25,9 +25,7 @@ Mesh make_box(const glm::vec3& half_size) {
         mesh.positions.push_back((normal + s * u + t * v) * half_size);
         mesh.normals.push_back(normal);
       }
-      for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) {
-        mesh.indices.push_back(first + corner);
-      }
+      for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + corner);
     }
   }
   return mesh;
@@ -52,9 +50,8 @@ Mesh make_ball(float radius) {
     for (std::uint32_t j = 0; j < sectors; ++j) {
       const std::uint32_t a = i * (sectors + 1) + j;
       const std::uint32_t below = a + sectors + 1;
-      for (const std::uint32_t corner : {a, below, below + 1, a, below + 1, a + 1}) {
+      for (const std::uint32_t corner : {a, below, below + 1, a, below + 1, a + 1})
         mesh.indices.push_back(corner);
-      }
     }
   }
   return mesh;
@@ -79,13 +76,9 @@ VisualDesc make_scene() {
 
 Gpu make_gpu(const std::string& name) {
   vulkan::Result<vulkan::Instance> instance = vulkan::Instance::create({true, {}});
-  if (!instance) {
-    throw std::runtime_error(instance.error());
-  }
+  if (!instance) throw std::runtime_error(instance.error());
   vulkan::Result<std::unique_ptr<vulkan::Device>> device = vulkan::Device::create(instance.value(), name);
-  if (!device) {
-    throw std::runtime_error(device.error());
-  }
+  if (!device) throw std::runtime_error(device.error());
   return {std::move(instance.value()), std::move(device.value())};
 }
 

@@ -14,9 +14,8 @@ namespace fulcrum::ui {
 namespace {
 
 TEST(WindowTest, IsDrawnIntoAtEverySize) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
     GTEST_SKIP() << "There is no display here.";
-  }
   auto window = Window::create("Fulcrum test", {320, 180});
   ASSERT_TRUE(window) << window.error();
   window.value()->show();
@@ -54,9 +53,7 @@ TEST(WindowTest, IsDrawnIntoAtEverySize) {
     EXPECT_EQ(renderer.value()->read_back().value().width, 320U);
     EXPECT_FALSE(window.value()->closing());
   }
-  for (const std::string& message : instance.value().messages()) {
-    ADD_FAILURE() << message;
-  }
+  for (const std::string& message : instance.value().messages()) ADD_FAILURE() << message;
 }
 
 TEST(Window, WithoutADisplayTheSentenceSaysSo) {

@@ -18,19 +18,15 @@ std::string size_of(const Picture& picture) {
 
 Picture difference(const Picture& a, const Picture& b) {
   Picture made{a.width, a.height, std::vector<std::uint8_t>(a.rgba.size(), 255)};
-  for (std::size_t i = 0; i < a.rgba.size(); ++i) {
-    if (i % 4 != 3) {
+  for (std::size_t i = 0; i < a.rgba.size(); ++i)
+    if (i % 4 != 3)
       made.rgba[i] = static_cast<std::uint8_t>(std::min(255, 16 * std::abs(a.rgba[i] - b.rgba[i])));
-    }
-  }
   return made;
 }
 
-/// Writes FOLDER/NAME and says so, or why not.
+// Writes FOLDER/NAME and says so, or why not.
 std::string keep(const fs::path& folder, const std::string& name, const Picture& picture) {
-  if (folder.empty()) {
-    return "";
-  }
+  if (folder.empty()) return "";
   std::error_code ignored;  // writing says what is wrong
   fs::create_directories(folder, ignored);
   const vulkan::Result<void> written = render::write_png(folder / name, picture);
@@ -42,14 +38,12 @@ std::string keep(const fs::path& folder, const std::string& name, const Picture&
 vulkan::Result<Picture> read_png(const fs::path& file) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&image, file.c_str()) == 0) {
+  if (png_image_begin_read_from_file(&image, file.c_str()) == 0)
     return vulkan::Error{"The picture " + file.string() + " cannot be read: " + image.message + "."};
-  }
   image.format = PNG_FORMAT_RGBA;
   Picture picture{image.width, image.height, std::vector<std::uint8_t>(PNG_IMAGE_SIZE(image))};
-  if (png_image_finish_read(&image, nullptr, picture.rgba.data(), 0, nullptr) == 0) {
+  if (png_image_finish_read(&image, nullptr, picture.rgba.data(), 0, nullptr) == 0)
     return vulkan::Error{"The picture " + file.string() + " is damaged: " + image.message + "."};
-  }
   return picture;
 }
 
@@ -61,9 +55,8 @@ Comparison compare(const Picture& actual, const Picture& golden, const CompareOp
   }
   for (std::size_t pixel = 0; pixel < actual.rgba.size(); pixel += 4) {
     int largest = 0;
-    for (std::size_t channel = pixel; channel < pixel + 4; ++channel) {
+    for (std::size_t channel = pixel; channel < pixel + 4; ++channel)
       largest = std::max(largest, std::abs(actual.rgba[channel] - golden.rgba[channel]));
-    }
     result.largest_lsb = std::max(result.largest_lsb, largest);
     result.pixels_by_one += largest == 1 ? 1 : 0;
     result.pixels_by_more += largest > 1 ? 1 : 0;
@@ -93,9 +86,8 @@ Comparison compare(const Picture& actual, const fs::path& golden, const CompareO
   Comparison result = compare(actual, wanted.value(), options);
   if (!result.passed) {
     result.sentence += keep(options.failure_folder, name + ".actual.png", actual);
-    if (actual.rgba.size() == wanted.value().rgba.size()) {
+    if (actual.rgba.size() == wanted.value().rgba.size())
       result.sentence += keep(options.failure_folder, name + ".diff.png", difference(actual, wanted.value()));
-    }
   }
   return result;
 }

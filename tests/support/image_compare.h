@@ -29,17 +29,17 @@ struct Comparison {
   std::string sentence;            // what was found, and where the pictures are
 };
 
-/// Of two pictures in memory; another size never passes.
+// Of two pictures in memory; another size never passes.
 Comparison compare(const render::Picture& actual, const render::Picture& golden,
                    const CompareOptions& options);
 
-/// Of a picture and a PNG file. On failure writes NAME.actual.png and NAME.diff.png (differences times 16, on
-/// black) to the failure folder. A golden that is missing fails, and the actual picture is written for
-/// somebody to look at.
+// Of a picture and a PNG file. On failure writes NAME.actual.png and NAME.diff.png (differences times 16, on
+// black) to the failure folder. A golden that is missing fails, and the actual picture is written for
+// somebody to look at.
 Comparison compare(const render::Picture& actual, const std::filesystem::path& golden,
                    const CompareOptions& options);
 
-/// An 8-bit PNG file; fails with a sentence where it cannot be read.
+// An 8-bit PNG file; fails with a sentence where it cannot be read.
 vulkan::Result<render::Picture> read_png(const std::filesystem::path& file);
 
 }  // namespace fulcrum::test

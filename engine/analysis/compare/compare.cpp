@@ -49,9 +49,8 @@ Estimate estimate(std::span<const double> values) {
 
 Estimate estimate_of(const VariantRuns& runs, Metric metric) {
   std::vector<double> values;
-  for (const Trial& trial : runs.trials) {
+  for (const Trial& trial : runs.trials)
     if (const auto value = trial.value(metric)) values.push_back(*value);
-  }
   return estimate(values);
 }
 

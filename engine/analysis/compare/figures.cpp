@@ -24,9 +24,8 @@ constexpr double kRoomForWords = 0.12;  // of the time that is shown
 
 double largest_torque(const Comparison& comparison) {
   double largest = comparison.bad_above_Nm;
-  for (const VariantRuns& runs : comparison.variants) {
+  for (const VariantRuns& runs : comparison.variants)
     for (const Moment& moment : runs.course) largest = std::max(largest, moment.torque);
-  }
   return largest;
 }
 
@@ -110,9 +109,8 @@ Plot course_plot(const Comparison& comparison, std::size_t variant) {
   plot.cells.bands = {
       {named("bad torque"), 1}, {named("cue, weak"), -1}, {"", -2}, {"", -3}, {named("cue, full"), -4}};
   double loudest = 0;
-  for (const VariantRuns& each : comparison.variants) {
+  for (const VariantRuns& each : comparison.variants)
     for (const Moment& moment : each.course) loudest = std::max(loudest, moment.vibration);
-  }
   const auto cue_band = [](double fraction) { return fraction > 0 ? shade_of(fraction) : -1; };
   Series torque{named("|τ|"), {}, Line::solid, Marker::none, report::kInk, false};
   Series bound{

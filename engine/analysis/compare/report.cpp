@@ -77,10 +77,9 @@ void say_result(report::Page& page, const Comparison& comparison) {
         "Differences are taken trial by trial: a trial has the same seed, and with it the same hand, in "
         "every variant. An interval without 0 in it is a difference that the seeds do not explain.");
   }
-  for (const Metric metric : kMetrics) {
+  for (const Metric metric : kMetrics)
     if (estimate_of(comparison.variants.front(), metric).n > 0)
       page.plot(metric_plot(comparison, metric), "Grey: each trial, joined over the variants.");
-  }
 }
 
 void say_course(report::Page& page, const Comparison& comparison) {

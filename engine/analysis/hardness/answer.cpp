@@ -29,9 +29,8 @@ std::string over_poses(const HardnessStudy& study, Gain PoseAt::*gain) {
 
 template <class Row>
 Row of_method(const std::vector<Row>& rows, PulseMethod method) {
-  for (const Row& row : rows) {
+  for (const Row& row : rows)
     if (row.method == method) return row;
-  }
   return {};
 }
 

@@ -61,9 +61,8 @@ std::vector<Vec3> directions(std::size_t count) {
 }
 
 void limit_motors(DeviceDesc& device, double limit) {
-  for (ArmDesc& arm : device.mechanism.arms) {
+  for (ArmDesc& arm : device.mechanism.arms)
     for (JointDesc& joint : arm.joints) joint.max_torque = limit;
-  }
 }
 
 HardnessStudy study_hardness(const std::string& name, const DeviceDesc& device, const StrikeSetting& setting,
@@ -101,10 +100,9 @@ HardnessStudy study_hardness(const std::string& name, const DeviceDesc& device, 
       study.shown.push_back(there.shown(method));
   }
   for (const double phi_deg : {0.0, 15.0, 30.0, 45.0, 60.0, 90.0}) {
-    for (const bool all_leans : {false, true}) {
+    for (const bool all_leans : {false, true})
       for (const PulseMethod method : {PulseMethod::algorithm1, PulseMethod::exact})
         study.maps.push_back(at.map(method, phi_deg, all_leans));
-    }
     progress("The map", phi_deg / 90);
   }
   for (const double speed : {setting.speed, 0.3 * setting.speed, 0.1 * setting.speed}) {
@@ -128,10 +126,9 @@ HardnessStudy study_hardness(const std::string& name, const DeviceDesc& device, 
             Vec3(place(x, kPosesAcross), place(y, kLayers), place(z, kPosesAcross)));
         study.poses.push_back(at.pose(p_DH));
         if (!study.poses.back().reached || p_DH.isZero(kNothing)) continue;
-        for (const PulseMethod method : kUsableMethods) {
+        for (const PulseMethod method : kUsableMethods)
           for (const Vec3& nhat_D : directions(0))
             study.rows.push_back(at.row(method, {Quat::Identity(), p_DH}, position_text(p_DH), nhat_D, kPhi));
-        }
       }
     }
   }

@@ -29,9 +29,8 @@ Eigen::VectorXd bounded_least_squares(const Eigen::MatrixXd& A, const Eigen::Vec
   const double small = kAtRest * (A.transpose() * b).norm();
   for (int round = 0; round < kMaxRounds; ++round) {
     std::vector<Index> free;
-    for (Index i = 0; i < n; ++i) {
+    for (Index i = 0; i < n; ++i)
       if (at(i) == 0) free.push_back(i);
-    }
     // Towards the solution of those that are free, as far as the first limit.
     Eigen::VectorXd wanted;
     if (!free.empty()) wanted = A(Eigen::all, free).completeOrthogonalDecomposition().solve(b - A * x);

@@ -62,10 +62,9 @@ struct Candidate {
 
 double largest_load(const Allocator& motors) {
   double largest = 0;
-  for (int m = 0; m < motors.motors(); ++m) {
+  for (int m = 0; m < motors.motors(); ++m)
     if (const double limit = motors.actuators().limits()[m]; limit > 0)
       largest = std::max(largest, std::abs(motors.taken()[m]) / limit);
-  }
   return largest;
 }
 

@@ -17,9 +17,8 @@ constexpr double kNothing = 1e-9;  // what rounding leaves
 // Of the sides to which a stylus can lean at a surface that faces up: where Algorithm 1 finds no moment.
 double leans_without(const HardnessStudy& study) {
   double without = 0;
-  for (const LeanAt& at : study.leans) {
+  for (const LeanAt& at : study.leans)
     if (at.algorithm1.moment_D.norm() <= (1 + kNoticed) * at.force_only.moment_D.norm()) ++without;
-  }
   return without / static_cast<double>(study.leans.size());
 }
 

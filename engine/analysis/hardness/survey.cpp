@@ -73,9 +73,8 @@ std::vector<HardnessRow> HardnessSurvey::rows_at_home(std::span<const PulseMetho
                                                       std::span<const double> phis) {
   std::vector<HardnessRow> rows;
   for (const PulseMethod method : methods) {
-    for (const Vec3& nhat_D : directions(kDirections)) {
+    for (const Vec3& nhat_D : directions(kDirections))
       for (const double phi_deg : phis) rows.push_back(row(method, Pose{}, kHome, nhat_D, phi_deg));
-    }
   }
   return rows;
 }

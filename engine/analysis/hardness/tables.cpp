@@ -18,9 +18,8 @@ std::string direction_text(const Vec3& nhat) {
 std::vector<const HardnessRow*> rows_of(const std::vector<HardnessRow>& rows, PulseMethod method,
                                         double phi_deg) {
   std::vector<const HardnessRow*> found;
-  for (const HardnessRow& row : rows) {
+  for (const HardnessRow& row : rows)
     if (row.method == method && row.phi_deg == phi_deg && row.pose == kHome) found.push_back(&row);
-  }
   return found;
 }
 

@@ -44,8 +44,9 @@ Lines lines_of(const StabilityStudy& study, const std::string& device, int delay
 }
 
 bool has_friction(const StabilityStudy& study, const std::string& device) {
-  return std::any_of(study.devices.begin(), study.devices.end(),
-                     [&](const NamedAxis& each) { return each.name == device && !each.axis.linear(); });
+  return std::any_of(
+      study.devices.begin(), study.devices.end(),
+      [&](const NamedAxis& each) { return each.name == device && !each.axis.linear(); });
 }
 
 // Of rates: from far below 0 to far above it.

@@ -21,9 +21,8 @@ double passive_stiffness_limit(const WallLoop& loop, double B) {
   constexpr int kSteps = 2000;
   constexpr double step = std::numbers::pi / kSteps;
   int lowest = 0;
-  for (int i = 1; i <= kSteps; ++i) {
+  for (int i = 1; i <= kSteps; ++i)
     if (bound(i * step) < bound(lowest * step)) lowest = i;
-  }
   // The bound is smooth there: golden-section search within a step to either side.
   double low = std::max(0, lowest - 1) * step, high = std::min(kSteps, lowest + 1) * step;
   constexpr double golden = 1 / std::numbers::phi;

@@ -45,10 +45,9 @@ std::string region_text(const DeviceAxis& axis, const DiolaitiPlace& place) {
 double largest_deviation(const StabilityStudy& study) {
   double largest = 0;
   for (const NamedAxis& device : study.devices) {
-    for (const Border& border : study.borders) {
+    for (const Border& border : study.borders)
       if (border.device == device.name && device.axis.linear() && border.K_exact > 0)
         largest = std::max(largest, std::abs(border.K_simulated / border.K_exact - 1));
-    }
   }
   return largest;
 }

@@ -151,9 +151,8 @@ Plot cost_plot(const UniformityStudy& study) {
     const bool first = kind == AccelerationEstimatorKind::kalman;
     Series series{
         std::string(name_of(kind)), {}, Line::none, first ? Marker::circle : Marker::square, first ? 0 : 1};
-    for (const FilterRow& row : study.filters) {
+    for (const FilterRow& row : study.filters)
       if (row.kind == kind) series.points.push_back({row.cpu_ns, row.error});
-    }
     plot.series.push_back(series);
   }
   return plot;

@@ -103,16 +103,14 @@ double largest_filter_lag(const InertiaLoop& loop) {
   const auto unstable = [&loop](double jerk) { return growth(loop, filter_of(jerk, loop.tick_s)) >= 0; };
   // From the quickest filter on, to the first that is too slow.
   if (unstable(kMaxJerk)) return 0;
-  for (double jerk = kMaxJerk; jerk > kMinJerk; jerk /= 2) {
+  for (double jerk = kMaxJerk; jerk > kMinJerk; jerk /= 2)
     if (unstable(jerk / 2)) return filter_of(bisect(jerk / 2, jerk, kPrecision, unstable), loop.tick_s).lag;
-  }
   return kUnlimited;
 }
 
 double largest_delay(const InertiaLoop& loop) {
-  for (int ticks = 1; ticks <= kMaxTicks; ++ticks) {
+  for (int ticks = 1; ticks <= kMaxTicks; ++ticks)
     if (growth(loop, ticks) >= 0) return (ticks - 1) * loop.tick_s;
-  }
   return kUnlimited;
 }
 

@@ -177,9 +177,8 @@ std::vector<std::string> uniformity_answer(const UniformityStudy& study) {
   const Worst none = worst_of(study, InertiaMethod::none), arm = worst_of(study, InertiaMethod::arm),
               acceleration = worst_of(study, InertiaMethod::acceleration);
   double formulas = 0;
-  for (const UniformityRow& row : study.rows) {
+  for (const UniformityRow& row : study.rows)
     if (row.method == InertiaMethod::none) formulas = std::max(formulas, row.formula_error);
-  }
   std::vector<std::string> answer{
       "Uncompensated, stiffness is off by up to " + percent(none.stiffness) + " and torque by up to " +
           number(none.torque_over, 2) + " times what is told; " +

@@ -112,10 +112,9 @@ UniformityStudy study_uniformity(const DeviceDesc& device, const StrikePath& pat
   study.true_acceleration = with_true_acceleration(bodies, device, path.held);
   study.late = study_late_compensation(bodies, device, study.hand, {kLateJerks.begin(), kLateJerks.end()});
   for (const InertiaMethod method : kMethods) {
-    for (const double stiffness : kStiffnesses) {
+    for (const double stiffness : kStiffnesses)
       for (int i = 0; i < kPlaces; ++i)
         study.rows.push_back({.method = method, .place = place_of(i), .stiffness = stiffness});
-    }
   }
   for_each_piece(
       study.rows.size(), 0,

@@ -22,9 +22,8 @@ std::string number(double value) {
 
 std::vector<std::string> methods(const WorkStudy& study) {
   std::vector<std::string> names;
-  for (const WorkPoint& point : study.points) {
+  for (const WorkPoint& point : study.points)
     if (std::find(names.begin(), names.end(), point.method) == names.end()) names.push_back(point.method);
-  }
   return names;
 }
 
@@ -82,9 +81,8 @@ report::Table order_table(const WorkStudy& study) {
       {}};
   for (const WorkPoint& point : study.points) {
     std::string expected;
-    for (const auto& [method, order] : study.expected_order) {
+    for (const auto& [method, order] : study.expected_order)
       if (method == point.method) expected = number(order);
-    }
     table.rows.push_back({point.method, number(point.value), number(point.error), number(point.cpu_us),
                           point.order == 0 ? "" : number(point.order), expected});
   }
@@ -98,9 +96,8 @@ double advantage(const WorkStudy& study, const std::string& method) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const WorkPoint& paid : points_of(study, study.baseline)) {
     double best = 0;
-    for (const WorkPoint& point : ours) {
+    for (const WorkPoint& point : ours)
       if (point.cpu_us <= paid.cpu_us && (best == 0 || point.error < best)) best = point.error;
-    }
     if (best > 0) smallest = std::min(smallest, paid.error / best);
   }
   return std::isfinite(smallest) ? smallest : 0.0;
@@ -152,9 +149,8 @@ report::Table work_table(const std::vector<WorkStudy>& studies) {
     for (const std::string& method : methods(study)) {
       const WorkPoint finest = points_of(study, method).back();
       std::string expected;
-      for (const auto& [name, order] : study.expected_order) {
+      for (const auto& [name, order] : study.expected_order)
         if (name == method) expected = number(order);
-      }
       table.rows.push_back({study.truth, method, study.parameter + " " + number(finest.value),
                             number(finest.error) + (study.error_unit.empty() ? "" : " " + study.error_unit),
                             number(finest.cpu_us), finest.order == 0 ? "" : number(finest.order), expected});

@@ -31,9 +31,8 @@ std::optional<std::string> refuse_option(const CLI::App& program) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   const CLI::App& command = chosen.empty() ? program : *chosen.front();
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
+  for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
   const std::vector<std::string_view> known(names.begin(), names.end());
   const std::string called = chosen.empty() ? "fulcrum" : "fulcrum " + command.get_name();
   for (const std::string& left : program.remaining(true)) {

@@ -42,9 +42,8 @@ void print_table(const report::Table& table) {
   };
   std::vector<std::size_t> width;
   for (const std::string& cell : table.head) width.push_back(letters(cell));
-  for (const auto& row : table.rows) {
+  for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], letters(row[i]));
-  }
   const auto print = [&](const std::vector<std::string>& row, bool head) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i)

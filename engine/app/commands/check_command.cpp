@@ -30,7 +30,7 @@ int check_command(const std::vector<std::string>& files, bool json) {
   for (const std::string& file : files) {
     const scenario::Faults faults = faults_of(file);
     good = good && faults.empty();
-    for (const scenario::Fault& fault : faults) {
+    for (const scenario::Fault& fault : faults)
       if (json)
         all.push_back({{"file", fault.file},
                        {"line", fault.line},
@@ -38,7 +38,6 @@ int check_command(const std::vector<std::string>& files, bool json) {
                        {"sentence", fault.sentence}});
       else
         std::printf("%s\n", fault.text().c_str());
-    }
     if (!json && faults.empty()) std::printf("%s: good\n", file.c_str());
   }
   if (json) std::printf("%s\n", all.dump(2).c_str());

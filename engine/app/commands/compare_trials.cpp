@@ -101,17 +101,15 @@ analysis::compare::Comparison described(const Prepared& prepared, const CompareO
           .bad;
   comparison.tape = options.tape;
   if (options.tape.empty()) comparison.hand = options.hand;
-  for (const scenario::HandScript& hand : prepared.haptic.hands) {
+  for (const scenario::HandScript& hand : prepared.haptic.hands)
     if (options.tape.empty() && hand.name == options.hand) comparison.yields = hand.desc.yields;
-  }
   const CouplingDesc& coupling = prepared.haptic.scene.coupling;
   comparison.built = {{"coupling", number_text(coupling.stiffness) + " N/m up to " +
                                        number_text(coupling.max_force) + " N, " +
                                        number_text(coupling.angular_stiffness) + " N m/rad up to " +
                                        number_text(coupling.max_torque) + " N m"}};
-  for (const BuiltPart& part : world.parts()) {
+  for (const BuiltPart& part : world.parts())
     if (part.name == "torque substitution") comparison.built.push_back({part.name, part.what});
-  }
   return comparison;
 }
 

@@ -84,10 +84,9 @@ Json means_json(const std::vector<analysis::hardness::DirectionMeans>& means) {
 
 Json to_json(const analysis::hardness::HardnessStudy& study) {
   Json methods = Json::array();
-  for (const analysis::hardness::PulseMethod method : analysis::hardness::kUsableMethods) {
+  for (const analysis::hardness::PulseMethod method : analysis::hardness::kUsableMethods)
     for (const double phi_deg : analysis::hardness::kPhis)
       methods.push_back(to_json(analysis::hardness::summary_of(study, method, phi_deg)));
-  }
   Json in_the_tick = Json::array();
   for (const analysis::hardness::TickMethod& t : study.in_the_tick)
     in_the_tick.push_back({{"method", analysis::hardness::name_of(t.method)},

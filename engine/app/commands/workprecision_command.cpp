@@ -40,15 +40,13 @@ std::optional<analysis::workprecision::PipingParts> piping_parts() {
   const Result<scenario::LoadedModels> models = scenario::load_models(*piping);
   if (!models) return std::nullopt;
   analysis::workprecision::PipingParts parts;
-  for (std::size_t i = 0; i < piping->models.size(); ++i) {
+  for (std::size_t i = 0; i < piping->models.size(); ++i)
     if (piping->models[i].role == scenario::ModelRole::scene)
       parts.scene_W = to_triangle_mesh(models->models[i]);
-  }
   parts.tool_T = models->tool_T.mesh;
-  for (const scenario::HandEntry& hand : piping->hands) {
+  for (const scenario::HandEntry& hand : piping->hands)
     if (hand.name == "expert" && !hand.waypoints.empty())
       parts.X_WT = hand.waypoints.back().X_WT * Pose{Quat::Identity(), models->p_MT};
-  }
   parts.p_TC = piping->tool.touch_point - models->p_MT;
   return parts;
 }

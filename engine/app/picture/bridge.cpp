@@ -56,9 +56,8 @@ std::string variant_text(const TorqueRecord& cues) {
 }
 
 std::string stop_reason(std::uint32_t faults) {
-  for (const FaultName& fault : fault_names()) {
+  for (const FaultName& fault : fault_names())
     if ((fault.bit & kStoppingFaults & faults) != 0) return fault.sentence;
-  }
   return {};
 }
 

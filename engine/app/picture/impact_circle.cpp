@@ -23,9 +23,8 @@ constexpr std::uint32_t kEveryLayer = ~0U;
 glm::mat4 affine(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& p) {
   glm::mat4 M(1.0F);
   const Vec3 columns[] = {x, y, z, p};
-  for (int column = 0; column < 4; ++column) {
+  for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row) M[column][row] = static_cast<float>(columns[column][row]);
-  }
   return M;
 }
 

@@ -113,9 +113,8 @@ SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) 
 std::optional<Error> refuse_hand(const scenario::Scenario& scenario, const std::string& scenario_name,
                                  const std::string& hand) {
   std::vector<std::string_view> known{"still"};
-  for (const scenario::HandEntry& entry : scenario.hands) {
+  for (const scenario::HandEntry& entry : scenario.hands)
     if (entry.name != "still") known.push_back(entry.name);
-  }
   if (std::ranges::find(known, hand) != known.end()) return std::nullopt;
   return Error{"The scenario '" + scenario_name + "' has no hand " + scenario::in_quotes(hand) +
                scenario::did_you_mean(hand, known, "it has " + scenario::joined(known) + ".")};
@@ -154,9 +153,8 @@ Result<std::unique_ptr<ReplayDevice>> replay_device(const Prepared& prepared, co
   if (!motion) return motion.error();
   const SceneDesc& scene = prepared.haptic.scene;
   if (std::abs(motion->tick_s - scene.tick_s) > 1e-9) return another_rate(file, 1 / motion->tick_s);
-  if (motion->space == record::HandleMotion::Space::scene) {
+  if (motion->space == record::HandleMotion::Space::scene)
     for (DeviceSample& sample : motion->samples) sample.X_DH = scene.mapping.handle_in_device(sample.X_DH);
-  }
   return std::make_unique<ReplayDevice>(scene.device, std::move(motion->samples));
 }
 

@@ -89,9 +89,8 @@ record::TraceColumns trace_columns(const World& world, const scenario::TaskDesc&
   RecordNames names;
   for (int motor = 0; motor < Actuators::count(device); ++motor)
     names.motors.push_back(Actuators::name(device, motor));
-  if (device.vibrotactile) {
+  if (device.vibrotactile)
     for (const ChannelDesc& channel : device.vibrotactile->channels) names.channels.push_back(channel.name);
-  }
   const TickRecord record = world.blank_record();
   record::TraceRow like{record};
   if (task.hard_touch) like.hard_touches = 0;

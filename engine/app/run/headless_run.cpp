@@ -58,10 +58,9 @@ void report_live(const LiveLoop& loop) {
                static_cast<unsigned long long>(loop.late_ticks()),
                static_cast<unsigned long long>(loop.lost_ticks()));
   const LateHistogram& histogram = loop.late_histogram();
-  for (std::size_t i = 0; i < histogram.size(); ++i) {
+  for (std::size_t i = 0; i < histogram.size(); ++i)
     if (histogram[i] > 0)
       std::fprintf(stderr, "  <%llu us: %llu", 1ULL << i, static_cast<unsigned long long>(histogram[i]));
-  }
   std::fputc('\n', stderr);
 }
 

@@ -44,12 +44,11 @@ void PenetrationMeter::thin() {
   every_ticks_ *= 2;
   std::vector<Moment> kept;
   kept.reserve(moments_.size() / 2 + 1);
-  for (const Moment& moment : moments_) {
+  for (const Moment& moment : moments_)
     if (kept.empty() || moment.tick / every_ticks_ != kept.back().tick / every_ticks_)
       kept.push_back(moment);
     else if (moment.field_depth > kept.back().field_depth)
       kept.back() = moment;
-  }
   moments_ = std::move(kept);
 }
 
@@ -104,9 +103,8 @@ private:
     const std::size_t part = moments_.size() / kSeeds + 1;
     for (std::size_t begin = 0; begin < moments_.size(); begin += part) {
       std::size_t deepest = begin;
-      for (std::size_t i = begin; i < std::min(begin + part, moments_.size()); ++i) {
+      for (std::size_t i = begin; i < std::min(begin + part, moments_.size()); ++i)
         if (moments_[i].field_depth > moments_[deepest].field_depth) deepest = i;
-      }
       seeds.push_back(deepest);
     }
     std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {

@@ -76,12 +76,11 @@ void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& 
     std::printf("%s in %.1f s.\n", bold("Completed").c_str(), summary.completion_time_s.value_or(0));
   else
     std::printf("%s after %.1f s.\n", bold("Not completed").c_str(), outcome.time_s);
-  for (const record::CheckpointResult& checkpoint : summary.checkpoints) {
+  for (const record::CheckpointResult& checkpoint : summary.checkpoints)
     if (checkpoint.reached_s)
       std::printf("  %-24s %6.1f s\n", checkpoint.name.c_str(), *checkpoint.reached_s);
     else
       std::printf("  %-24s %s\n", checkpoint.name.c_str(), dim("not reached").c_str());
-  }
   std::printf("  peak force of contact %.2f N, rendered %.2f N; deepest penetration %.3f mm%s\n",
               summary.peak_force_N, summary.peak_force_rendered_N,
               1e3 * summary.max_penetration_m.value_or(0), where_deepest(summary).c_str());

@@ -290,11 +290,10 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   state.message = message(sink);
   state.keys_visible = keys_visible_;
   state.keys = key_lines(state, circle_);
-  if (mouse_ != nullptr) {
+  if (mouse_ != nullptr)
     for (const char* line : input::mouse_help()) state.mapping.emplace_back(line);
-  } else {
+  else
     state.mapping = {"Drag: look around", "Shift + drag: move the view", "Wheel: zoom"};
-  }
   return state;
 }
 

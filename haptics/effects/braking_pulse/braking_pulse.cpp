@@ -15,9 +15,8 @@ BrakingPulse::BrakingPulse(const BrakingPulseDesc& desc, const MappingDesc& mapp
 void BrakingPulse::strike(const Tick& tick, const Impact& impact) noexcept {
   double speed = impact.speed;
   // Two blows against each other, of a tool that turns, leave each other what they have.
-  for (const Pulse& pulse : pulses_) {
+  for (const Pulse& pulse : pulses_)
     if (pulse.left > 0) speed -= pulse.speed * std::max(0.0, pulse.nhat_W.dot(impact.nhat_W));
-  }
   if (!(speed > 0)) return;
   pulses_[next_] = {tick.X_WG.inverse() * impact.p_W, impact.nhat_W, speed, desc_.ticks};
   next_ = (next_ + 1) % kMax;
@@ -30,9 +29,8 @@ BrakingPulse::Demand BrakingPulse::process(const Tick& tick) noexcept {
     const Vec3 v_W = tick.V_WG.v + tick.V_WG.w.cross(Vec3(p_W - tick.X_WG.p));
     if (!tick.engaged || !(v_W.dot(pulse.nhat_W) < 0)) pulse.left = 0;
   }
-  if (tick.engaged && record_.gain > 0) {
+  if (tick.engaged && record_.gain > 0)
     for (const Impact& impact : tick.impacts) strike(tick, impact);
-  }
 
   Demand demand;
   const Quat q_DW = mapping_.X_WD.q.conjugate();

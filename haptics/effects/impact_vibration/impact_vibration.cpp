@@ -22,9 +22,8 @@ ImpactVibration::ImpactVibration(const ImpactVibrationDesc& desc, const ImpactSu
 Wrench ImpactVibration::process(std::span<const Impact> impacts, const Vec3& p_WH, bool engaged) noexcept {
   const double gain = engaged ? record_.gain : 0.0;
   const Wrench F_H_D = voices_.next() * gain_.towards(gain);
-  if (gain > 0) {
+  if (gain > 0)
     for (const Impact& impact : impacts) start(impact, p_WH);
-  }
   record_.voices = static_cast<std::int32_t>(voices_.sounding());
   record_.dropped = voices_.dropped();
   return F_H_D;
@@ -41,9 +40,8 @@ void ImpactVibration::start(const Impact& impact, const Vec3& p_WH) noexcept {
 
   VibrationModes modes;
   for (const VibrationModes all = vibration_modes(desc_.distance, material.frequency_Hz, r, around_.reach);
-       const VibrationModes::Mode& mode : std::span(all.modes).first(all.count)) {
+       const VibrationModes::Mode& mode : std::span(all.modes).first(all.count))
     if (mode.frequency_Hz <= around_.highest_Hz) modes.modes[modes.count++] = mode;
-  }
   Wrench amplitude_W;
   if (!turns || desc_.render == ImpactRender::wrench) amplitude_W.force = f * impact.nhat_W;
   if (turns) amplitude_W.torque = f * lever_W;

@@ -23,11 +23,10 @@ public:
     still_ += tick_s_;
     const int towards = sign_ != 0 ? sign_ : (x > mark_ ? 1 : -1);
     if (towards * (x - far_) > 0) far_ = x;
-    if (towards * (x - far_) <= -least_) {
+    if (towards * (x - far_) <= -least_)
       go(-towards, x);
-    } else if (towards * (x - mark_) >= least_) {
+    else if (towards * (x - mark_) >= least_)
       go(towards, x);
-    }
     return still_ < kRest ? sign_ : 0;
   }
 

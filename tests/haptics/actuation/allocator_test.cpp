@@ -287,9 +287,8 @@ TEST(Allocator, SaturationKeepsTheDirections) {
         largest = std::max(largest, std::abs(motors.load(m, motors.taken()[m])));
       EXPECT_NEAR(largest, 1, 1e-9);
       EXPECT_NEAR(allocation.F_H_D.force.normalized().dot(wanted.force.normalized()), 1, 1e-9);
-      if (device.renders_torque && allocation.F_H_D.torque.norm() > 1e-9) {
+      if (device.renders_torque && allocation.F_H_D.torque.norm() > 1e-9)
         EXPECT_NEAR(allocation.F_H_D.torque.normalized().dot(wanted.torque.normalized()), 1, 1e-9);
-      }
     }
   }
 }

@@ -55,13 +55,9 @@ TEST(FieldBake, NeverOverestimatesByMoreThanItStates) {
       beyond_local += std::abs(found.distance - truth) > field->local_error_m(p) ? 1 : 0;
     } else {
       ASSERT_LE(std::abs(found.distance), std::abs(truth) + field->local_error_m(p) + 1e-9) << p.transpose();
-      if (std::abs(found.distance) > 0.0) {
-        ASSERT_EQ(found.distance > 0.0, truth > 0.0) << p.transpose();
-      }
+      if (std::abs(found.distance) > 0.0) ASSERT_EQ(found.distance > 0.0, truth > 0.0) << p.transpose();
     }
-    if (std::abs(truth) < field->band_m() - field->local_error_m(p)) {
-      ASSERT_TRUE(found.in_band);
-    }
+    if (std::abs(truth) < field->band_m() - field->local_error_m(p)) ASSERT_TRUE(found.in_band);
   }
   EXPECT_GT(in_band, 30000);
   EXPECT_LE(beyond_local, in_band / 1000);

@@ -75,10 +75,9 @@ std::vector<Vec3> surface_points(const std::vector<Box>& boxes, double step) {
 // that.
 double sampled(const std::vector<Box>& mine, const std::vector<Box>& theirs, const Pose& X, double step) {
   double deepest = 0;
-  for (const Vec3& p : surface_points(mine, step)) {
+  for (const Vec3& p : surface_points(mine, step))
     for (const Box& box : theirs)
       deepest = std::max(deepest, -shapes::box_distance(X * p, box.low, box.high));
-  }
   return deepest;
 }
 
@@ -171,11 +170,10 @@ TEST(OverlapDepth, BoundsHoldWhateverTheLimits) {
     EXPECT_GE(short_of_work.bound, depth - 1e-8) << i;
     const DeepestOverlap above = scene->at(X_WT, {.above = 1.5e-3, .tolerance = 1e-8});
     EXPECT_GE(above.bound, depth - 1e-8);
-    if (depth > 1.5e-3 + 1e-8) {
+    if (depth > 1.5e-3 + 1e-8)
       EXPECT_NEAR(above.depth, depth, 2e-8);
-    } else if (depth < 1.5e-3) {
+    else if (depth < 1.5e-3)
       EXPECT_EQ(above.depth, 0.0);
-    }
   }
 }
 
@@ -183,9 +181,8 @@ TEST(OverlapDepth, BoundsHoldWhateverTheLimits) {
 double nearest_sampled(const std::vector<Box>& mine, const std::vector<Box>& theirs, const Pose& X,
                        double step) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : surface_points(mine, step)) {
+  for (const Vec3& p : surface_points(mine, step))
     for (const Box& box : theirs) nearest = std::min(nearest, shapes::box_distance(X * p, box.low, box.high));
-  }
   return nearest;
 }
 

@@ -30,9 +30,8 @@ TEST(PointshellBake, CoversTheSurfaceWithinWhatItStates) {
   ASSERT_TRUE(shell) << shell.error().sentence;
   EXPECT_LT(shell->covering_radius_m, 2e-3);
   double farthest = 0.0;
-  for (const SurfacePoint& sample : sample_surface(solid.mesh, 1e-6, 99).points) {
+  for (const SurfacePoint& sample : sample_surface(solid.mesh, 1e-6, 99).points)
     farthest = std::max(farthest, nearest(*shell, sample.position));
-  }
   EXPECT_LE(farthest, shell->covering_radius_m);
   EXPECT_GT(farthest, 0.85 * shell->covering_radius_m);
 }
@@ -58,9 +57,8 @@ TEST(PointshellBake, KeepsCornersAndEdges) {
   }
   for (double s = 0.0; s <= 1.0; s += 0.01) {
     double least = 1e9;  // to a point that lies on the edge itself
-    for (const Vec3& q : shell->positions) {
+    for (const Vec3& q : shell->positions)
       if (q.y() == 0.0 && q.z() == 0.0) least = std::min(least, std::abs(q.x() - s * size.x()));
-    }
     EXPECT_LE(least, 1e-3 + 1e-12);
   }
 }

@@ -89,9 +89,8 @@ TEST(RepairFuzz, BoxesOnALatticeMakeADistance) {
       const auto step = [&](unsigned n) { return static_cast<double>(random() % n); };
       const Vec3 low(step(3), step(3), step(3)), size(1 + step(2), 1 + step(2), 1 + step(2));
       TriangleMesh box = shapes::grid_box(low, low + size, 1 + static_cast<std::uint32_t>(random() % 4));
-      if (random() % 4 == 0) {
+      if (random() % 4 == 0)
         for (Triangle& t : box.triangles) std::swap(t[0], t[1]);
-      }
       shapes::append(mesh, box);
     }
     const double deletions = 0.1 * std::pow(unit(random), 2), flips = seed % 2 == 0 ? 0.0 : unit(random);

@@ -36,9 +36,12 @@ void flip(Triangle& t) {
 }
 
 void remove_near(TriangleMesh& mesh, const Vec3& place, double radius) {
-  std::erase_if(mesh.triangles, [&](const Triangle& t) {
-    return ((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0 - place).norm() < radius;
-  });
+  std::erase_if(
+      mesh.triangles,
+      [&](const Triangle& t) {
+        return ((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0 - place).norm() <
+               radius;
+      });
 }
 
 TEST(Repair, SoundSurfacesAreLeftAsTheyAre) {
@@ -88,9 +91,8 @@ TEST(Repair, AMissingFaceIsRefused) {
 TEST(Repair, FlippedTrianglesAreTurned) {
   TriangleMesh mesh = fine_box();
   std::mt19937_64 random(3);
-  for (Triangle& t : mesh.triangles) {
+  for (Triangle& t : mesh.triangles)
     if (random() % 3 == 0) flip(t);
-  }
   const Solid solid = repaired(mesh);
   expect_the_box(solid);
   EXPECT_TRUE(tells(solid, "wound against the rest and have been turned")) << all_notes(solid);
@@ -100,9 +102,8 @@ TEST(Repair, FlippedTrianglesAboutAHoleAreTurned) {
   TriangleMesh mesh = fine_box();
   remove_near(mesh, Vec3(0.04, 0, 0), 0.006);
   std::mt19937_64 random(4);
-  for (Triangle& t : mesh.triangles) {
+  for (Triangle& t : mesh.triangles)
     if (random() % 4 != 0) flip(t);
-  }
   expect_the_box(repaired(mesh));
 }
 

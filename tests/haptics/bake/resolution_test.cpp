@@ -57,9 +57,7 @@ TEST(Resolution, TheWantedErrorChoosesTheVoxelAndIsKept) {
     for (const Vec3& p : ball.mesh.vertices) kept += std::abs(field->distance(p)) <= 1.05 * error ? 1 : 0;
     EXPECT_GE(static_cast<double>(kept), 0.93 * static_cast<double>(ball.mesh.vertices.size()));
     EXPECT_GT(field->voxel_m(), 0.7 * std::sqrt(4.0 * R * error));  // no finer than it has to be
-    if (before > 0.0) {
-      EXPECT_NEAR(field->voxel_m() / before, 0.5, 0.12);
-    }
+    if (before > 0.0) EXPECT_NEAR(field->voxel_m() / before, 0.5, 0.12);
     before = field->voxel_m();
   }
 }

@@ -131,9 +131,7 @@ TEST(SelfCrossing, AKnottedTubeIsAUnion) {
   int beside_swallowed = 0;
   for (const Vec3& p : places_about(solid, 3000)) {
     const double outside = off_line(p) - kTube, found = exact.signed_distance(p);
-    if (std::abs(outside) > 1e-4) {
-      ASSERT_EQ(found < 0.0, outside < 0.0) << p.transpose();
-    }
+    if (std::abs(outside) > 1e-4) ASSERT_EQ(found < 0.0, outside < 0.0) << p.transpose();
     if (outside > 0.0) {
       ASSERT_NEAR(found, outside, 1e-4) << p.transpose();
       continue;
@@ -160,11 +158,10 @@ TEST(SelfCrossing, BoxesWeldedWhereTheyOverlapAreAUnion) {
   for (const Vec3& p : places_about(solid, 6000)) {
     const double truth =
         std::min(shapes::box_distance(p, Vec3::Zero(), a1), shapes::box_distance(p, Vec3::Zero(), b1));
-    if (truth > 0.0) {
+    if (truth > 0.0)
       ASSERT_NEAR(exact.signed_distance(p), truth, 1e-12) << p.transpose();
-    } else {
+    else
       ASSERT_LE(exact.signed_distance(p), 1e-12) << p.transpose();
-    }
   }
 }
 

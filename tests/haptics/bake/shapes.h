@@ -93,11 +93,10 @@ inline TriangleMesh grid_box(const Vec3& low, const Vec3& high, std::uint32_t n)
       for (std::uint32_t i = 0; i < n; ++i) {
         for (std::uint32_t j = 0; j < n; ++j) {
           const std::uint32_t a = first + i * (n + 1) + j, b = a + n + 1;
-          if (upper) {
+          if (upper)
             mesh.triangles.insert(mesh.triangles.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
-          } else {
+          else
             mesh.triangles.insert(mesh.triangles.end(), {{a, b + 1, b}, {a, a + 1, b + 1}});
-          }
         }
       }
     }

@@ -22,9 +22,8 @@ inline Solid repaired(const TriangleMesh& mesh) {
 }
 
 inline bool tells(const Solid& solid, const std::string& words) {
-  for (const std::string& note : solid.notes) {
+  for (const std::string& note : solid.notes)
     if (note.find(words) != std::string::npos) return true;
-  }
   return false;
 }
 
@@ -69,11 +68,10 @@ inline void expect_field(const Solid& solid, const Truth& truth, double voxel) {
   ASSERT_TRUE(field) << field.error().sentence;
   for (const Vec3& p : places_about(solid, 6000)) {
     const FieldSample found = field->sample(p);
-    if (found.in_band) {
+    if (found.in_band)
       ASSERT_NEAR(found.distance, truth(p), 0.87 * voxel) << p.transpose();
-    } else if (std::abs(found.distance) > voxel) {
+    else if (std::abs(found.distance) > voxel)
       ASSERT_EQ(found.distance < 0.0, truth(p) < 0.0) << p.transpose();
-    }
   }
 }
 

@@ -218,9 +218,8 @@ TEST(ImpactDetector, PlaceGoesAlongWithTheRegionOverTheTool) {
 
 std::vector<Vec3> face(double half, double spacing) {
   std::vector<Vec3> points;
-  for (double x = -half; x <= half + 1e-9; x += spacing) {
+  for (double x = -half; x <= half + 1e-9; x += spacing)
     for (double z = -half; z <= half + 1e-9; z += spacing) points.emplace_back(x, 0, z);
-  }
   return points;
 }
 
@@ -324,10 +323,9 @@ TEST(ImpactDetector, AsManyContactsAsThereCanBeStrikeOnce) {
 // 25 feet of eight points each: more places than the feet that were remembered last.
 TEST(ImpactDetector, ManyFeetThatStandAreNotStruckAgain) {
   std::vector<Vec3> points;
-  for (int foot = 0; foot < 25; ++foot) {
+  for (int foot = 0; foot < 25; ++foot)
     for (int i = 0; i < 8; ++i)
       points.emplace_back(0.05 * (foot % 5) + 7e-3 * (i % 4), 0, 0.05 * (foot / 5) + 7e-3 * (i / 4));
-  }
   Led led(floor(), points);
   led.at(0.01);
   EXPECT_EQ(led.at(-1e-5).size(), 25u);

@@ -82,9 +82,7 @@ TEST(Penalty, PlacesFarApartAreASpringEachAndMeetSmoothly) {
     add_patch(set, -0.5 * apart, 1e-3, 2);
     add_patch(set, 0.5 * apart, 1e-3, 2);
     const double now = force(set);
-    if (apart > 0) {
-      EXPECT_LT(std::abs(now - before), 0.02 * 0.2) << apart;
-    }
+    if (apart > 0) EXPECT_LT(std::abs(now - before), 0.02 * 0.2) << apart;
     before = now;
   }
   EXPECT_NEAR(before, 2 * force([] {

@@ -233,14 +233,12 @@ TEST_F(Targets, AreSafeWithWhatIsNotANumber) {
       spheres.x[0] = spheres.x[1] = spheres.x[2] = 0.0f;
       if (pose % 4 == 1) walk.shift[1] = static_cast<double>(odd[static_cast<std::size_t>(pose) / 4]);
       if (pose % 4 == 2) walk.turn[4] = static_cast<double>(odd[static_cast<std::size_t>(pose) / 4]);
-      for (std::size_t i = 0; i < tree.patches.size() * kBlock; ++i) {
+      for (std::size_t i = 0; i < tree.patches.size() * kBlock; ++i)
         ASSERT_FALSE(std::isnan(test::look_up(walk, i / kBlock, i % kBlock).distance));
-      }
-      if (pose % 4 == 0 || pose % 4 == 3) {
+      if (pose % 4 == 0 || pose % 4 == 3)
         ASSERT_TRUE(walked(walk) == expected(walk)) << hwy::TargetName(target) << ", pose " << pose;
-      } else {
+      else
         walked(walk);
-      }
     }
   }
 }

@@ -76,9 +76,7 @@ TEST(HoldingStrip, TheSameSeedIsTheSameStripWhateverTheFingerDoes) {
   bool differs = false;
   for (int i = 0; i < 5000; ++i) {
     const double pressed = a.advance(0.1, 2), seldom = b.advance(0.1, i % 100 == 0 ? 0 : 2);
-    if (i % 100 != 0) {
-      EXPECT_EQ(pressed, seldom) << i;
-    }
+    if (i % 100 != 0) EXPECT_EQ(pressed, seldom) << i;
     differs = differs || other.advance(0.1, 2) != pressed;
   }
   EXPECT_TRUE(differs);

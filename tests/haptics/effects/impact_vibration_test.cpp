@@ -63,9 +63,7 @@ TEST(ImpactVibration, BeginsInTheNextTickAndIsTheClosedForm) {
     const double g = std::exp(-5 * i * kTick) * std::sin(w * i * kTick);
     ASSERT_NEAR((F.force - 0.01 * 0.2 * g * n).norm(), 0, 1e-15) << i;
     ASSERT_NEAR((F.torque - 0.01 * 0.2 * g * p.cross(n)).norm(), 0, 1e-16) << i;
-    if (i == 1) {
-      EXPECT_GT(F.torque.norm(), 0);
-    }
+    if (i == 1) EXPECT_GT(F.torque.norm(), 0);
   }
 }
 
@@ -210,9 +208,7 @@ TEST(ImpactVibration, FiveImpactsWithinTwentyMillisecondsAllSound) {
     const bool now = tick % 4 == 0 && tick < 20;
     const Wrench F = made.process({&impact, now ? 1u : 0u}, Vec3::Zero());
     ASSERT_NEAR((F.force - sum.force).norm() + (F.torque - sum.torque).norm(), 0, 1e-15);
-    if (tick >= 16 && tick < 100) {
-      EXPECT_EQ(made.record().voices, 5);
-    }
+    if (tick >= 16 && tick < 100) EXPECT_EQ(made.record().voices, 5);
   }
   EXPECT_EQ(made.record().dropped, 0);
 }

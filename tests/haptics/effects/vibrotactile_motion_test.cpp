@@ -126,9 +126,7 @@ TEST(VibrotactileMotion, LevelsAreTheLawsAtEachUpdate) {
               ++updates;
               EXPECT_NEAR(m.cues.command.level[0], law[0], 0.01 * desc.strength) << speed << ' ' << m.x;
               EXPECT_NEAR(m.cues.command.level[1], law[1], 0.01 * desc.strength) << speed << ' ' << m.x;
-              if (last >= 0) {
-                EXPECT_LT(m.time - last, std::max(0.01, tick_s) + tick_s);
-              }
+              if (last >= 0) EXPECT_LT(m.time - last, std::max(0.01, tick_s) + tick_s);
               last = m.time;
             }
             if (!in) {
@@ -228,22 +226,14 @@ TEST(VibrotactileMotion, LiftedOffOrAtRestItIsSilent) {
        swept(desc, 1e-3, 0.3, sweep, [](double t) { return t < 0.08 || (t > 0.11 && t < 0.15); })) {
     const bool touching = m.time < 0.08 || (m.time > 0.11 && m.time < 0.15);
     const double sum = m.cues.command.level[0] + m.cues.command.level[1];
-    if (!touching) {
-      EXPECT_EQ(sum, 0) << m.time;
-    }
-    if (touching && m.x > 0) {
-      EXPECT_GT(sum, 0.9 * desc.strength) << m.time;
-    }
+    if (!touching) EXPECT_EQ(sum, 0) << m.time;
+    if (touching && m.x > 0) EXPECT_GT(sum, 0.9 * desc.strength) << m.time;
   }
   const auto halted = [](double t) { return std::min(0.05 * t, 5e-3) - 1e-3; };
   for (const Moment& m : swept(desc, 1e-3, 0.4, halted)) {
     const double sum = m.cues.command.level[0] + m.cues.command.level[1];
-    if (m.time > 0.1 + SweepDirection::kRest + 2e-3) {
-      EXPECT_EQ(sum, 0) << m.time;
-    }
-    if (m.time > 0.021 && m.time < 0.1 + SweepDirection::kRest - 4e-3) {
-      EXPECT_GT(sum, 0) << m.time;
-    }
+    if (m.time > 0.1 + SweepDirection::kRest + 2e-3) EXPECT_EQ(sum, 0) << m.time;
+    if (m.time > 0.021 && m.time < 0.1 + SweepDirection::kRest - 4e-3) EXPECT_GT(sum, 0) << m.time;
   }
 }
 
@@ -287,15 +277,10 @@ TEST(VibrotactileMotion, TheForceIsAgainstTheSweepInItsWindow) {
     for (const Moment& m :
          swept(desc, 1e-3, 0.04 / v, [&](double t) { return speed * t - std::copysign(0.02, speed); })) {
       const double s = m.x * (speed > 0 ? 1 : -1), ramp = 0.0101 * v + 1e-9;
-      if (m.time > 0.01) {
-        EXPECT_LE(m.cues.force * speed, 0);
-      }
-      if (s > ramp && s < kWindow) {
+      if (m.time > 0.01) EXPECT_LE(m.cues.force * speed, 0);
+      if (s > ramp && s < kWindow)
         EXPECT_NEAR(m.cues.force, -std::clamp(speed / 0.1, -1.0, 1.0) * 2, 1e-9) << speed << ' ' << s;
-      }
-      if (s < -1e-9 || s > kWindow + ramp) {
-        EXPECT_EQ(m.cues.force, 0) << speed << ' ' << s;
-      }
+      if (s < -1e-9 || s > kWindow + ramp) EXPECT_EQ(m.cues.force, 0) << speed << ' ' << s;
     }
   }
 }

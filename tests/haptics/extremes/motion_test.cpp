@@ -32,9 +32,8 @@ TEST_P(EveryResponseThatRests, TenMetresASecondStopAtTheFloor) {
     EXPECT_GT(fastest, 9) << "it flies";
     EXPECT_LT(deepest, 2e-3);
     EXPECT_GT(result.record.X_WT.p.y(), 0.008) << "it stands on the floor";
-    if (!massless(GetParam())) {  // without mass a tick's rounds go to the floor and stop there by themselves
+    if (!massless(GetParam()))  // without mass a tick's rounds go to the floor and stop there by themselves
       EXPECT_TRUE(faults & kMotionLimited);
-    }
     EXPECT_FALSE(faults & kStoppingFaults);
   }
 }
@@ -48,11 +47,10 @@ TEST_P(EveryResponseThatRests, SamplesThatComeTwiceLateOrNotAtAllComeToRest) {
                                 },
                                 // Eight ticks without a sample, then one.
                                 [last = DeviceSample{}](SimulatedDevice& device, int tick) mutable {
-                                  if (tick % 100 >= 8 || tick == 0) {
+                                  if (tick % 100 >= 8 || tick == 0)
                                     last = device.read();
-                                  } else {
+                                  else
                                     last.age += 1e-3;
-                                  }
                                   return last;
                                 },
                                 // A tick that takes two or three: the command is held.
@@ -104,9 +102,8 @@ TEST_P(EveryResponse, HalfATurnAtOnceWindsUpAndComesBack) {
         torque = std::max(torque, result.record.coupling_F_T_W.torque.norm());
       }
       EXPECT_LE(torque, scene.coupling.max_torque * (1 + 1e-12));
-      if (!massless(GetParam())) {  // without mass nothing holds the tool back
+      if (!massless(GetParam()))  // without mass nothing holds the tool back
         EXPECT_GT(torque, 0.5 * scene.coupling.max_torque) << "at half a turn the spring is wound up";
-      }
       EXPECT_LT(rotation_vector(result.record.X_WT.q * turned.q.conjugate()).norm(), 1e-3);
     }
   }

@@ -16,9 +16,8 @@ TEST_P(EveryResponseThatRests, AGapOfAMicrometreComesToRest) {
   const TriangleMesh plates[] = {box_mesh({-0.05, -0.03, -0.05}, {0.05, -0.01, 0.05}),
                                  box_mesh({-0.05, 0.01 + gap, -0.05}, {0.05, 0.03, 0.05})};
   std::vector<Vec3> points;
-  for (const double y : {-0.01, 0.01}) {
+  for (const double y : {-0.01, 0.01})
     for (const Vec3& foot : three_feet()) points.emplace_back(foot.x(), y, foot.z());
-  }
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::implicit_euler}) {
     SceneDesc scene = answering(floor_scene(points, gap / 2));
     scene.scene_field = field_of(joined(plates));
@@ -111,9 +110,8 @@ TEST_P(EveryResponseThatRests, ANeedleIsFeltFromEitherSide) {
 // Answers the last tick.
 TickRecord press_hundred_thousand_points(Integrator integrator, int ticks) {
   std::vector<Vec3> points;
-  for (int i = 0; i < 316; ++i) {
+  for (int i = 0; i < 316; ++i)
     for (int j = 0; j < 317; ++j) points.emplace_back(1e-4 * (i - 158), -0.01, 1e-4 * (j - 158));
-  }
   SceneDesc scene = floor_scene(points, 0.0099);  // every point is in the floor, .1 mm deep
   scene.integrator = integrator;
   World world = expect(World::build(scene));
@@ -123,9 +121,7 @@ TickRecord press_hundred_thousand_points(Integrator integrator, int ticks) {
     EXPECT_TRUE(result.record.X_WT.is_finite() && result.command.F_H_D.is_finite()) << i;
     EXPECT_LT(result.record.depth_max, 2e-4) << i;
     EXPECT_NEAR(result.record.X_WT.p.y(), 0.01, 2e-4) << i;
-    if (i == 0) {
-      EXPECT_TRUE(result.record.faults & kContactsReduced);
-    }
+    if (i == 0) EXPECT_TRUE(result.record.faults & kContactsReduced);
   }
   return result.record;
 }

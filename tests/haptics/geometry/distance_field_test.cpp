@@ -44,9 +44,7 @@ TEST(DistanceField, SphereErrorIsThatOfTrilinearSampling) {
     const double h = 2.4 / (n * kBrickCells);
     const double error = largest_error(filled_field(n, h, function), function);
     EXPECT_NEAR(error, h * h / (4.0 * R), 0.12 * h * h / (4.0 * R));
-    if (previous > 0.0) {
-      EXPECT_NEAR(previous / error, 4.0, 0.3);
-    }
+    if (previous > 0.0) EXPECT_NEAR(previous / error, 4.0, 0.3);
     previous = error;
   }
 }

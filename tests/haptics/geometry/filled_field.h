@@ -24,11 +24,9 @@ inline DistanceField filled_field(int n, double voxel, const Function& function)
     data.slot_error_m.push_back(0.0f);
     const Vec3 corner = data.origin + kBrickCells * voxel * Vec3(b % n, b / n % n, b / n / n);
     for (int k = 0; k < kBrickSide; ++k) {
-      for (int j = 0; j < kBrickSide; ++j) {
-        for (int i = 0; i < kBrickSide; ++i) {
+      for (int j = 0; j < kBrickSide; ++j)
+        for (int i = 0; i < kBrickSide; ++i)
           data.values_float.push_back(static_cast<float>(function(corner + voxel * Vec3(i, j, k))));
-        }
-      }
     }
   }
   return DistanceField(std::move(data));

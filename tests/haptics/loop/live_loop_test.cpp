@@ -19,9 +19,8 @@ void drain(LiveLoop& loop, Done&& done) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   TickEvent event;
   while (std::chrono::steady_clock::now() < deadline) {
-    while (loop.next(event)) {
+    while (loop.next(event))
       if (done(event)) return;
-    }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   FAIL() << "the loop did not get there in a minute";

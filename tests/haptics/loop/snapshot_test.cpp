@@ -56,9 +56,7 @@ TEST(Snapshot, IsWholeAndForwardBetweenThreads) {
   while (!last_round) {
     last_round = done.load(std::memory_order_acquire);
     const Value& value = snapshot.newest();
-    for (const std::uint64_t part : value) {
-      torn += part == value.front() ? 0u : 1u;
-    }
+    for (const std::uint64_t part : value) torn += part == value.front() ? 0u : 1u;
     backwards += value.front() < previous ? 1u : 0u;
     previous = value.front();
   }

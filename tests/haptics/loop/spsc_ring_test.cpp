@@ -52,17 +52,13 @@ TEST(SpscRing, KeepsOrderBetweenThreads) {
     for (std::uint64_t i = 0; i < count; ++i) {
       Value value;
       value.fill(i);
-      while (!ring.push(value)) {
-        std::this_thread::yield();
-      }
+      while (!ring.push(value)) std::this_thread::yield();
     }
   });
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
     Value value{};
-    while (!ring.pop(value)) {
-      std::this_thread::yield();
-    }
+    while (!ring.pop(value)) std::this_thread::yield();
     Value expected;
     expected.fill(i);
     wrong += value == expected ? 0u : 1u;

@@ -140,9 +140,8 @@ TEST(Constraint, FrictionHoldsATwist) {
 // with it what is remembered of them.
 TEST(Constraint, FrictionStaysInItsConeWhileContactsComeAndGo) {
   std::vector<Vec3> plate;
-  for (int i = -7; i <= 7; ++i) {
+  for (int i = -7; i <= 7; ++i)
     for (int j = -7; j <= 7; ++j) plate.emplace_back(2e-3 * i, 0, 2e-3 * j);
-  }
   SceneDesc desc = scene(ContactResponse::constraint, plate);
   desc.coupling = linear_coupling();
   desc.coupling.damping_ratio = 0;

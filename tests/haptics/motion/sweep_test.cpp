@@ -1,6 +1,6 @@
-// Probe and needle across a thick and a thin wall. The spanner's sweeps are in tests/scenarios/piping/sweep_test.cpp;
-// both together are a million when all tests run, and a thousand always: 600, 200 and 200 of each thousand
-// under the responses constraint, quasi_static and penalty.
+// Probe and needle across a thick and a thin wall. The spanner's sweeps are in
+// tests/scenarios/piping/sweep_test.cpp; both together are a million when all tests run, and a thousand
+// always: 600, 200 and 200 of each thousand under the responses constraint, quasi_static and penalty.
 
 #include "tests/haptics/motion/sweep.h"
 

@@ -74,11 +74,10 @@ TEST(CouplingLimits, AreWhereALetGoHandleBeginsToSwing) {
       for (const double part : {0.95, 1.05}) {
         scene.coupling.stiffness = part * limit;
         const Swings swings = swing(scene, 1e-5);
-        if (part < 1) {
+        if (part < 1)
           EXPECT_LT(swings.late, 0.8 * swings.early) << limit;
-        } else {
+        else
           EXPECT_GT(swings.late, 1.2 * swings.early) << limit;
-        }
       }
     }
   }

@@ -258,9 +258,11 @@ TEST(Holding, MethodsSwitchInContactWithoutAStep) {
   });
   expect_no_step(switched, desc, 700, 2600);
   EXPECT_GT(switched.least_port, -1e-4);
-  EXPECT_TRUE(std::ranges::any_of(switched.records, [](const TickRecord& r) {
-    return r.inertia_compensation->torque_D.norm() > 0.01;  // the arm's
-  }));
+  EXPECT_TRUE(std::ranges::any_of(
+      switched.records,
+      [](const TickRecord& r) {
+        return r.inertia_compensation->torque_D.norm() > 0.01;  // the arm's
+      }));
   EXPECT_TRUE(std::ranges::any_of(
       switched.records, [](const TickRecord& r) { return r.inertia_compensation->force_D.norm() > 0.01; }));
 }
@@ -301,9 +303,8 @@ TEST(Holding, LateCompensationFadesBeforeItGivesMoreThanItsBudget) {
         EXPECT_GT(late.least_port, -1e-4) << jerk << ' ' << mass << ' ' << held;
         EXPECT_GT(late.least_by_hand, -1.1e-3) << jerk << ' ' << mass << ' ' << held;
         if (late.faults & kCompensationFaded) ++fades;
-        if (mass == 0.2 && jerk >= 5 && held <= 0.05) {
+        if (mass == 0.2 && jerk >= 5 && held <= 0.05)
           EXPECT_EQ(late.faults & kCompensationFaded, 0u) << jerk << ' ' << held;
-        }
       }
     }
   }

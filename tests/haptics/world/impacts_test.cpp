@@ -60,9 +60,8 @@ TEST_P(Impacts, EachBlowIsFeltFromTheNextTickOn) {
     const double g = amplitude * std::exp(-d * 1e-3 * static_cast<double>(n)) *
                      std::sin(w * 1e-3 * static_cast<double>(n));
     ASSERT_NEAR(F.torque.norm(), kLever * std::abs(g), 0.01 * kLever * amplitude) << n;
-    if (std::abs(g) > 1e-3 * amplitude) {
+    if (std::abs(g) > 1e-3 * amplitude)
       EXPECT_GT(std::abs(F.torque.normalized().dot(axis_D)), std::cos(std::numbers::pi / 180)) << n;
-    }
   }
 }
 

@@ -38,9 +38,8 @@ inline std::vector<TickRecord> knock(const SceneDesc& desc, int times = 1, doubl
 // Ticks with an impact, each as often as there are impacts in it.
 inline std::vector<std::size_t> struck(const std::vector<TickRecord>& records) {
   std::vector<std::size_t> ticks;
-  for (std::size_t i = 0; i < records.size(); ++i) {
+  for (std::size_t i = 0; i < records.size(); ++i)
     for (int k = 0; k < records[i].impact->count; ++k) ticks.push_back(i);
-  }
   return ticks;
 }
 

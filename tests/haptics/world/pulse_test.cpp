@@ -146,9 +146,7 @@ TEST(BrakingPulse, PlacesThatAreStruckTogetherShareTheMomentum) {
   const double wanted = desc.braking_pulse->hand_mass * 0.1 / desc.tick_s;
   double most = 0;
   for (const TickRecord& record : records) {
-    if (record.impact->count > 0) {
-      EXPECT_EQ(record.impact->count, 2);
-    }
+    if (record.impact->count > 0) EXPECT_EQ(record.impact->count, 2);
     most = std::max(most, record.braking_pulse->wanted_F_H_D.force.y());
   }
   EXPECT_NEAR(most, wanted, 2e-3 * wanted);

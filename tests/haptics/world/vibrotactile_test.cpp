@@ -42,9 +42,8 @@ std::vector<TickRecord> swept(const SceneDesc& desc, double speed = 0.1, double 
   std::vector<TickRecord> records;
   const auto go = [&](double x) {
     std::vector<Command> due;
-    for (const auto& [tick, command] : commands) {
+    for (const auto& [tick, command] : commands)
       if (tick == static_cast<int>(records.size())) due.push_back(command);
-    }
     const Pose X_WH{Quat::Identity(), Vec3(x, height, 0)};
     records.push_back(step(world, at(desc.mapping.handle_in_device(X_WH)), due).record);
   };
@@ -124,9 +123,7 @@ TEST(VibrotactileInAWorld, ADamagedSampleSilences) {
     for (int i = 0; i < 50; ++i) {
       result = step(world, at({Quat::Identity(), Vec3(bad, 0, 0)}), {});
       EXPECT_TRUE(std::isfinite(told(result.record)));
-      if (i > 0) {
-        EXPECT_EQ(told(result.record), 0);
-      }
+      if (i > 0) EXPECT_EQ(told(result.record), 0);
     }
   }
 }
@@ -224,12 +221,8 @@ TEST(VibrotactileInAWorld, AFallbackIsForDevicesThatCannotPush) {
   for (const TickRecord& record : swept(desc, 0.1, 0)) {
     const double F = -record.coupling_F_T_W.force.x();  // on the hand
     const int direction = record.vibrotactile_motion->direction;
-    if (record.X_WH.p.x() < -1e-3) {
-      EXPECT_EQ(told(record), 0) << record.tick;
-    }
-    if (direction * F > 0) {
-      EXPECT_EQ(told(record), 0) << record.tick;
-    }
+    if (record.X_WH.p.x() < -1e-3) EXPECT_EQ(told(record), 0) << record.tick;
+    if (direction * F > 0) EXPECT_EQ(told(record), 0) << record.tick;
     if (direction * F < -0.05) {
       vibrating += direction > 0;  // leaving, it feels the damper of the coupling
       EXPECT_GT(told(record), 0) << record.tick;
@@ -244,9 +237,7 @@ TEST(VibrotactileInAWorld, WhatCannotBeIsRefusedWithASentence) {
   const auto refused = [](const SceneDesc& desc, const std::string& part) {
     const Result<World> world = World::build(desc);
     EXPECT_FALSE(world);
-    if (!world) {
-      EXPECT_NE(world.error().sentence.find(part), std::string::npos) << world.error().sentence;
-    }
+    if (!world) EXPECT_NE(world.error().sentence.find(part), std::string::npos) << world.error().sentence;
   };
   SceneDesc desc = finger_scene();
   desc.vibrotactile_motion->carrier_Hz = 500;

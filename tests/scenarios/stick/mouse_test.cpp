@@ -83,7 +83,8 @@ TEST(Mouse, GetsAConstraintThatExplainNames) {
   const Result<World> world = World::build(app::scene_for_device(*stick, "mouse"));
   ASSERT_TRUE(world) << world.error().sentence;
   const app::Inventory list = app::inventory(*world, *stick, nullptr);
-  EXPECT_TRUE(std::ranges::any_of(list.built, [](const auto& item) { return item.name == "coupling"; }));
+  EXPECT_TRUE(std::ranges::any_of(
+      list.built, [](const auto& item) { return item.name == "coupling"; }));
   const auto direct =
       std::ranges::find_if(list.left_out, [](const auto& item) { return item.name == "response direct"; });
   ASSERT_NE(direct, list.left_out.end());

@@ -47,9 +47,8 @@ bool check_way(const std::vector<RoutePose>& route, const TriangleTree& scene, c
   }
   std::vector<Vector3d> points;
   for (const Part& part : needle.parts) {
-    for (const Vector3d& p : part.solid.points) {
+    for (const Vector3d& p : part.solid.points)
       if (p.z() < handle_begins) points.push_back(p / mm);
-    }
   }
   double least = 5 * mm;
   for (std::size_t i = 0; i + 1 < route.size(); ++i) {

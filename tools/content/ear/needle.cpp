@@ -103,9 +103,8 @@ Solid handle() {
 
 std::vector<Ball> needle_balls() {
   std::vector<Ball> balls;
-  for (double along = 0.0; along < handle_begins; along += along < 12 * mm ? 0.4 * mm : 0.8 * mm) {
+  for (double along = 0.0; along < handle_begins; along += along < 12 * mm ? 0.4 * mm : 0.8 * mm)
     balls.push_back({axis(along) / mm, radius(along) / mm});
-  }
   return balls;
 }
 

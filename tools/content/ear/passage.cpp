@@ -61,10 +61,9 @@ std::vector<Vector4d> directions() {
   for (int i = 0; i < 4; ++i) {
     for (const double s : {1.0, -1.0}) {
       all.emplace_back(s * Vector4d::Unit(i));
-      for (int j = 0; j < i; ++j) {
+      for (int j = 0; j < i; ++j)
         for (const double t : {0.7, -0.7})
           all.emplace_back(0.7 * s * Vector4d::Unit(i) + t * Vector4d::Unit(j));
-      }
     }
   }
   return all;
@@ -98,9 +97,8 @@ Passage::Passage(const Flesh& flesh)
     for (int r = 0; r < rolls; ++r) {
       const double roll = 2.0 * pi * r / rolls;
       std::vector<NeedlePose> from;
-      for (std::size_t k = 0; k < leans.size(); ++k) {
+      for (std::size_t k = 0; k < leans.size(); ++k)
         from.push_back({Vector2d::Zero(), {leans[k], leans[(k + 2) % leans.size()]}, roll});
-      }
       if (s > 0) from.push_back(cell(s - 1, r).pose);
       if (r > 0) from.push_back(cell(s, r - 1).pose);
       Cell& best = cells_[s * rolls + static_cast<std::size_t>(r)];

@@ -34,9 +34,8 @@ Room::Room(const Flesh& flesh) {
 
 double Room::at(const Vector3d& p_W) const {
   const Vector3d u = (p_W - low) / cell;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis)
     if (u[axis] < 0.0 || u[axis] >= static_cast<double>(count(axis) - 1)) return free_room;
-  }
   const auto i = static_cast<std::size_t>(u.x());
   const auto j = static_cast<std::size_t>(u.y());
   const auto k = static_cast<std::size_t>(u.z());

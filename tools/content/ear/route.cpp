@@ -47,9 +47,8 @@ std::vector<RoutePose> make_route(const Passage& passage) {
   const std::vector<Passage::Node> nodes = passage.way();
   if (nodes.empty()) return {};
   std::vector<Isometry3d> poses;  // mm
-  for (const Passage::Node& node : nodes) {
+  for (const Passage::Node& node : nodes)
     poses.push_back(placed(passage.stations()[node.station], node.pose));
-  }
   // The stop that a node is at: the last node of that station, when the roll is done.
   const auto stop_at = [&](std::size_t i) -> std::string {
     const bool last = i + 1 == nodes.size() || nodes[i + 1].station != nodes[i].station;
@@ -85,9 +84,8 @@ std::vector<RoutePose> make_route(const Passage& passage) {
 
 std::string stops_yaml(const Passage& passage) {
   std::string text;
-  for (const PassageStation& station : passage.stations()) {
+  for (const PassageStation& station : passage.stations())
     if (!station.stop.empty()) text += checkpoint_yaml(station.stop, mm * station.tip_W, sphere);
-  }
   return text;
 }
 

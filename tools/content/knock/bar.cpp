@@ -19,9 +19,8 @@ Solid rod() {
     const double angle = 0.5 * pi * (k + 0.25) / 8;
     profile.push_back({bar_radius * math::sin(angle), bar_end + bar_radius * (1.0 - math::cos(angle))});
   }
-  for (double z = bar_end + bar_radius; z < -0.5 * grip_half; z += 2.0 * mm) {
+  for (double z = bar_end + bar_radius; z < -0.5 * grip_half; z += 2.0 * mm)
     profile.push_back({bar_radius, z});
-  }
   return lathe(profile, 32);
 }
 

@@ -44,11 +44,10 @@ bool check_knock(const Knock& knock, std::span<const Model> scene,
   for (const Model& model : scene) {
     for (const Part& part : model.parts) {
       const double d = distance(bar_W, part);
-      if (part.name.starts_with(knock.pegs)) {
+      if (part.name.starts_with(knock.pegs))
         gap = std::max(gap, d);
-      } else {
+      else
         clearance = std::min(clearance, d);
-      }
     }
   }
   const bool fits = gap <= widest_gap && clearance >= least_clearance;
@@ -63,9 +62,8 @@ bool check() {
   bool good = check_solids(bar);
   for (const Model& model : scene) good &= check_solids(model);
   std::vector<Eigen::Vector3d> points;
-  for (const Part& part : bar.parts) {
+  for (const Part& part : bar.parts)
     points.insert(points.end(), part.solid.points.begin(), part.solid.points.end());
-  }
   for (const Knock& knock : make_knocks()) good &= check_knock(knock, scene, points);
   // The way, if every knock ended short of its pegs by as much as has to be clear; that is what is nearest
   // then.

@@ -47,9 +47,8 @@ Solid shape(double length, double collar, double collar_height) {
   profile.push_back({peg_radius + 0.75 * collar, from + 0.92 * collar_height});
   profile.push_back({peg_radius, from + collar_height});
   const double straight = length - peg_radius;
-  for (double z = from + collar_height + 2.0 * mm; z < straight - 1.0 * mm; z += 2.0 * mm) {
+  for (double z = from + collar_height + 2.0 * mm; z < straight - 1.0 * mm; z += 2.0 * mm)
     profile.push_back({peg_radius, z});
-  }
   for (int k = 0; k < 9; ++k) {
     const double angle = 0.5 * pi * k / 8.15;
     profile.push_back({peg_radius * math::cos(angle), straight + peg_radius * math::sin(angle)});
@@ -73,9 +72,8 @@ Model pegs(const std::string& name, const Material& material, const std::vector<
 Model make_steel_pegs() {
   std::vector<Peg> all = at_station(stations_of_bar[2]);
   int number = 0;
-  for (const double z : row_z) {
+  for (const double z : row_z)
     all.push_back(peg("steel/row/" + std::to_string(++number), {row_x, floor_y, z}, {row_x, row_top, z}));
-  }
   return pegs("pegs_steel",
               {.name = "steel peg", .base_colour = {0.64, 0.64, 0.65}, .metallic = 1.0, .roughness = 0.4},
               all, 4.0 * mm, 3.0 * mm);

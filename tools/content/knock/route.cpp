@@ -90,9 +90,8 @@ std::vector<RoutePose> make_route(const std::vector<Knock>& knocks, double press
 
 std::string knocks_yaml(const std::vector<Knock>& knocks) {
   std::string text;
-  for (const Knock& knock : knocks) {
+  for (const Knock& knock : knocks)
     if (knock.counts) text += checkpoint_yaml(knock.name, knock.X_WT * bar_middle, sphere);
-  }
   // A run ends with the last checkpoint: it is over the row, so that the last knock is felt to its end.
   const Knock& last = knocks.back();
   return text + checkpoint_yaml("off again", last.X_WT * bar_middle - last.run * last.motion_W, end_sphere);

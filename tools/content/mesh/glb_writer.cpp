@@ -123,9 +123,8 @@ std::string write_glb(const Model& model, const std::string& path, const std::st
   constexpr bool pretty = false;
   constexpr bool binary = true;
   tinygltf::TinyGLTF writer;
-  if (!writer.WriteGltfSceneToFile(&gltf, path, embed_images, embed_buffers, pretty, binary)) {
+  if (!writer.WriteGltfSceneToFile(&gltf, path, embed_images, embed_buffers, pretty, binary))
     return "cannot write " + path;
-  }
   return {};
 }
 

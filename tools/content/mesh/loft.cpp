@@ -30,11 +30,10 @@ void cap_with_fan(Solid* solid, std::uint32_t first, std::uint32_t n, bool is_st
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t a = first + k;
     const std::uint32_t b = first + (k + 1) % n;
-    if (is_start) {
+    if (is_start)
       solid->add_triangle(centre, b, a);
-    } else {
+    else
       solid->add_triangle(centre, a, b);
-    }
   }
 }
 
@@ -42,11 +41,10 @@ void cap_with_strip(Solid* solid, std::uint32_t first, std::uint32_t n, bool is_
   for (std::uint32_t k = 0; k + 1 < n / 2; ++k) {
     const std::uint32_t a = first + k;
     const std::uint32_t b = first + n - 1 - k;
-    if (is_start) {
+    if (is_start)
       solid->add_quad(a, b, b - 1, a + 1);
-    } else {
+    else
       solid->add_quad(a, a + 1, b - 1, b);
-    }
   }
 }
 

@@ -47,9 +47,8 @@ Solid bevelled_prism(const Outline& outline, double half, double bevel, double s
   const double length = 2.0 * (half - bevel);
   const int pieces = std::max(1, static_cast<int>(std::ceil(length / step)));
   std::vector<Section> sections{cut_section(inner, bevel, -half)};
-  for (int k = 0; k <= pieces; ++k) {
+  for (int k = 0; k <= pieces; ++k)
     sections.push_back(cut_section(outline, bevel, -half + bevel + length * k / pieces));
-  }
   sections.push_back(cut_section(inner, bevel, half));
   return loft(sections);
 }

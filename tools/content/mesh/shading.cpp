@@ -43,9 +43,8 @@ ShadedMesh shade(const Solid& solid, double crease, const std::vector<Eigen::Vec
   for (std::uint32_t i = 0; i < solid.triangles.size(); ++i) {
     for (const std::uint32_t point : solid.triangles[i]) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const Corner& corner : corners_at[point]) {
+      for (const Corner& corner : corners_at[point])
         if (unit_normals[corner.triangle].dot(unit_normals[i]) > cos_crease) sum += corner.weighted_normal;
-      }
       const Eigen::Vector3f normal = sum.normalized().cast<float>();
       auto& drawn = drawn_at[point];
       const auto same = std::find_if(drawn.begin(), drawn.end(), [&](std::uint32_t v) {

@@ -34,9 +34,8 @@ Solid transformed(Solid solid, const Eigen::Isometry3d& X) {
 
 double signed_volume(const Solid& solid) {
   double six_volumes = 0.0;
-  for (const Triangle& t : solid.triangles) {
+  for (const Triangle& t : solid.triangles)
     six_volumes += solid.points[t[0]].dot(solid.points[t[1]].cross(solid.points[t[2]]));
-  }
   return six_volumes / 6.0;
 }
 

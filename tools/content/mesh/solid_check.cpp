@@ -25,9 +25,8 @@ Solid as_written(const Solid& solid) {
     if (is_new) result.points.push_back(f.cast<double>());
     new_index.push_back(at->second);
   }
-  for (const Triangle& t : solid.triangles) {
+  for (const Triangle& t : solid.triangles)
     result.triangles.push_back({new_index[t[0]], new_index[t[1]], new_index[t[2]]});
-  }
   return result;
 }
 
@@ -36,9 +35,8 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 // Each directed edge once and its reverse once: closed, two triangles to an edge, wound alike.
 bool edges_pair_up(const Solid& solid) {
   std::map<Edge, int> directed;
-  for (const Triangle& t : solid.triangles) {
+  for (const Triangle& t : solid.triangles)
     for (std::size_t k = 0; k < 3; ++k) ++directed[{t[k], t[(k + 1) % 3]}];
-  }
   return std::all_of(directed.begin(), directed.end(), [&](const auto& entry) {
     const auto reverse = directed.find({entry.first.second, entry.first.first});
     return entry.second == 1 && reverse != directed.end();
@@ -48,9 +46,8 @@ bool edges_pair_up(const Solid& solid) {
 // The triangles around each point form one fan.
 bool fans_are_single(const Solid& solid) {
   std::vector<std::map<std::uint32_t, std::uint32_t>> next_around(solid.points.size());
-  for (const Triangle& t : solid.triangles) {
+  for (const Triangle& t : solid.triangles)
     for (std::size_t k = 0; k < 3; ++k) next_around[t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];
-  }
   for (const auto& around : next_around) {
     if (around.empty()) continue;
     const std::uint32_t start = around.begin()->first;
@@ -91,9 +88,8 @@ bool self_intersects(const Solid& solid) {
         const Triangle& o = solid.triangles[other];
         const bool shares = std::any_of(o.begin(), o.end(), [&](auto v) { return v == from || v == to; });
         if (!shares && crosses(solid.points[from], solid.points[to], solid.points[o[0]], solid.points[o[1]],
-                               solid.points[o[2]])) {
+                               solid.points[o[2]]))
           return true;
-        }
       }
     }
   }
@@ -110,9 +106,8 @@ double area(const Solid& solid, const Triangle& t) {
 std::string what_is_wrong(const Solid& solid) {
   const Solid written = as_written(solid);
   if (written.triangles.empty()) return "it has no triangles";
-  for (const Triangle& t : written.triangles) {
+  for (const Triangle& t : written.triangles)
     if (area(written, t) <= least_area) return "a triangle is degenerate";
-  }
   if (!edges_pair_up(written)) return "an edge is not shared by exactly two triangles wound alike";
   if (!fans_are_single(written)) return "surfaces touch in a single point";
   if (signed_volume(written) <= 0.0) return "it faces inwards";

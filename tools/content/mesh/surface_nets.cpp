@@ -37,9 +37,8 @@ public:
       : body_(body), lines_(lines), nx_(lines.x.size()), ny_(lines.y.size()), nz_(lines.z.size()) {
     values_.reserve(nx_ * ny_ * nz_);
     for (const double z : lines.z) {
-      for (const double y : lines.y) {
+      for (const double y : lines.y)
         for (const double x : lines.x) values_.push_back(body({x, y, z}));
-      }
     }
   }
 
@@ -48,18 +47,15 @@ public:
     }
     points_.assign(values_.size(), no_point);
     for (std::size_t k = 0; k + 1 < nz_; ++k) {
-      for (std::size_t j = 0; j + 1 < ny_; ++j) {
+      for (std::size_t j = 0; j + 1 < ny_; ++j)
         for (std::size_t i = 0; i + 1 < nx_; ++i) add_point(i, j, k);
-      }
     }
     const std::array<std::size_t, 3> step{1, nx_, nx_ * ny_};
     for (std::size_t k = 1; k + 1 < nz_; ++k) {
       for (std::size_t j = 1; j + 1 < ny_; ++j) {
-        for (std::size_t i = 1; i + 1 < nx_; ++i) {
-          for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 1; i + 1 < nx_; ++i)
+          for (std::size_t axis = 0; axis < 3; ++axis)
             add_quad(index(i, j, k), step[axis], step[(axis + 1) % 3], step[(axis + 2) % 3]);
-          }
-        }
       }
     }
     turn_outward(&solid_);
@@ -143,11 +139,10 @@ private:
     const std::uint32_t b = points_[at - v];
     const std::uint32_t c = points_[at];
     const std::uint32_t d = points_[at - u];
-    if (from_inside) {
+    if (from_inside)
       solid_.add_quad(a, b, c, d);
-    } else {
+    else
       solid_.add_quad(d, c, b, a);
-    }
   }
 
   const Implicit& body_;

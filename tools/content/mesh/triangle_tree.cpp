@@ -33,9 +33,8 @@ Vector3d nearest_on_triangle(const Vector3d& p, const std::array<Vector3d, 3>& t
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return t[0] + d2 / (d2 - d6) * ac;
   const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
     return t[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t[2] - t[1]);
-  }
   const double scale = 1.0 / (va + vb + vc);
   return t[0] + vb * scale * ab + vc * scale * ac;
 }
@@ -43,9 +42,8 @@ Vector3d nearest_on_triangle(const Vector3d& p, const std::array<Vector3d, 3>& t
 }  // namespace
 
 void TriangleTree::add(const Solid& solid) {
-  for (const Triangle& t : solid.triangles) {
+  for (const Triangle& t : solid.triangles)
     corners_.push_back({solid.points[t[0]], solid.points[t[1]], solid.points[t[2]]});
-  }
 }
 
 void TriangleTree::build() {
@@ -102,9 +100,8 @@ double TriangleTree::distance(const Vector3d& p, double limit) const {
       stack[depth++] = swap ? node.second : near;
       continue;
     }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
       best = std::min(best, (nearest_on_triangle(p, corners_[order_[i]]) - p).squaredNorm());
-    }
   }
   return std::sqrt(best);
 }
@@ -123,9 +120,8 @@ std::vector<std::uint32_t> TriangleTree::touching(const Eigen::AlignedBox3d& box
       stack.push_back(node.second);
       continue;
     }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
       if (triangle_box(order_[i]).intersects(box)) found.push_back(order_[i]);
-    }
   }
   return found;
 }

@@ -22,9 +22,8 @@ double reach_of(const std::vector<Vector3d>& points_T) {
 
 TriangleTree tree_of(std::span<const Model> models) {
   TriangleTree tree;
-  for (const Model& model : models) {
+  for (const Model& model : models)
     for (const Part& part : model.parts) tree.add(part.solid);
-  }
   tree.build();
   return tree;
 }
@@ -47,9 +46,8 @@ double clearance_on_way(const std::vector<RoutePose>& route, const TriangleTree&
       Eigen::Isometry3d X_WT = Eigen::Isometry3d::Identity();
       X_WT.linear() = slerp(q_from, q_to, u).toRotationMatrix();
       X_WT.translation() = from + u * step;
-      for (const Vector3d& p_T : lets_down ? may_not_touch_T : points_T) {
+      for (const Vector3d& p_T : lets_down ? may_not_touch_T : points_T)
         least = scene.distance(X_WT * p_T, least);
-      }
     }
   }
   return least;

@@ -69,18 +69,16 @@ Part board(const std::string& name, const Vector3d& half, const Wood& wood) {
   std::vector<Section> sections{board_section(half, board_bevel, -half.z())};
   const double length = 2.0 * (half.z() - board_bevel);
   const int pieces = static_cast<int>(std::ceil(length / along));
-  for (int k = 0; k <= pieces; ++k) {
+  for (int k = 0; k <= pieces; ++k)
     sections.push_back(board_section(half, 0.0, -half.z() + board_bevel + length * k / pieces));
-  }
   sections.push_back(board_section(half, board_bevel, half.z()));
   Part part{.name = name, .material = 0, .solid = loft(sections)};
   part.coat = grained(part.solid, wood);
   // Across the grain wood is darker, and even: the outermost sections and the middles of the two ends.
   const std::size_t ring = sections.front().size();
   const std::size_t points = part.solid.points.size();
-  for (std::size_t i = 0; i < points; ++i) {
+  for (std::size_t i = 0; i < points; ++i)
     if (i < ring || i + ring + 2 >= points) part.coat.colours[i] = 0.8 * mixed(wood.early, wood.late, 0.6);
-  }
   return part;
 }
 

@@ -31,9 +31,8 @@ void print_spanner(const Model& spanner) {
   std::printf("centre_of_mass_m: [%.3e, %.3e, %.3e]\n", m.centre.x(), m.centre.y(), m.centre.z());
   std::printf("centre_of_mass_in_drawing_m: [%.6f, %.6f, %.6f]\n", drawn.x(), drawn.y(), drawn.z());
   std::printf("inertia_kg_m2:\n");
-  for (int row = 0; row < 3; ++row) {
+  for (int row = 0; row < 3; ++row)
     std::printf("  - [%.6e, %.6e, %.6e]\n", m.inertia(row, 0), m.inertia(row, 1), m.inertia(row, 2));
-  }
 }
 
 bool check_clearance(const Model& piping, const Model& spanner, Near near, const char* from, double least) {
@@ -43,9 +42,8 @@ bool check_clearance(const Model& piping, const Model& spanner, Near near, const
   const bool enough = nearest->distance >= least;
   const std::vector<PlantPose> poses = route();
   std::string after = "start";
-  for (std::size_t i = 0; i <= nearest->route_index; ++i) {
+  for (std::size_t i = 0; i <= nearest->route_index; ++i)
     if (!poses[i].name.empty()) after = poses[i].name;
-  }
   std::printf(
       "clearance from %s: %.2f mm at (%.1f, %.1f, %.1f) mm, %.0f %% of the way on from pose %zu (after "
       "'%s')%s\n",

@@ -145,9 +145,8 @@ bool is_slot_pipe(const std::string& part_name) {
 }
 
 bool is_target_bolt(const std::string& part_name) {
-  for (const char* kind : {"bolt", "nut", "washer"}) {
+  for (const char* kind : {"bolt", "nut", "washer"})
     if (part_name.starts_with(std::string(kind) + "/04/b/1")) return true;
-  }
   return false;
 }
 

@@ -66,9 +66,8 @@ std::vector<PlantPose> route() {
   };
   // The crank needs the spanner to move sideways while it goes through: short steps follow its curve.
   constexpr double crank_step = 3.0 * mm;
-  for (double depth = 12 * mm; depth < SpannerDesign::crank_end; depth += crank_step) {
+  for (double depth = 12 * mm; depth < SpannerDesign::crank_end; depth += crank_step)
     poses.push_back({"", through_slot(depth, 0.0, 0.0)});
-  }
   poses.push_back({"behind the pipes", through_slot(46 * mm, 0.0, 0.0)});
   constexpr int dip_steps = 6;
   for (int i = 1; i <= dip_steps; ++i) {

@@ -54,9 +54,8 @@ int steps_between(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
 // "07" of "flange/07/a"; empty for what belongs to no line, or stands on the frame.
 std::string line_of(const std::string& name) {
   for (const char* kind : {"pipe/", "flange/", "blind_flange/", "gasket/", "bolt/", "nut/", "washer/",
-                           "valve/", "hand_wheel/", "gauge/"}) {
+                           "valve/", "hand_wheel/", "gauge/"})
     if (name.starts_with(kind)) return name.substr(std::string(kind).size(), 2);
-  }
   return {};
 }
 
@@ -70,9 +69,8 @@ struct LineParts {
 
 std::vector<Clearance> clearances(const Model& piping, const Model& spanner, Near near) {
   TriangleTree tree;
-  for (const Part& part : piping.parts) {
+  for (const Part& part : piping.parts)
     if (is_asked_for(part.name, near)) tree.add(part.solid);
-  }
   tree.build();
   const std::vector<Vector3d> points_T = edge_points(spanner.parts.front().solid, 1.0);
   const std::vector<PlantPose> poses = route();

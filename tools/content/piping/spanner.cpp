@@ -164,9 +164,8 @@ std::vector<ShankStation> shank_stations(double from, double to) {
     result.push_back({from + (-crank_inner - from) * i / crank_steps, 0.0});
   result.push_back({-ramp_end, 0.0});
   std::vector<double> panel;
-  for (int i = 0; i < end_steps; ++i) {
+  for (int i = 0; i < end_steps; ++i)
     panel.push_back(-panel_half_length + panel_end_radius * (1.0 - math::cos(0.5 * pi * i / end_steps)));
-  }
   const double inner = panel_half_length - panel_end_radius;
   for (int i = 0; i <= panel_steps; ++i) panel.push_back(-inner + 2.0 * inner * i / panel_steps);
   for (int i = end_steps - 1; i >= 0; --i) panel.push_back(-panel[static_cast<std::size_t>(i)]);
@@ -229,9 +228,8 @@ Solid spanner_solid() {
   }
   const double from = small_centre.x() + small_neck.end();
   const double to = large_centre.x() - large_neck.end();
-  for (const ShankStation& station : shank_stations(from, to)) {
+  for (const ShankStation& station : shank_stations(from, to))
     shank.extend([&](int k) { return shank_point(frame_index(k), station.x, station.depth); });
-  }
   // The large ring's own frame is turned half round about z.
   const Eigen::Vector3d half_turn(-1.0, -1.0, 1.0);
   for (int i = neck_steps; i >= 1; --i) {

@@ -26,9 +26,8 @@ constexpr double press = 5.0 * mm;
 bool check_taps(const TriangleTree& scene, const Model& stylus) {
   std::vector<Eigen::Vector3d> all;
   std::vector<Eigen::Vector3d> behind_tip;
-  for (const Part& part : stylus.parts) {
+  for (const Part& part : stylus.parts)
     all.insert(all.end(), part.solid.points.begin(), part.solid.points.end());
-  }
   std::copy_if(all.begin(), all.end(), std::back_inserter(behind_tip),
                [](const Eigen::Vector3d& p) { return p.norm() > tip_region; });
   const double least = clearance_on_way(make_route(make_taps(), 0.0), scene, all, behind_tip, stride);

@@ -54,9 +54,8 @@ std::vector<Line> strokes(char figure) {
       return six();
     case '9': {
       std::vector<Line> lines = six();
-      for (Line& line : lines) {
+      for (Line& line : lines)
         for (Vector2d& p : line) p = Vector2d(figure_width, 1.0) - p;
-      }
       return lines;
     }
     default:  // the sign for degrees

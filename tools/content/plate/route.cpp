@@ -77,9 +77,8 @@ std::vector<RoutePose> make_route(const std::vector<Tap>& taps, double press) {
 
 std::string taps_yaml(const std::vector<Tap>& taps) {
   std::string text;
-  for (const Tap& tap : taps) {
+  for (const Tap& tap : taps)
     text += checkpoint_yaml(tap.name, tap.p_W + stylus_tip_radius * tap.nhat_W, sphere);
-  }
   // A run ends with the last checkpoint: it is over the last plate, so that the last tap is felt to its end.
   const Tap& last = taps.back();
   return text +

@@ -24,8 +24,9 @@ bool check_way() {
   const std::array scene{make_ball(), make_stand()};
   std::vector<Eigen::Vector3d> stage;
   for (const Part& part : make_stick().parts) {
-    std::copy_if(part.solid.points.begin(), part.solid.points.end(), std::back_inserter(stage),
-                 [](const Eigen::Vector3d& p) { return p.x() < 25.0 * mm; });
+    std::copy_if(
+        part.solid.points.begin(), part.solid.points.end(), std::back_inserter(stage),
+        [](const Eigen::Vector3d& p) { return p.x() < 25.0 * mm; });
   }
   const double least = clearance_on_way(make_route(depth), tree_of(scene), stage, stage, stride);
   const bool fits = least >= least_clearance;

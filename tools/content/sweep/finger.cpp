@@ -74,17 +74,17 @@ Model make_finger() {
            {.name = "brass", .base_colour = {0.83, 0.60, 0.26}, .metallic = 1.0, .roughness = 0.30},
            {.name = "cuff", .base_colour = {0.035, 0.05, 0.075}, .metallic = 0.0, .roughness = 0.85}},
       .parts = {}};
-  model.parts.push_back(part_of("skin", 0, net(skin, {-12, -12, -10}, {12, 42, 52}, cell), skin, both,
-                                [&](const Vector3d& p) { return skin_colour(shape, p); }));
+  model.parts.push_back(part_of(
+      "skin", 0, net(skin, {-12, -12, -10}, {12, 42, 52}, cell), skin, both,
+      [&](const Vector3d& p) { return skin_colour(shape, p); }));
   model.parts.push_back(part_of("nail", 1, net(nail, {-7, -4, -8}, {7, 14, 12}, 0.22), nail, both,
                                 [&](const Vector3d& p) { return nail_colour(shape, p); }));
   add_ring(shape, {.dark = 2, .bright = 3, .cloth = 4}, &model);
   double lowest = 0.0;
   for (const Vector3d& p : model.parts.front().solid.points) lowest = std::min(lowest, p.y());
   const Vector3d foot(0.0, lowest, shape.point({shape.lowest(), 0.0, -6.0}).z());
-  for (Part& part : model.parts) {
+  for (Part& part : model.parts)
     for (Vector3d& p : part.solid.points) p = mm * (p - foot);
-  }
   return model;
 }
 

@@ -11,9 +11,8 @@ namespace {
 
 double depth_at(const std::vector<SideGroove>& grooves, double x, double z) {
   double depth = 0.0;
-  for (const SideGroove& g : grooves) {
+  for (const SideGroove& g : grooves)
     depth += g.depth * bump(x - g.x - g.lean * z, g.width) * smooth_step(g.from, g.to, z);
-  }
   return depth;
 }
 

@@ -138,7 +138,8 @@ Dentition make_dentition() {
 }
 
 const Tooth& Dentition::tooth(int number) const {
-  return *std::find_if(teeth.begin(), teeth.end(), [&](const Tooth& t) { return t.number == number; });
+  return *std::find_if(
+      teeth.begin(), teeth.end(), [&](const Tooth& t) { return t.number == number; });
 }
 
 std::size_t Dentition::nearest(double along) const {

@@ -69,9 +69,8 @@ Gum::Margin Gum::margin(const Vector3d& p_W, const Arch::Foot& foot) const {
   // Deep down neighbouring roots are one ridge: from the inside of the arch they would look like pleats.
   const double wide = join + 2.5 * smooth_step(1.5, 6.0, result.below);
   result.to_teeth = 1e3;
-  for (std::size_t i = here < 2 ? 0 : here - 2; i <= std::min(here + 2, last); ++i) {
+  for (std::size_t i = here < 2 ? 0 : here - 2; i <= std::min(here + 2, last); ++i)
     result.to_teeth = smooth_min(result.to_teeth, neck_distance(teeth[i], p_W), wide);
-  }
   return result;
 }
 

@@ -36,9 +36,8 @@ Solid tooth_solid(const Tooth& tooth) {
 
 Solid gum_solid(const Dentition& dentition, const Gum& gum) {
   Eigen::AlignedBox2d box;
-  for (double along = -dentition.arch.end(); along <= dentition.arch.end(); along += 1.0) {
+  for (double along = -dentition.arch.end(); along <= dentition.arch.end(); along += 1.0)
     box.extend(dentition.arch.at(along).p);
-  }
   constexpr double around = 14.0;
   const auto even = [](double) { return gum_cell; };
   const auto finer_upwards = [](double y) { return y < -16.0 ? coarse_cell : gum_cell; };

@@ -75,9 +75,8 @@ Relief::At Relief::at(double x, double y) const {
     result.height = smooth_max(first, second, 0.2) - fissure_depth * result.fissure;
   }
   const double without = result.height;
-  for (const Ridge& ridge : ridges) {
+  for (const Ridge& ridge : ridges)
     result.height = smooth_max(result.height, ridge_height(ridge, x, y), join);
-  }
   result.fissure *= smooth_step(0.35, 0.05, result.height - without);  // a ridge that runs over it fills it
   return result;
 }
