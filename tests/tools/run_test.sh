@@ -11,13 +11,30 @@ expect "arguments reach fulcrum, in the caller's folder, and stdout is its alone
 expect "installs without recommendations" "$(cat "$box/log")" "*apt-get*update*apt-get*--no-install-recommends install *g++*"
 expect "no test packages" "$(grep install "$box/log")" "!(*gtest*|*xvfb*)"
 expect "configures without tests" "$(cat "$box/log")" "*cmake --preset release -DFULCRUM_TESTS=OFF*"
-expect "builds fulcrum alone" "$(cat "$box/log")" "*cmake --build --preset release * --target fulcrum*"
+expect "builds fulcrum, and all content where it cannot tell what is needed" "$(cat "$box/log")" "*cmake --build --preset release * --target fulcrum content"
 
 : >"$box/log"
 on "$run" seven
 expect "fulcrum's exit code" "$code" 7
 expect "nothing is said where there is nothing to do" "$err" ""
 expect "nothing is installed or configured either" "$(cat "$box/log")" "cmake --build *"
+
+# needs TARGET ARGS...
+needs() {
+  : >"$box/log"
+  on "$run" "${@:2}"
+  expect "what \`${*:2}\` needs" "$(grep -- --build "$box/log")" "*--target fulcrum $1"
+}
+mkdir -p "$tree/content/scenarios/teeth"
+needs content_teeth run teeth --headless
+needs content_teeth explain --set seed=2 teeth
+needs content run ./teeth
+needs content replay A/tape
+needs content_texts list
+needs content_texts --version
+needs content_piping workprecision
+needs content --build
+rmdir "$tree/content/scenarios/teeth"
 
 on "$run"
 expect "without a display" "$out" "*: <run> <piping> <--headless> <--hand> <expert>"

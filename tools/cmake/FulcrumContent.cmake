@@ -1,4 +1,5 @@
-# Content beside the program: scenario files copied, models made. Target: content.
+# Content beside the program: scenario files copied, models made. Targets: content_texts, content_NAME with the models of
+# one scenario, and content, which is all of it.
 
 set(FULCRUM_CONTENT_DIR ${CMAKE_BINARY_DIR}/content)
 
@@ -8,7 +9,7 @@ target_link_libraries(content_mesh PUBLIC fulcrum::options fulcrum::haptics_math
 target_include_directories(content_mesh PUBLIC ${CMAKE_SOURCE_DIR})
 
 # fulcrum_models(SCENARIO MODEL...): the program make_SCENARIO of the folder of that name, and the models it makes.
-set(content_files "")
+set(content_targets "")
 function(fulcrum_models scenario)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tools/content/${scenario}/*.cpp)
   add_executable(make_${scenario} ${sources})
@@ -23,7 +24,8 @@ function(fulcrum_models scenario)
     DEPENDS make_${scenario}
     COMMENT "Making the models of ${scenario}"
     VERBATIM)
-  set(content_files ${content_files} ${models} PARENT_SCOPE)
+  add_custom_target(content_${scenario} DEPENDS ${models})
+  set(content_targets ${content_targets} content_${scenario} PARENT_SCOPE)
 endfunction()
 
 fulcrum_models(piping piping.glb spanner.glb)
@@ -41,6 +43,11 @@ foreach(text IN LISTS texts)
     COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/content/${text} ${FULCRUM_CONTENT_DIR}/${text}
     DEPENDS ${CMAKE_SOURCE_DIR}/content/${text}
     VERBATIM)
-  list(APPEND content_files ${FULCRUM_CONTENT_DIR}/${text})
+  list(APPEND copies ${FULCRUM_CONTENT_DIR}/${text})
 endforeach()
-add_custom_target(content ALL DEPENDS ${content_files})
+add_custom_target(content_texts DEPENDS ${copies})
+foreach(target IN LISTS content_targets)
+  add_dependencies(${target} content_texts)
+endforeach()
+add_custom_target(content ALL DEPENDS ${copies})
+add_dependencies(content ${content_targets})

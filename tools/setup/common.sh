@@ -65,7 +65,7 @@ check_commands() {
     say "Debian 12 is expected. This is another system: going on with the compiler and libraries it has."
 }
 
-# build PRESET TESTS [TARGET]: TESTS is ON or OFF; OFF leaves tests alone that are on already, so that tools/run and
+# build PRESET TESTS [TARGET...]: TESTS is ON or OFF; OFF leaves tests alone that are on already, so that tools/run and
 # tools/test share one build folder.
 build() {
   local preset=$1 tests=$2 folder=$top/build/$1 lock
@@ -79,7 +79,7 @@ build() {
     say "configuring ($preset) ..."
     (cd "$top" && cmake --preset "$preset" -DFULCRUM_TESTS="$tests") >/dev/null || fail "CMake's message is above."
   fi
-  (cd "$top" && cmake --build --preset "$preset" --parallel "$jobs" ${3:+--target "$3"}) 2>&1 | show_build >&2 ||
+  (cd "$top" && cmake --build --preset "$preset" --parallel "$jobs" ${3:+--target "${@:3}"}) 2>&1 | show_build >&2 ||
     fail "the build failed; the compiler's message is above."
   exec {lock}>&-
 }
