@@ -9,7 +9,7 @@ cd "$work" || exit 1
 # --- commands
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
-for command in list run replay check explain devices stability compare ambiguity schema; do expect 0 '.' "$FULCRUM" $command --help; done
+for command in list run replay check explain devices stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
 expect 2 'run .*Run a scenario' "$FULCRUM"
 expect 2 "no subcommand 'rum'; did you mean 'run'" "$FULCRUM" rum piping
 expect 2 "no subcommand 'bogus'; .*--help" "$FULCRUM" bogus
@@ -28,6 +28,12 @@ for part in field pointshell coupling integrator estimator surfaces shadow 'Left
 done
 for part in 'tool field' 'response *haptics .* constraint' 'friction .* contact.friction is 0'; do
   expect 0 "$part" "$FULCRUM" explain piping
+done
+for scenario in piping teeth ear plate knock stick sweep; do # each part says what it costs, or in which part that is
+  free=$("$FULCRUM" explain "$scenario" --json 2>/dev/null | awk '
+    /"left_out"/ { exit } /"name"/ { name = $0; none = 0 } /"kind": "haptics"/ { haptics = 1 } /"kind"/ && !/"haptics"/ { haptics = 0 }
+    /"tick_us": null/ { none = 1 } /"counted_in": null/ && none && haptics { print name }')
+  [ -z "$free" ] || fail "explain $scenario says no cost of $free"
 done
 expect 0 'no constraint solver is built' "$FULCRUM" explain piping --set response=penalty
 "$FULCRUM" explain piping --set response=penalty 2>&1 | grep -q 'tool field' && fail "springs need no field of the tool"

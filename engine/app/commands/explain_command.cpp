@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,10 @@
 
 namespace fulcrum::app {
 namespace {
+
+// What the response looks things up in, as often as it moves the tool: its time is the response's.
+constexpr std::array<std::string_view, 7> kReadByResponse{"field",      "pointshell", "query", "edges",
+                                                          "edge query", "tool field", "voxels"};
 
 std::string human_bytes(std::uint64_t bytes) {
   char text[32];
@@ -36,7 +41,9 @@ void print_table(const std::vector<InventoryItem>& items, bool with_cost) {
     const std::string name = bold(item.name) + std::string(width - item.name.size(), ' ');
     if (with_cost)
       std::printf("  %s  %-8s %10s %10s  %s\n", name.c_str(), item.kind.c_str(),
-                  human_bytes(item.bytes).c_str(), human_us(item.tick_us).c_str(), item.note.c_str());
+                  human_bytes(item.bytes).c_str(),
+                  (item.counted_in.empty() ? human_us(item.tick_us) : "in " + item.counted_in).c_str(),
+                  item.note.c_str());
     else
       std::printf("  %s  %-8s %s\n", name.c_str(), item.kind.c_str(), item.note.c_str());
   }
@@ -45,11 +52,13 @@ void print_table(const std::vector<InventoryItem>& items, bool with_cost) {
 nlohmann::ordered_json to_json(const std::vector<InventoryItem>& items) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const InventoryItem& item : items)
-    all.push_back({{"name", item.name},
-                   {"kind", item.kind},
-                   {"bytes", item.bytes},
-                   {"tick_us", item.tick_us > 0 ? nlohmann::ordered_json(item.tick_us) : nullptr},
-                   {"note", item.note}});
+    all.push_back(
+        {{"name", item.name},
+         {"kind", item.kind},
+         {"bytes", item.bytes},
+         {"tick_us", item.tick_us > 0 ? nlohmann::ordered_json(item.tick_us) : nullptr},
+         {"counted_in", item.counted_in.empty() ? nullptr : nlohmann::ordered_json(item.counted_in)},
+         {"note", item.note}});
   return all;
 }
 
@@ -81,7 +90,11 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
   Inventory list = inventory(*world, *prepared, &plan.value());
   for (InventoryItem& item : list.built) {
     const auto cost = costs->find(item.name);
-    if (cost != costs->end() && item.kind == "haptics") item.tick_us = cost->second;
+    if (item.kind != "haptics") continue;
+    if (cost != costs->end())
+      item.tick_us = cost->second;
+    else if (std::ranges::find(kReadByResponse, item.name) != kReadByResponse.end())
+      item.counted_in = "response";
   }
   const double tick_us = costs->at("tick");
   const scenario::DeviceEntry& device = prepared->scenario.device;
