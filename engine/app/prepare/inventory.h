@@ -14,8 +14,8 @@ struct InventoryItem {
   std::string kind;  // "haptics", "image", "buffer", "pipeline", ...
   std::uint64_t bytes = 0;
   double tick_us = 0;        // CPU time per tick; 0: none of its own
-  std::string counted_in{};  // the part whose CPU time has that of this one in it; empty: none
   std::string note;          // what it is; of something left out, why
+  std::string counted_in{};  // the part whose CPU time has that of this one in it; empty: none
 };
 
 struct Inventory {
