@@ -103,20 +103,20 @@ TEST(Guard, EachFaultOfASampleOrACommandStops) {
 }
 
 // Pushes until nothing changes any more; the faults are those of all ticks after the ramp.
-struct Settled {
+struct Rested {
   Wrench F;
   std::uint32_t faults = 0;
 };
-Settled pushed(const DeviceDesc& device, const Wrench& wanted) {
+Rested pushed(const DeviceDesc& device, const Wrench& wanted) {
   Guard guard(device, kTick, {});
-  Settled settled;
+  Rested rested;
   for (int i = 0; i < 1000; ++i) {
     std::uint32_t faults = guard.watch({}, {});
-    settled.F = guard.limit(wanted, faults);
-    guard.commanded(settled.F);
-    if (i >= 600) settled.faults |= faults;
+    rested.F = guard.limit(wanted, faults);
+    guard.commanded(rested.F);
+    if (i >= 600) rested.faults |= faults;
   }
-  return settled;
+  return rested;
 }
 
 TEST(Guard, ForceAndTorqueAreClampedEachAndTheirDirectionIsKept) {
@@ -129,12 +129,12 @@ TEST(Guard, ForceAndTorqueAreClampedEachAndTheirDirectionIsKept) {
   EXPECT_EQ(pushed(device, small).F.torque, small.torque);
   EXPECT_EQ(pushed(device, small).faults, 0u);
 
-  const Settled force = pushed(device, {10 * small.force, small.torque});
+  const Rested force = pushed(device, {10 * small.force, small.torque});
   EXPECT_EQ(force.faults, static_cast<std::uint32_t>(kForceClamped));
   EXPECT_NEAR((force.F.force - small.force).norm(), 0, 1e-12);  // small.force is 3 N
   EXPECT_EQ(force.F.torque, small.torque);
 
-  const Settled torque = pushed(device, {small.force, 10 * small.torque});
+  const Rested torque = pushed(device, {small.force, 10 * small.torque});
   EXPECT_EQ(torque.faults, static_cast<std::uint32_t>(kTorqueClamped));
   EXPECT_NEAR((torque.F.torque - 0.2 * small.torque.normalized()).norm(), 0, 1e-12);
   EXPECT_EQ(torque.F.force, small.force);
