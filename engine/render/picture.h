@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "engine/vulkan/result.h"
@@ -17,6 +18,6 @@ struct Picture {
 
 // Writes an 8-bit RGB file, quickly rather than small. Fails with a sentence where the file cannot be
 // written.
-vulkan::Result<void> write_png(const std::filesystem::path& file, const Picture& picture);
+std::optional<vulkan::Error> write_png(const std::filesystem::path& file, const Picture& picture);
 
 }  // namespace fulcrum::render

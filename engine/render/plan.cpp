@@ -27,7 +27,7 @@ std::string size_of(Extent extent) {
   return std::to_string(extent.width) + " x " + std::to_string(extent.height);
 }
 
-Result<void> check_options(const RenderOptions& options) {
+std::optional<Error> check_options(const RenderOptions& options) {
   const Quality& quality = options.quality;
   if (options.extent.width == 0 || options.extent.height == 0 || options.extent.width > 16384 ||
       options.extent.height > 16384) {
@@ -149,7 +149,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
 }
 
 Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
-  if (const Result<void> fine = check_options(options); !fine) return Error{fine.error()};
+  if (auto error = check_options(options)) return *error;
   const auto scaled = [&](std::uint32_t pixels) {
     return std::max(1U, static_cast<std::uint32_t>(
                             std::lround(static_cast<float>(pixels) * options.quality.resolution_scale)));
@@ -170,7 +170,7 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
 }
 
 Result<RenderPlan> plan(const VisualDesc& desc, const RenderOptions& options) {
-  if (const Result<void> fine = validate(desc); !fine) return Error{fine.error()};
+  if (auto error = validate(desc)) return *error;
   return plan(facts_of(desc), options);
 }
 

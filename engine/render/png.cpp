@@ -38,7 +38,7 @@ bool write_rows(std::FILE* file, const Picture& picture) {
 
 }  // namespace
 
-vulkan::Result<void> write_png(const std::filesystem::path& path, const Picture& picture) {
+std::optional<vulkan::Error> write_png(const std::filesystem::path& path, const Picture& picture) {
   std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "wb"));
   if (!file) {
     return vulkan::Error{"The picture " + path.string() +

@@ -40,12 +40,12 @@ vulkan::SamplerHandle make_shadow_sampler(vulkan::Device& device) {
 Result<std::unique_ptr<Renderer>> Renderer::create(vulkan::Device& device, const VisualDesc& desc,
                                                    const RenderOptions& options) {
   const Result<RenderPlan> planned = render::plan(desc, options);
-  if (!planned) return Error{planned.error()};
+  if (!planned) return planned.error();
   Result<ShaderLibrary> shaders = ShaderLibrary::open(options.shader_folder);
-  if (!shaders) return Error{shaders.error()};
+  if (!shaders) return shaders.error();
   try {
-    std::unique_ptr<Renderer> made(new Renderer(device, desc, options, std::move(shaders.value())));
-    made->build(planned.value());
+    std::unique_ptr<Renderer> made(new Renderer(device, desc, options, std::move(*shaders)));
+    made->build(*planned);
     return made;
   } catch (const vulkan::Failure& failure) {
     return Error{failure.what()};
@@ -126,11 +126,11 @@ void Renderer::build_scene_set() {
   scene_set_ = vulkan::DescriptorSet(device_, bindings);
 }
 
-Result<void> Renderer::rebuild(const RenderOptions& options) {
+std::optional<Error> Renderer::rebuild(const RenderOptions& options) {
   const Result<RenderPlan> planned = render::plan(facts_, options);
-  if (!planned) return Error{planned.error()};
+  if (!planned) return planned.error();
   try {
-    build(planned.value());
+    build(*planned);
   } catch (const vulkan::Failure& failure) {
     return Error{failure.what()};
   }
@@ -138,13 +138,13 @@ Result<void> Renderer::rebuild(const RenderOptions& options) {
   return {};
 }
 
-Result<void> Renderer::resize(Extent extent) {
+std::optional<Error> Renderer::resize(Extent extent) {
   RenderOptions options = options_;
   options.extent = extent;
   return rebuild(options);
 }
 
-Result<void> Renderer::set_quality(const Quality& quality) {
+std::optional<Error> Renderer::set_quality(const Quality& quality) {
   RenderOptions options = options_;
   options.quality = quality;
   return rebuild(options);
@@ -153,14 +153,14 @@ Result<void> Renderer::set_quality(const Quality& quality) {
 void Renderer::reload_shaders() {
   const Result<bool> changed = shaders_.refresh();
   if (!changed) {
-    std::fprintf(stderr, "%s\nThe shaders in use stay as they were.\n", changed.error().c_str());
-  } else if (changed.value()) {
+    std::fprintf(stderr, "%s\nThe shaders in use stay as they were.\n", changed.error().sentence.c_str());
+  } else if (*changed) {
     build_pipelines();
     shadow_stale_ = true;
   }
 }
 
-Result<void> Renderer::update(const FrameState& state) {
+std::optional<Error> Renderer::update(const FrameState& state) {
   if (!ready_) {
     return Error{
         "The renderer could not be built for its last size or quality; choose a smaller one before drawing."};
@@ -192,10 +192,10 @@ Result<void> Renderer::update(const FrameState& state) {
   return {};
 }
 
-Result<void> Renderer::frame(const FrameState& state) {
+std::optional<Error> Renderer::frame(const FrameState& state) {
   try {
     reload_shaders();
-    if (Result<void> updated = update(state); !updated) return updated;
+    if (auto error = update(state)) return *error;
     commands_.run([&](VkCommandBuffer commands) { record(commands, state.overlay); });
     last_frame_s_ = commands_.last_run_s();
     drawn_ = true;
@@ -208,11 +208,11 @@ Result<void> Renderer::frame(const FrameState& state) {
 Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window, Extent size) {
   if (size.width == 0 || size.height == 0) return false;
   if (!(size == options_.extent)) {
-    if (const Result<void> resized = resize(size); !resized) return Error{resized.error()};
+    if (auto error = resize(size)) return *error;
   }
   try {
     reload_shaders();
-    if (const Result<void> updated = update(state); !updated) return Error{updated.error()};
+    if (auto error = update(state)) return *error;
     const VkExtent2D extent{size.width, size.height};
     const bool shown = window.show(commands_, extent, targets_.picture.get(), targets_.picture.extent(),
                                    [&](VkCommandBuffer commands) { record(commands, state.overlay); });

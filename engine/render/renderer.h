@@ -2,6 +2,7 @@
 // Draws a scene: into a picture that can be read back, and from there into a window.
 
 #include <memory>
+#include <optional>
 
 #include "engine/render/frame_data.h"
 #include "engine/render/ghost_pass.h"
@@ -28,7 +29,7 @@ public:
 
   // Draws one frame into the picture and waits for it. Fails where the state does not fit the scene, or the
   // device is lost.
-  Result<void> frame(const FrameState& state);
+  std::optional<Error> frame(const FrameState& state);
 
   // The same, and shows it. The picture takes the window's size (pixels). False: the window is minimised or
   // changed this very moment, and nothing was drawn.
@@ -40,19 +41,19 @@ public:
   // The picture of the last frame.
   Result<Picture> read_back();
 
-  Result<void> resize(Extent extent);
-  Result<void> set_quality(const Quality& quality);
+  std::optional<Error> resize(Extent extent);
+  std::optional<Error> set_quality(const Quality& quality);
 
 private:
   Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderOptions& options,
            ShaderLibrary shaders);
 
-  Result<void> rebuild(const RenderOptions& options);
+  std::optional<Error> rebuild(const RenderOptions& options);
   void build(const RenderPlan& plan);
   void build_scene_set();
   void build_pipelines();
   void reload_shaders();
-  Result<void> update(const FrameState& state);
+  std::optional<Error> update(const FrameState& state);
   void record(VkCommandBuffer commands, OverlayPass* overlay);
   void record_shadow(VkCommandBuffer commands);
   void record_scene(VkCommandBuffer commands, bool ghost);

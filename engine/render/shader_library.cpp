@@ -31,7 +31,7 @@ Result<ShaderLibrary> ShaderLibrary::open(const fs::path& folder) {
   }
   library.folder_ = folder;
   library.newest_ = fs::file_time_type::min();
-  if (const Result<bool> loaded = library.refresh(); !loaded) return Error{loaded.error()};
+  if (const Result<bool> loaded = library.refresh(); !loaded) return loaded.error();
   return library;
 }
 
@@ -56,8 +56,8 @@ Result<bool> ShaderLibrary::refresh() {
     const fs::path& file = entry.path();
     if (file.extension() != ".vert" && file.extension() != ".frag") continue;
     Result<std::vector<std::uint32_t>> code = vulkan::compile_shader(file);
-    if (!code) return Error{code.error()};
-    compiled.emplace(file.filename().string(), std::move(code.value()));
+    if (!code) return code.error();
+    compiled.emplace(file.filename().string(), std::move(*code));
   }
   compiled_ = std::move(compiled);
   return true;

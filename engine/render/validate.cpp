@@ -17,7 +17,7 @@ std::string named(const char* what, const std::string& name, std::size_t index) 
   return std::string(what) + " " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
 }
 
-Result<void> check_mesh(const Mesh& mesh, std::size_t index) {
+std::optional<Error> check_mesh(const Mesh& mesh, std::size_t index) {
   const std::string who = "The " + named("mesh", mesh.name, index);
   if (mesh.positions.empty() || mesh.indices.empty())
     return Error{who + " has no triangles; leave it out of the scene."};
@@ -46,7 +46,7 @@ Result<void> check_mesh(const Mesh& mesh, std::size_t index) {
   return {};
 }
 
-Result<void> check_instance(const VisualDesc& desc, std::size_t index) {
+std::optional<Error> check_instance(const VisualDesc& desc, std::size_t index) {
   const Instance& instance = desc.instances[index];
   const std::string who = "The " + named("instance", instance.name, index);
   if (instance.mesh >= desc.meshes.size()) {
@@ -74,11 +74,11 @@ Result<void> check_instance(const VisualDesc& desc, std::size_t index) {
 
 }  // namespace
 
-Result<void> validate(const VisualDesc& desc) {
+std::optional<Error> validate(const VisualDesc& desc) {
   for (std::size_t i = 0; i < desc.meshes.size(); ++i)
-    if (Result<void> fine = check_mesh(desc.meshes[i], i); !fine) return fine;
+    if (auto error = check_mesh(desc.meshes[i], i)) return *error;
   for (std::size_t i = 0; i < desc.instances.size(); ++i)
-    if (Result<void> fine = check_instance(desc, i); !fine) return fine;
+    if (auto error = check_instance(desc, i)) return *error;
   for (std::size_t i = 0; i < desc.markers.size(); ++i) {
     const Marker& marker = desc.markers[i];
     if (!(marker.radius > 0.0F) || !finite(marker.position)) {

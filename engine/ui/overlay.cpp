@@ -209,7 +209,7 @@ Overlay::Overlay(std::unique_ptr<Implementation> implementation)
 
 Overlay::~Overlay() = default;
 
-vulkan::Result<void> Overlay::prepare(const OverlayState& state, render::Extent picture) {
+std::optional<vulkan::Error> Overlay::prepare(const OverlayState& state, render::Extent picture) {
   try {
     implementation_->prepare(state, picture);
     return {};

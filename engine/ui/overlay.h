@@ -2,6 +2,7 @@
 // Gauges and text over the picture, drawn with Dear ImGui; the same in a window and in a file.
 
 #include <memory>
+#include <optional>
 
 #include "engine/render/overlay_pass.h"
 #include "engine/render/plan.h"
@@ -18,7 +19,7 @@ public:
   ~Overlay() override;
 
   // Lays out what the next frame shows, for a picture of that size; text grows with its height.
-  vulkan::Result<void> prepare(const OverlayState& state, render::Extent picture);
+  std::optional<vulkan::Error> prepare(const OverlayState& state, render::Extent picture);
 
   // Empty, or one line to print: that the font is missing, and how to install it.
   const std::string& font_note() const;

@@ -127,9 +127,9 @@ Result<DeviceInfo> choose(const std::vector<DeviceInfo>& devices, const std::str
 Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const std::string& wanted,
                                                VkSurfaceKHR surface) {
   const Result<DeviceInfo> chosen = choose(list_devices(instance), wanted);
-  if (!chosen) return Error{chosen.error()};
+  if (!chosen) return chosen.error();
   std::unique_ptr<Device> made(new Device);
-  made->info_ = chosen.value();
+  made->info_ = *chosen;
   made->instance_ = instance.get();
   made->physical_ = physical_devices(instance.get())[made->info_.index];
   const std::optional<std::uint32_t> family = drawing_family(made->physical_, surface);

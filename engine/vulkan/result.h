@@ -7,49 +7,15 @@
 
 #include <vulkan/vulkan_core.h>
 
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <variant>
+
+#include "haptics/math/result.h"
 
 namespace fulcrum::vulkan {
 
-struct Error {
-  std::string sentence;
-};
-
-// A value, or the sentence that says why there is none.
-template <class T>
-class [[nodiscard]] Result {
-public:
-  Result(T value) : state_(std::move(value)) {}
-  Result(Error error) : state_(std::move(error)) {}
-
-  bool ok() const { return std::holds_alternative<T>(state_); }
-  explicit operator bool() const { return ok(); }
-  T& value() { return std::get<T>(state_); }
-  const T& value() const { return std::get<T>(state_); }
-  const std::string& error() const { return std::get<Error>(state_).sentence; }
-
-private:
-  std::variant<T, Error> state_;
-};
-
-// Done, or the sentence that says why not.
-template <>
-class [[nodiscard]] Result<void> {
-public:
-  Result() = default;
-  Result(Error error) : error_(std::move(error)) {}
-
-  bool ok() const { return !error_; }
-  explicit operator bool() const { return ok(); }
-  const std::string& error() const { return error_->sentence; }
-
-private:
-  std::optional<Error> error_;
-};
+using fulcrum::Error;
+using fulcrum::Result;
 
 // A Vulkan call that failed at run time.
 class Failure : public std::runtime_error {

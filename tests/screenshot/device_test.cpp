@@ -18,33 +18,33 @@ const std::vector<DeviceInfo> kDevices = {{0, "llvmpipe (LLVM 15.0.6, 256 bits)"
                                           {2, "Old Card", "graphics card", "its driver offers Vulkan 1.1"}};
 
 TEST(Device, PrefersAGraphicsCard) {
-  EXPECT_EQ(choose(kDevices, "").value().index, 1U);
+  EXPECT_EQ(choose(kDevices, "")->index, 1U);
 }
 
 TEST(Device, IsFoundByNumberAndByPartOfItsName) {
-  EXPECT_EQ(choose(kDevices, "0").value().index, 0U);
-  EXPECT_EQ(choose(kDevices, "LLVM").value().index, 0U);
-  EXPECT_EQ(choose(kDevices, "radeon").value().index, 1U);
+  EXPECT_EQ(choose(kDevices, "0")->index, 0U);
+  EXPECT_EQ(choose(kDevices, "LLVM")->index, 0U);
+  EXPECT_EQ(choose(kDevices, "radeon")->index, 1U);
 }
 
 TEST(Device, AnUnknownOneIsAnsweredWithTheList) {
-  const std::string sentence = choose(kDevices, "GeForce").error();
+  const std::string sentence = choose(kDevices, "GeForce").error().sentence;
   EXPECT_NE(sentence.find("\"GeForce\""), std::string::npos);
   EXPECT_NE(sentence.find("1  Radeon RX 6400 (graphics card)"), std::string::npos);
 }
 
 TEST(Device, AnUnusableOneIsAnsweredWithTheReason) {
-  EXPECT_NE(choose(kDevices, "2").error().find("Vulkan 1.1"), std::string::npos);
+  EXPECT_NE(choose(kDevices, "2").error().sentence.find("Vulkan 1.1"), std::string::npos);
 }
 
 TEST(Device, WithoutAnyDriverTheSentenceNamesAPackage) {
   setenv("VK_ICD_FILENAMES", "/nonexistent.json", 1);
   setenv("VK_DRIVER_FILES", "/nonexistent.json", 1);
   const Result<Instance> instance = Instance::create({});
-  std::string sentence = instance ? "" : instance.error();
+  std::string sentence = instance ? "" : instance.error().sentence;
   if (instance) {
-    const auto device = Device::create(instance.value(), "");
-    sentence = device ? "" : device.error();
+    const auto device = Device::create(*instance, "");
+    sentence = device ? "" : device.error().sentence;
   }
   unsetenv("VK_ICD_FILENAMES");
   unsetenv("VK_DRIVER_FILES");

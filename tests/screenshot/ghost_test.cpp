@@ -30,7 +30,7 @@ protected:
   Picture draw(const VisualDesc& desc, float opacity, float angle = 0.44F,
                const glm::vec3& axis = {0.0F, 1.0F, 0.3F}, const Quality& quality = {4, 512, 1.0F}) {
     const auto renderer = Renderer::create(*gpu_.device, desc, {{480, 270}, quality, {}});
-    if (!renderer) throw std::runtime_error(renderer.error());
+    if (!renderer) throw std::runtime_error(renderer.error().sentence);
     std::vector<glm::mat4> poses;
     for (const Instance& instance : desc.instances)
       if (instance.movable) poses.push_back(instance.X_WM);
@@ -38,9 +38,9 @@ protected:
     state.X_WM = poses;
     state.camera = desc.camera;
     state.ghost = {opacity, glm::rotate(poses.at(0), angle, glm::normalize(axis))};
-    const Result<void> drawn = renderer.value()->frame(state);
-    EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error());
-    return renderer.value()->read_back().value();
+    const std::optional<Error> error = (*renderer)->frame(state);
+    EXPECT_FALSE(error) << error->sentence;
+    return *(*renderer)->read_back();
   }
 
   test::Gpu gpu_ = test::make_gpu("llvmpipe");
@@ -183,9 +183,9 @@ TEST_F(GhostTest, WhereTheSceneHasNoneIsRefused) {
   FrameState state;
   state.X_WM = {&desc.instances[2].X_WM, 1};
   state.ghost.opacity = 1.0F;
-  const Result<void> drawn = renderer.value()->frame(state);
-  ASSERT_FALSE(drawn);
-  EXPECT_NE(drawn.error().find("ghost"), std::string::npos);
+  const std::optional<Error> error = (*renderer)->frame(state);
+  ASSERT_TRUE(error);
+  EXPECT_NE(error->sentence.find("ghost"), std::string::npos);
 }
 
 }  // namespace

@@ -18,13 +18,13 @@ const BuildItem* find(const std::vector<BuildItem>& items, const std::string& na
 
 RenderPlan planned(const VisualDesc& desc, const RenderOptions& options = {}) {
   Result<RenderPlan> made = plan(desc, options);
-  EXPECT_TRUE(made) << (made ? "" : made.error());
-  return made.value();
+  EXPECT_TRUE(made) << (made ? "" : made.error().sentence);
+  return *made;
 }
 
 std::string complaint(const VisualDesc& desc, const RenderOptions& options = {}) {
   const Result<RenderPlan> made = plan(desc, options);
-  return made ? "" : made.error();
+  return made ? "" : made.error().sentence;
 }
 
 TEST(Plan, HoldsEverythingThatAFullSceneShows) {

@@ -76,10 +76,10 @@ VisualDesc make_scene() {
 
 Gpu make_gpu(const std::string& name) {
   vulkan::Result<vulkan::Instance> instance = vulkan::Instance::create({true, {}});
-  if (!instance) throw std::runtime_error(instance.error());
-  vulkan::Result<std::unique_ptr<vulkan::Device>> device = vulkan::Device::create(instance.value(), name);
-  if (!device) throw std::runtime_error(device.error());
-  return {std::move(instance.value()), std::move(device.value())};
+  if (!instance) throw std::runtime_error(instance.error().sentence);
+  vulkan::Result<std::unique_ptr<vulkan::Device>> device = vulkan::Device::create(*instance, name);
+  if (!device) throw std::runtime_error(device.error().sentence);
+  return {std::move(*instance), std::move(*device)};
 }
 
 glm::vec3 mean(const render::Picture& picture, float left, float top, float right, float bottom) {

@@ -17,43 +17,43 @@ TEST(WindowTest, IsDrawnIntoAtEverySize) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
     GTEST_SKIP() << "There is no display here.";
   auto window = Window::create("Fulcrum test", {320, 180});
-  ASSERT_TRUE(window) << window.error();
-  window.value()->show();
-  auto instance = vulkan::Instance::create({true, window.value()->instance_extensions()});
-  ASSERT_TRUE(instance) << instance.error();
+  ASSERT_TRUE(window) << window.error().sentence;
+  (*window)->show();
+  auto instance = vulkan::Instance::create({true, (*window)->instance_extensions()});
+  ASSERT_TRUE(instance) << instance.error().sentence;
   {
-    auto surface = window.value()->surface(instance.value());
-    ASSERT_TRUE(surface) << surface.error();
-    auto device = vulkan::Device::create(instance.value(), "", surface.value().get());
-    ASSERT_TRUE(device) << device.error();
-    auto swapchain = vulkan::Swapchain::create(*device.value(), surface.value().get());
-    ASSERT_TRUE(swapchain) << swapchain.error();
+    auto surface = (*window)->surface(*instance);
+    ASSERT_TRUE(surface) << surface.error().sentence;
+    auto device = vulkan::Device::create(*instance, "", surface->get());
+    ASSERT_TRUE(device) << device.error().sentence;
+    auto swapchain = vulkan::Swapchain::create(**device, surface->get());
+    ASSERT_TRUE(swapchain) << swapchain.error().sentence;
     const render::VisualDesc desc = test::make_scene();
-    auto renderer = render::Renderer::create(*device.value(), desc, {{320, 180}, {1, 256, 1.0F}, {}});
-    ASSERT_TRUE(renderer) << renderer.error();
-    auto overlay = Overlay::create(*device.value());
-    ASSERT_TRUE(overlay) << overlay.error();
+    auto renderer = render::Renderer::create(**device, desc, {{320, 180}, {1, 256, 1.0F}, {}});
+    ASSERT_TRUE(renderer) << renderer.error().sentence;
+    auto overlay = Overlay::create(**device);
+    ASSERT_TRUE(overlay) << overlay.error().sentence;
 
     render::FrameState state;
     state.X_WM = {&desc.instances[2].X_WM, 1};
     state.camera = desc.camera;
-    state.overlay = overlay.value().get();
+    state.overlay = overlay->get();
     const auto frame = [&](render::Extent size) {
-      window.value()->poll();
-      EXPECT_TRUE(overlay.value()->prepare({}, size));
-      const vulkan::Result<bool> shown = renderer.value()->frame(state, *swapchain.value(), size);
-      EXPECT_TRUE(shown) << (shown ? "" : shown.error());
-      return shown.value();
+      (*window)->poll();
+      EXPECT_FALSE((*overlay)->prepare({}, size));
+      const vulkan::Result<bool> shown = (*renderer)->frame(state, **swapchain, size);
+      EXPECT_TRUE(shown) << (shown ? "" : shown.error().sentence);
+      return *shown;
     };
-    EXPECT_TRUE(frame(window.value()->pixels()));
-    EXPECT_TRUE(frame(window.value()->pixels()));
+    EXPECT_TRUE(frame((*window)->pixels()));
+    EXPECT_TRUE(frame((*window)->pixels()));
     EXPECT_FALSE(frame({0, 0}));     // minimised
     EXPECT_TRUE(frame({200, 200}));  // a size that the window no longer has: enlarged to fit
     EXPECT_TRUE(frame({320, 180}));
-    EXPECT_EQ(renderer.value()->read_back().value().width, 320U);
-    EXPECT_FALSE(window.value()->closing());
+    EXPECT_EQ((*renderer)->read_back()->width, 320U);
+    EXPECT_FALSE((*window)->closing());
   }
-  for (const std::string& message : instance.value().messages()) ADD_FAILURE() << message;
+  for (const std::string& message : instance->messages()) ADD_FAILURE() << message;
 }
 
 TEST(Window, WithoutADisplayTheSentenceSaysSo) {
@@ -61,7 +61,7 @@ TEST(Window, WithoutADisplayTheSentenceSaysSo) {
   unsetenv("WAYLAND_DISPLAY");
   const auto window = Window::create("Fulcrum", {640, 360});
   ASSERT_FALSE(window);
-  EXPECT_NE(window.error().find("no display"), std::string::npos) << window.error();
+  EXPECT_NE(window.error().sentence.find("no display"), std::string::npos) << window.error().sentence;
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ std::string keep(const fs::path& folder, const std::string& name, const Picture&
   if (folder.empty()) return "";
   std::error_code ignored;  // writing says what is wrong
   fs::create_directories(folder, ignored);
-  const vulkan::Result<void> written = render::write_png(folder / name, picture);
-  return written ? " See " + (folder / name).string() + "." : " " + written.error();
+  const std::optional<vulkan::Error> error = render::write_png(folder / name, picture);
+  return error ? " " + error->sentence : " See " + (folder / name).string() + ".";
 }
 
 }  // namespace
@@ -80,14 +80,14 @@ Comparison compare(const Picture& actual, const fs::path& golden, const CompareO
   const vulkan::Result<Picture> wanted = read_png(golden);
   if (!wanted) {
     Comparison missing;
-    missing.sentence = wanted.error() + keep(options.failure_folder, name + ".actual.png", actual);
+    missing.sentence = wanted.error().sentence + keep(options.failure_folder, name + ".actual.png", actual);
     return missing;
   }
-  Comparison result = compare(actual, wanted.value(), options);
+  Comparison result = compare(actual, *wanted, options);
   if (!result.passed) {
     result.sentence += keep(options.failure_folder, name + ".actual.png", actual);
-    if (actual.rgba.size() == wanted.value().rgba.size())
-      result.sentence += keep(options.failure_folder, name + ".diff.png", difference(actual, wanted.value()));
+    if (actual.rgba.size() == wanted->rgba.size())
+      result.sentence += keep(options.failure_folder, name + ".diff.png", difference(actual, *wanted));
   }
   return result;
 }

@@ -89,10 +89,9 @@ void expect_golden(const app::Prepared& prepared, app::Moment moment, const std:
       app::draw_picture(prepared, prepared.haptic.scene, *visual, moment, options, file, nullptr);
   ASSERT_TRUE(drawn) << drawn.error().sentence;
   const auto picture = read_png(file);
-  ASSERT_TRUE(picture) << picture.error();
-  const Comparison comparison =
-      compare(picture.value(), std::filesystem::path(FULCRUM_GOLDENS) / (golden + ".png"),
-              {.failure_folder = folder});
+  ASSERT_TRUE(picture) << picture.error().sentence;
+  const Comparison comparison = compare(*picture, std::filesystem::path(FULCRUM_GOLDENS) / (golden + ".png"),
+                                        {.failure_folder = folder});
   EXPECT_TRUE(comparison.passed) << comparison.sentence;
 }
 

@@ -76,9 +76,9 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
     complain(visual.error().sentence);
     return kError;
   }
-  const render::Result<render::RenderPlan> plan = render::plan(visual->desc, {});
+  const Result<render::RenderPlan> plan = render::plan(visual->desc, {});
   if (!plan) {
-    complain(plan.error());
+    complain(plan.error().sentence);
     return kError;
   }
   const std::string hand = prepared->haptic.hands.empty() ? "still" : prepared->haptic.hands.front().name;
@@ -87,7 +87,7 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
     complain(costs.error().sentence);
     return kError;
   }
-  Inventory list = inventory(*world, *prepared, &plan.value());
+  Inventory list = inventory(*world, *prepared, &*plan);
   for (InventoryItem& item : list.built) {
     const auto cost = costs->find(item.name);
     if (item.kind != "haptics") continue;

@@ -306,13 +306,11 @@ render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunS
 
 Result<std::filesystem::path> TrainingWindow::save_picture(const RunSink& sink,
                                                            const std::filesystem::path& file) {
-  if (const auto laid_out = stage_.overlay().prepare(shown_, stage_.renderer().plan().picture); !laid_out)
-    return Error{laid_out.error()};
-  if (const auto drawn = stage_.renderer().frame(frame_of(sink.last(), sink)); !drawn)
-    return Error{drawn.error()};
+  if (auto error = stage_.overlay().prepare(shown_, stage_.renderer().plan().picture)) return *error;
+  if (auto error = stage_.renderer().frame(frame_of(sink.last(), sink))) return *error;
   const auto picture = stage_.renderer().read_back();
-  if (!picture) return Error{picture.error()};
-  if (const auto written = render::write_png(file, picture.value()); !written) return Error{written.error()};
+  if (!picture) return picture.error();
+  if (auto error = render::write_png(file, *picture)) return *error;
   return file;
 }
 
@@ -324,18 +322,17 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   const bool running = sink.end() == RunSink::End::running;
   const TickRecord& record = running && newest.tick > sink.last().tick ? newest : sink.last();
   shown_ = overlay_of(record, sink);
-  if (const auto laid_out = stage_.overlay().prepare(shown_, size); !laid_out) {
-    error_ = laid_out.error();
+  if (const auto error = stage_.overlay().prepare(shown_, size)) {
+    error_ = error->sentence;
     return;
   }
   const auto drawn = stage_.renderer().frame(frame_of(record, sink), stage_.swapchain(), size);
   if (!drawn) {
-    error_ = drawn.error();
+    error_ = drawn.error().sentence;
     return;
   }
-  if (drawn.value() && quality_.add(stage_.renderer().last_frame_s())) {
-    if (const auto changed = stage_.renderer().set_quality(quality_.quality()); !changed)
-      error_ = changed.error();
+  if (*drawn && quality_.add(stage_.renderer().last_frame_s())) {
+    if (const auto error = stage_.renderer().set_quality(quality_.quality())) error_ = error->sentence;
   }
 }
 

@@ -10,37 +10,37 @@ Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& titl
                                                          const RunOptions& options) {
   std::unique_ptr<WindowStage> self(new WindowStage);
   auto window = ui::Window::create(title, options.size);
-  if (!window) return Error{window.error()};
-  self->window_ = std::move(window.value());
+  if (!window) return window.error();
+  self->window_ = std::move(*window);
   vulkan::InstanceOptions instance_options;
   instance_options.extensions = self->window_->instance_extensions();
   instance_options.validation = options.validate;
   auto instance = vulkan::Instance::create(instance_options);
-  if (!instance) return Error{instance.error()};
-  self->instance_ = std::make_unique<vulkan::Instance>(std::move(instance.value()));
+  if (!instance) return instance.error();
+  self->instance_ = std::make_unique<vulkan::Instance>(std::move(*instance));
   auto surface = self->window_->surface(*self->instance_);
-  if (!surface) return Error{surface.error()};
-  self->surface_ = std::make_unique<vulkan::Surface>(std::move(surface.value()));
+  if (!surface) return surface.error();
+  self->surface_ = std::make_unique<vulkan::Surface>(std::move(*surface));
   auto gpu = vulkan::Device::create(*self->instance_, options.gpu, self->surface_->get());
-  if (!gpu) return Error{gpu.error()};
-  self->gpu_ = std::move(gpu.value());
+  if (!gpu) return gpu.error();
+  self->gpu_ = std::move(*gpu);
   auto swapchain = vulkan::Swapchain::create(*self->gpu_, self->surface_->get());
-  if (!swapchain) return Error{swapchain.error()};
-  self->swapchain_ = std::move(swapchain.value());
+  if (!swapchain) return swapchain.error();
+  self->swapchain_ = std::move(*swapchain);
   auto overlay = ui::Overlay::create(*self->gpu_);
-  if (!overlay) return Error{overlay.error()};
-  self->overlay_ = std::move(overlay.value());
+  if (!overlay) return overlay.error();
+  self->overlay_ = std::move(*overlay);
   // Of an empty scene, to draw cards with.
   render::RenderOptions empty;
   empty.extent = options.size;
   empty.quality = {1, 0, 1.0F};
   auto renderer = render::Renderer::create(*self->gpu_, {}, empty);
-  if (!renderer) return Error{renderer.error()};
-  self->renderer_ = std::move(renderer.value());
+  if (!renderer) return renderer.error();
+  self->renderer_ = std::move(*renderer);
   // Once unseen: a driver compiles at the first frame, and an empty window is black until then.
   const ui::Busy reading{title, "Reading the scenario", 0, ""};
   if (auto error = self->lay_out(reading, options.size)) return *error;
-  if (const auto drawn = self->renderer_->frame(self->card()); !drawn) return Error{drawn.error()};
+  if (auto error = self->renderer_->frame(self->card())) return *error;
   self->window_->show();
   if (auto shown = self->show(reading); !shown) return shown.error();
   if (!self->overlay_->font_note().empty()) complain(self->overlay_->font_note());
@@ -50,7 +50,7 @@ Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& titl
 std::optional<Error> WindowStage::lay_out(const ui::Busy& busy, render::Extent size) {
   ui::OverlayState state;
   state.busy = busy;
-  if (const auto laid_out = overlay_->prepare(state, size); !laid_out) return Error{laid_out.error()};
+  if (auto error = overlay_->prepare(state, size)) return *error;
   return std::nullopt;
 }
 
@@ -66,7 +66,7 @@ Result<bool> WindowStage::show(const ui::Busy& busy) {
   if (size.width > 0 && size.height > 0) {
     if (auto error = lay_out(busy, size)) return *error;
     if (const auto drawn = renderer_->frame(card(), *swapchain_, size); !drawn && !window_->lost())
-      return Error{drawn.error()};
+      return drawn.error();
   }
   return !window_->closing();
 }
@@ -77,8 +77,8 @@ std::optional<Error> WindowStage::set_scene(const render::VisualDesc& desc, cons
   options.quality = quality;
   options.shader_folder = render::development_shader_folder();
   auto renderer = render::Renderer::create(*gpu_, desc, options);
-  if (!renderer) return Error{renderer.error()};
-  renderer_ = std::move(renderer.value());
+  if (!renderer) return renderer.error();
+  renderer_ = std::move(*renderer);
   return std::nullopt;
 }
 
