@@ -61,13 +61,13 @@ SimulatedWall::SimulatedWall(const WallLoop& loop, const Wall& wall, double v0)
       tick_s_(loop.tick_s),
       rest_(loop.axis.encoder_step / 2),
       device_(device_of(loop), Pose{}),
-      keep_(loop.keep) {
+      filter_pole_(loop.filter_pole) {
   device_.push({v0, 0, 0});
 }
 
 void SimulatedWall::tick(double added) noexcept {
   const double x = counted();
-  velocity_ = keep_ * velocity_ + (1 - keep_) * (x - before_) / tick_s_;
+  velocity_ = filter_pole_ * velocity_ + (1 - filter_pole_) * (x - before_) / tick_s_;
   force_ = -wall_.K * (x - rest_) - wall_.B * velocity_ + added;
   before_ = x;
   device_.write({.F_H_D = {Vec3(force_, 0, 0), Vec3::Zero()}});

@@ -26,7 +26,7 @@ private:
   double tick_s_;
   double rest_;  // m, the wall's zero
   SimulatedDevice device_;
-  double keep_;
+  double filter_pole_;
   double before_ = 0;
   double velocity_ = 0;  // m/s, as estimated
   double force_ = 0;

@@ -11,8 +11,8 @@
 namespace fulcrum::report {
 namespace {
 
-constexpr double kWidth = 760;  // px
-constexpr double kLeft = 78, kRight = 24, kBottom = 56, kTop = 12;
+constexpr double kPageWidth = 760;  // px
+constexpr double kLeft = 78, kRight = 24, kBottom = 56, kMarginTop = 12;
 
 class Drawing {
 public:
@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  static double width() { return kWidth - kLeft - kRight; }
+  static double width() { return kPageWidth - kLeft - kRight; }
   double px(double x) const { return kLeft + width() * x_.place(x); }
   double py(double y) const { return top_ + plot_.height * (1 - y_.place(y)); }
   bool shows(const Point& p) const { return x_.shows(p.x) && y_.shows(p.y); }
@@ -58,8 +58,8 @@ private:
         std::size_t end = i + 1;
         const int band = c.band[j * n + i];
         while (end < n && c.band[j * n + end] == band) ++end;
-        const double left = clamped(px(c.x_edges[i]), kLeft, kWidth - kRight);
-        const double right = clamped(px(c.x_edges[end]), kLeft, kWidth - kRight);
+        const double left = clamped(px(c.x_edges[i]), kLeft, kPageWidth - kRight);
+        const double right = clamped(px(c.x_edges[end]), kLeft, kPageWidth - kRight);
         if (band >= 0 && right > left && bottom > upper) {
           out += "<rect class=\"" + shade_class(c.bands[static_cast<std::size_t>(band)].shade) + "\" x=\"" +
                  pixels(left) + "\" y=\"" + pixels(upper) + "\" width=\"" + pixels(right - left) +
@@ -73,7 +73,7 @@ private:
 
   std::string grid() const {
     std::string lines, marks, words;
-    const std::string bottom = pixels(top_ + plot_.height), right = pixels(kWidth - kRight);
+    const std::string bottom = pixels(top_ + plot_.height), right = pixels(kPageWidth - kRight);
     for (const Tick& tick : x_.ticks()) {
       const std::string at = pixels(px(tick.value));
       if (!tick.label.empty()) {
@@ -153,7 +153,8 @@ private:
         break;
     }
     const double half = Legend::text_width(label.text) / 2;
-    if (std::string_view(anchor) == "middle") x = std::clamp(x, kLeft + half + 4, kWidth - kRight - half - 4);
+    if (std::string_view(anchor) == "middle")
+      x = std::clamp(x, kLeft + half + 4, kPageWidth - kRight - half - 4);
     return "<text class=\"label\" x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor +
            "\">" + escaped(label.text) + "</text>";
   }
@@ -173,11 +174,11 @@ std::string svg(const Plot& plot) {
       ys.push_back(p.y);
     }
   }
-  const Legend legend(plot, kLeft, kWidth - kRight);
-  const double top = kTop + legend.height();
-  const std::string size = pixels(kWidth) + " " + pixels(top + plot.height + kBottom);
+  const Legend legend(plot, kLeft, kPageWidth - kRight);
+  const double top = kMarginTop + legend.height();
+  const std::string size = pixels(kPageWidth) + " " + pixels(top + plot.height + kBottom);
   return "<svg class=\"plot\" role=\"img\" aria-label=\"" + escaped(plot.title) +
-         "\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\">" + legend.body(kTop) +
+         "\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\">" + legend.body(kMarginTop) +
          Drawing(plot, Axis(plot.x, xs), Axis(plot.y, ys), top).body() + "</svg>";
 }
 

@@ -7,14 +7,6 @@ namespace fulcrum::scenario {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kKinematics{"none", "cartesian", "arms"};
-
-constexpr std::array<std::string_view, 2> kChannelKinds{"rumble", "pcm"};
-
-// Columns of the trace beside those of the channels: touch/NAME.
-constexpr std::array<std::string_view, 6> kTouchColumns{"gain", "missing",   "glide",
-                                                        "x",    "direction", "force"};
-
 constexpr Range kAngle = from_to(-6.2831853, 6.2831853);
 constexpr Range kResistance = from_to(0, 1e7);
 
@@ -60,7 +52,7 @@ void describe_channel(KeyVisitor& visitor, ChannelDesc& channel, std::string_vie
                      "rumble: a motor that is told an amplitude; pcm: a voice coil or an audio channel, that "
                      "is told samples",
                      true},
-                    channel.kind, kChannelKinds);
+                    channel.kind);
   visitor.number(
       {"largest", "m/s^2", "amplitude of the acceleration at full drive; pcm: at the resonance", true},
       channel.largest, above_to(0, 1000));
@@ -102,7 +94,7 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
   visitor.text({"name", "", "as panels and results show it", true}, device.name);
   visitor.choice_of(
       {"kinematics", "", "none: no motors; cartesian: one for each axis; arms: as 'arms' and 'spin' say"},
-      device.kinematics, kKinematics);
+      device.kinematics);
   visitor.boolean({"renders_force", "", "it can push"}, device.renders_force);
   visitor.boolean({"renders_torque", "", "it can twist"}, device.renders_torque);
   visitor.boolean({"senses_rotation", "", "it knows how its handle is turned"}, device.senses_rotation);
@@ -157,11 +149,6 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
         "must have 'left' and 'right', and two more at most");
     visitor.rule("channels", std::ranges::all_of(vibrators.channels, is_word, &ChannelDesc::name),
                  "must have names of letters, digits, '_' and '-': each becomes the file touch-NAME.wav");
-    visitor.rule("channels",
-                 std::ranges::find_first_of(vibrators.channels, kTouchColumns, {}, &ChannelDesc::name) ==
-                     vibrators.channels.end(),
-                 "must not be called " + joined(kTouchColumns) +
-                     ": the trace has columns of these names beside the channels'; choose others");
   }
   visitor.mapping(
       {"strip", "", "along the handle, that knows where the hand holds: a membrane potentiometer"},

@@ -4,16 +4,6 @@ namespace fulcrum::scenario {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kVariants{"A", "B", "C"};      // in the order of TorqueVariant
-constexpr std::array<std::string_view, 2> kRenders{"wrench", "torque"};  // in the order of ImpactRender
-constexpr std::array<std::string_view, 2> kDistanceModels{"beam",
-                                                          "sinusoid"};     // in the order of DistanceModel
-constexpr std::array<std::string_view, 2> kUses{"sweep", "fallback"};      // of VibrotactileUse
-constexpr std::array<std::string_view, 2> kLaws{"linear", "logarithmic"};  // of MotionEnvelope
-constexpr std::array<std::string_view, 2> kOnsets{"together", "asynchronous"};  // of MotionOnset
-constexpr std::array<std::string_view, 3> kInertiaMethods{"none", "arm",
-                                                          "acceleration"};  // in the order of InertiaMethod
-constexpr std::array<std::string_view, 2> kFilters{"kalman", "adaptive"};   // of AccelerationEstimatorKind
 constexpr Range kTorque = above_to(0, 100);
 
 void describe_vibration(KeyVisitor& visitor, TorqueSubstitutionDesc& effect) {
@@ -42,7 +32,7 @@ void describe_ghost(KeyVisitor& visitor, TorqueSubstitutionDesc& effect) {
 void describe_torque_substitution(KeyVisitor& visitor, TorqueSubstitutionDesc& effect) {
   visitor.choice_of(
       {"variant", "", "which cues are on at the start: A none, B vibration, C vibration and ghost"},
-      effect.variant, kVariants);
+      effect.variant);
   visitor.optional_number(
       {"bad_above", "N m", "of torque it can be bad; without it a tenth of the coupling's largest"},
       effect.bad_above, kTorque);
@@ -76,12 +66,12 @@ void describe_impact(KeyVisitor& visitor, ImpactDetectorDesc& impact) {
 void describe_impact_vibration(KeyVisitor& visitor, Scenario& scenario) {
   ImpactVibrationDesc& effect = scenario.effects.impact_vibration.emplace();
   visitor.choice_of({"render", "", "wrench: the blow's force and its moment; torque: the moment alone"},
-                    effect.render, kRenders);
+                    effect.render);
   visitor.choice_of(
       {"distance", "",
        "how the distance from the hand is told; beam: by the modes of a clamped beam; sinusoid: "
        "by a tone that falls"},
-      effect.distance, kDistanceModels);
+      effect.distance);
   visitor.number({"gain", "", "of the amplitude; 0: off at the start"}, effect.gain, kFraction);
   auto voices = static_cast<std::int64_t>(effect.voices);
   visitor.integer({"voices", "", "that sound together at most; one more drops the weakest"}, voices, 1,
@@ -115,13 +105,13 @@ void describe_vibrotactile_motion(KeyVisitor& visitor, VibrotactileMotionDesc& e
   visitor.choice_of({"as", "",
                      "sweep: past a centre of the scene; fallback: in place of the force along the channels' "
                      "line, on a device that cannot push"},
-                    effect.use, kUses);
-  visitor.choice_of({"law", "", "how levels follow the place"}, effect.law.envelope, kLaws);
+                    effect.use);
+  visitor.choice_of({"law", "", "how levels follow the place"}, effect.law.envelope);
   visitor.choice_of(
       {"onset", "",
        "of the two vibrators; asynchronous: the second 0.32 T + 0.0473 s after the first, T the "
        "time that the finger needs for the window"},
-      effect.law.onset, kOnsets);
+      effect.law.onset);
   visitor.number({"window", "m", "in which the phantom goes from one vibrator to the other"},
                  effect.law.window, above_to(0, 1));
   visitor.number({"reference", "m", "of the logarithmic law: the shorter, the fuller half way"},
@@ -171,13 +161,13 @@ void describe_inertia_compensation(KeyVisitor& visitor, InertiaCompensationDesc&
   visitor.choice_of({"method", "",
                      "at the start; arm: the torque of a force at the hand; acceleration: mass times "
                      "acceleration on top"},
-                    effect.method, kInertiaMethods);
+                    effect.method);
   visitor.boolean({"switchable", "", "to the other methods while running"}, effect.switchable);
   visitor.number({"gain", "", "of mass times acceleration; 0: off"}, effect.gain, kFraction);
   visitor.number({"budget", "J", "that it may give; beyond, it fades"}, effect.budget, above_to(0, 1));
   visitor.mapping({"filter", "", "acceleration from position, by a Kalman filter"}, [&](KeyVisitor& inner) {
     inner.choice_of({"kind", "", "kalman: three states; adaptive: four, expects as much jerk as it sees"},
-                    effect.filter.kind, kFilters);
+                    effect.filter.kind);
     inner.number({"jerk", "", "m/s^3 per root Hz, that it expects"}, effect.filter.jerk, above_to(0, 1e6));
     inner.optional_number({"noise", "m", "rms, of positions; without it that of the device's encoder"},
                           effect.encoder_noise, above_to(0, 0.1));

@@ -4,14 +4,8 @@ namespace fulcrum::scenario {
 
 namespace {
 
-// Each in the order of its enumeration.
-constexpr std::array<std::string_view, 5> kResponses{"penalty", "voxel", "static", "constraint", "direct"};
-constexpr std::array<std::string_view, 3> kIntegrators{"semi_implicit_euler", "implicit_euler", "momentum"};
-constexpr std::array<std::string_view, 2> kFieldFormats{"int16", "float32"};
-constexpr std::array<std::string_view, 3> kAllocations{"exact", "algorithm1", "pseudoinverse"};
-
 void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {
-  visitor.choice_of({"response", "", "how contact forces are found"}, contact.response, kResponses);
+  visitor.choice_of({"response", "", "how contact forces are found"}, contact.response);
   visitor.number({"stiffness", "N/m", "of each contact region"}, contact.stiffness, above_to(0, 1e7));
   visitor.numbers({"levels", "N/m", "of stiffness, that a person can choose of while running"},
                   contact.levels, above_to(0, 1e7), 12);
@@ -76,7 +70,7 @@ void describe_device(KeyVisitor& visitor, DeviceEntry& device) {
   });
   visitor.choice_of(
       {"allocation", "", "what motors do with more than they can: exact, algorithm1 or pseudoinverse"},
-      device.allocation.method, kAllocations);
+      device.allocation.method);
   visitor.number(
       {"moment_weight", "", "what missing moment counts beside missing force, by exact allocation"},
       device.allocation.moment_weight, above_to(0, 1e6));
@@ -132,7 +126,7 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
                   [&](KeyVisitor& inner) {
                     describe_resolution(inner, scenario.field);
                     inner.choice_of({"format", "", "how its values are stored; int16 takes half the memory"},
-                                    scenario.field.format, kFieldFormats);
+                                    scenario.field.format);
                   });
   visitor.mapping({"shell", "", "the points that the tool's model is baked to"}, [&](KeyVisitor& inner) {
     inner.number({"spacing", "m", "between neighbours"}, scenario.shell.spacing_m, above_to(0, 1));
@@ -147,8 +141,7 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
                   "under the response constraint; 0: none"},
                  scenario.edges, from_to(0, 1));
   });
-  visitor.choice_of({"integrator", "", "how the tool moves through a tick"}, scenario.integrator,
-                    kIntegrators);
+  visitor.choice_of({"integrator", "", "how the tool moves through a tick"}, scenario.integrator);
   visitor.mapping({"coupling", "", "the virtual coupling between hand and tool"},
                   [&](KeyVisitor& inner) { describe_coupling(inner, scenario.coupling); });
   describe_velocity_estimator(visitor, scenario.velocity_estimator);

@@ -8,8 +8,6 @@ namespace fulcrum::scenario {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kRoles{"scene", "tool", "decor"};
-
 void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
   visitor.named(
       {"models", "", "the model files, each under a name of its own", true}, 1,
@@ -18,7 +16,7 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
         model.name = name;
         each.file({"file", "", "a glTF file in the scenario's folder; metres, Y up", true}, model.file);
         each.choice_of({"role", "", "scene: touched; tool: held in the hand; decor: seen only", true},
-                       model.role, kRoles);
+                       model.role);
         each.word(
             {"cut_of", "", "of decor: the model that it shows cut open, in its place in views with 'cut'"},
             model.cut_of);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/scenario/scenario.h"
+#include "haptics/math/names_of.h"
 
 namespace fulcrum::scenario {
 
@@ -100,9 +101,9 @@ public:
   void vector(const Key& key, glm::vec3& value, const Range& each);
   void colour(const Key& key, glm::vec3& value);
   template <class Enum>
-  void choice_of(const Key& key, Enum& value, std::span<const std::string_view> names) {
+  void choice_of(const Key& key, Enum& value) {
     auto index = static_cast<std::size_t>(value);
-    choice(key, index, names);
+    choice(key, index, names_of<Enum>);
     value = static_cast<Enum>(index);
   }
 };

@@ -17,6 +17,7 @@
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/pointshell_bake.h"
 #include "haptics/device/hand.h"
+#include "haptics/math/names_of.h"
 #include "haptics/world/coupling_gains.h"
 #include "haptics/world/scene_desc.h"
 
@@ -129,3 +130,7 @@ struct Scenario {
 };
 
 }  // namespace fulcrum::scenario
+
+template <>
+inline constexpr std::array<std::string_view, 3> fulcrum::names_of<fulcrum::scenario::ModelRole>{
+    "scene", "tool", "decor"};

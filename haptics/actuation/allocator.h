@@ -17,10 +17,14 @@
 // handle: all wrenches of a tick together.
 
 #include "haptics/actuation/share_program.h"
+#include "haptics/math/names_of.h"
 
 namespace fulcrum {
 
 enum class AllocationMethod { exact, algorithm1, pseudoinverse };
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<AllocationMethod>{"exact", "algorithm1",
+                                                                            "pseudoinverse"};
 
 struct AllocationDesc {
   AllocationMethod method = AllocationMethod::exact;

@@ -11,7 +11,7 @@ constexpr double kReached = 1e-12;     // m
 constexpr double kOutOfReach = 1e-6;   // m
 constexpr double kMinDamping = 1e-12;  // of the trace; so little that the last steps are Newton's
 constexpr double kRelax = 1e-3, kStiffen = 1e3;
-constexpr int kSteps = 12;
+constexpr int kMaxJointSteps = 12;
 
 }  // namespace
 
@@ -96,11 +96,11 @@ double JointChain::descend(const Pose& X_DE, JointAngles& angles, int steps) con
 }
 
 double JointChain::reach(const Pose& X_DE, JointAngles& angles) const noexcept {
-  const double away = descend(X_DE, angles, kSteps);
+  const double away = descend(X_DE, angles, kMaxJointSteps);
   if (away < kOutOfReach) return away;
   // Out of reach, or on a branch of the arm from which there is no way: from home there may be one.
   JointAngles anew = home_;
-  const double away_anew = descend(X_DE, anew, kSteps);
+  const double away_anew = descend(X_DE, anew, kMaxJointSteps);
   if (!(away_anew < kOutOfReach)) return away;
   angles = anew;
   return away_anew;

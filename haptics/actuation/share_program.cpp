@@ -9,7 +9,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNothing = 1e-13;  // of a row whose largest coefficient is 1
+constexpr double kZeroRow = 1e-13;  // of a row whose largest coefficient is 1
 constexpr double kMinSize = 1e-9;   // of F beside M and the other way about: neither share is left undecided
 
 // row . (u, v, z1, z2) <= bound, with u = F (1 - gamma) and v = M (1 - mu).
@@ -24,7 +24,7 @@ public:
   void add(const Bound& b) noexcept {
     double largest = 0;
     for (const double c : b.row) largest = std::max(largest, std::abs(c));
-    if (largest <= kNothing * (1 + std::abs(b.bound))) return;  // holds or fails whatever the unknowns are
+    if (largest <= kZeroRow * (1 + std::abs(b.bound))) return;  // holds or fails whatever the unknowns are
     Bound& kept = all_[count_++];
     for (std::size_t i = 0; i < 4; ++i) kept.row[i] = b.row[i] / largest;
     kept.bound = b.bound / largest;
@@ -41,11 +41,11 @@ private:
 void eliminate(const Bounds& from, std::size_t unknown, Bounds& to) noexcept {
   for (std::size_t p = 0; p < from.size(); ++p) {
     const double c = from[p].row[unknown];
-    if (std::abs(c) <= kNothing) to.add(from[p]);
-    if (c <= kNothing) continue;
+    if (std::abs(c) <= kZeroRow) to.add(from[p]);
+    if (c <= kZeroRow) continue;
     for (std::size_t n = 0; n < from.size(); ++n) {
       const double d = from[n].row[unknown];
-      if (d >= -kNothing) continue;
+      if (d >= -kZeroRow) continue;
       Bound sum{};
       for (std::size_t i = 0; i < 4; ++i) sum.row[i] = from[p].row[i] / c - from[n].row[i] / d;
       sum.row[unknown] = 0;
@@ -100,7 +100,7 @@ public:
     if (square_ == kInfinity) return {-kInfinity, kInfinity};
     const Vec3 at = c_ + foot.x * a_ + foot.y * b_, d = direction.x * a_ + direction.y * b_;
     const double A = d.squaredNorm(), B = at.dot(d), C = at.squaredNorm() - square_;
-    if (A <= kNothing * kNothing * square_)
+    if (A <= kZeroRow * kZeroRow * square_)
       return {-kInfinity, kInfinity};  // it does not change along this line
     const double root = std::sqrt(std::max(0.0, B * B - A * C));
     return {(-B - root) / A, (-B + root) / A};
@@ -119,7 +119,7 @@ Point nearest(const Bounds& bounds, std::size_t first, const TorqueBound& torque
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const double a = bounds[i].row[first], b = bounds[i].row[first + 1], c = bounds[i].bound;
     const double squared = a * a + b * b;
-    if (a * at.x + b * at.y <= c || squared <= kNothing) continue;
+    if (a * at.x + b * at.y <= c || squared <= kZeroRow) continue;
     // On this line then: its foot, moved as little as the bounds before it ask for.
     const Point foot{a * c / squared, b * c / squared};
     auto [low, high] = torque.along(foot, {-b, a});
@@ -127,8 +127,8 @@ Point nearest(const Bounds& bounds, std::size_t first, const TorqueBound& torque
       const double p = bounds[j].row[first], q = bounds[j].row[first + 1];
       const double slope = -b * p + a * q;
       const double room = bounds[j].bound - (p * foot.x + q * foot.y);
-      if (slope > kNothing) high = std::min(high, room / slope);
-      if (slope < -kNothing) low = std::max(low, room / slope);
+      if (slope > kZeroRow) high = std::min(high, room / slope);
+      if (slope < -kZeroRow) low = std::max(low, room / slope);
     }
     const double along = low <= high ? std::clamp(0.0, low, high) : 0.5 * (low + high);  // by rounding alone
     at = {foot.x - b * along, foot.y + a * along};

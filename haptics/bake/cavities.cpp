@@ -38,7 +38,7 @@ std::vector<std::uint32_t> hosts_of(const Solid& solid) {
   return hosts;
 }
 
-void turn(Solid& solid, SolidComponent& component) {
+void turn_component(Solid& solid, SolidComponent& component) {
   for (std::uint32_t t = component.first_triangle; t < component.first_triangle + component.triangle_count;
        ++t) {
     std::swap(solid.mesh.triangles[t][1], solid.mesh.triangles[t][2]);
@@ -56,7 +56,7 @@ void assign_cavities(Solid& solid) {
   const std::vector<std::uint32_t> hosts = hosts_of(solid);
   std::vector<std::vector<std::uint32_t>> groups(hosts.size());
   for (std::uint32_t k = 0; k < hosts.size(); ++k) {
-    if (hosts[k] == k && solid.components[k].volume_m3 < 0.0) turn(solid, solid.components[k]);
+    if (hosts[k] == k && solid.components[k].volume_m3 < 0.0) turn_component(solid, solid.components[k]);
     if (hosts[k] == k) groups[k].insert(groups[k].begin(), k);
     if (hosts[k] != k) groups[hosts[k]].push_back(k);
   }

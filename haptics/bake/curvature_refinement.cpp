@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 
 namespace fulcrum {
 namespace {
@@ -25,7 +25,7 @@ std::vector<SurfacePoint> edge_candidates(const Solid& solid, double step) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3], c = triangle[(i + 2) % 3];
       const Vec3 to_b = at[b] - at[a], to_c = at[c] - at[a];
-      vertex_normals[a] += math::atan2(to_b.cross(to_c).norm(), to_b.dot(to_c)) * normal;
+      vertex_normals[a] += angle_between(to_b, to_c) * normal;
       edge_normals.try_emplace(std::minmax(a, b), Vec3::Zero()).first->second += normal;
     }
   }

@@ -73,12 +73,12 @@ Plane plane_of(const Corners3& c) {
   return {(c[1] - c[0]).cross(c[2] - c[0]).stableNormalized(), c[0]};
 }
 
-struct Cut {
+struct PlaneCut {
   double evenly = 0;  // m, how far the triangle reaches beyond the plane, on the side where it is less
   std::array<double, 3> heights{};  // m, of its corners
 };
-Cut cut_by(const Plane& plane, const Corners3& corners) {
-  Cut cut;
+PlaneCut cut_by(const Plane& plane, const Corners3& corners) {
+  PlaneCut cut;
   for (std::size_t i = 0; i < 3; ++i) cut.heights[i] = plane.normal.dot(corners[i] - plane.origin);
   const auto [low, high] = std::minmax({cut.heights[0], cut.heights[1], cut.heights[2]});
   cut.evenly = std::min(high, -low);
@@ -239,9 +239,9 @@ private:
   // nearest triangle, since over one triangle the bound is that of a plane, and exact. False: no such plane
   // divides it.
   bool cut(const Piece& piece) {
-    Cut best;
+    PlaneCut best;
     const auto offer = [&](const Plane& plane) {
-      const Cut next = cut_by(plane, piece.corners);
+      const PlaneCut next = cut_by(plane, piece.corners);
       if (next.evenly > best.evenly) best = next;
     };
     if (piece.crossing.size() <= kFewPlanes)

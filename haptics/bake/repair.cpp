@@ -19,7 +19,6 @@ namespace {
 constexpr double kCrack = 1e-5;       // of the soup's diagonal: what is nearer was meant to meet
 constexpr double kWidestHole = 0.25;  // of the body's diagonal
 constexpr double kSheet = 0.5;        // a side that sees this share of what the other sees is not inside
-constexpr double kScrap = 0.01;       // of the soup's area: a smaller sheet is left out, a larger one refused
 constexpr std::size_t kTold = 5;      // holes and sheets each; the others together
 
 Box3 bounds_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {

@@ -10,6 +10,9 @@
 
 namespace fulcrum {
 
+// Of the whole area: a smaller sheet that bounds nothing is a scrap, which is left out.
+inline constexpr double kScrap = 0.01;
+
 struct Repaired {
   TriangleMesh mesh;               // as many triangles run along every edge as against it
   std::vector<std::string> notes;  // sentences, with places

@@ -18,7 +18,7 @@ constexpr double kVoxelsPerWall =
 constexpr double kRoom = 0.997;  // for the rounding of a wall of exactly three
 constexpr double kVoxelsPerError = 20.0;
 constexpr double kSamples = 2000.0;
-constexpr double kRounding = 1e-9;    // m, of distances, and more
+constexpr double kCovered = 1e-9;     // m, of distances, and more
 constexpr double kKept = 0.95;        // of the surface
 constexpr double kMaxChosen = 512e6;  // bytes
 // Bricks are 8 voxels wide, and a band of two voxels on either side meets some 13 voxels' worth of them: 9^3
@@ -77,7 +77,7 @@ double contact_error(const Solid& solid, const TriangleDistance& exact, double v
       count, threads,
       [&](std::size_t i) {
         const Vec3& p = all.points[i].position;
-        const bool covered = exact.signed_distance(p) < -kRounding;  // by another component
+        const bool covered = exact.signed_distance(p) < -kCovered;  // by another component
         measured[i] = {std::abs(value_between_corners(exact, p, voxel_m)), covered ? 0.0 : all.areas_m2[i]};
       },
       {});

@@ -6,13 +6,10 @@
 #include <cmath>
 
 #include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 
 namespace fulcrum {
 namespace {
-
-double angle_between(const Vec3& u, const Vec3& v) {
-  return math::atan2(u.cross(v).norm(), u.dot(v));
-}
 
 // A blade without thickness has no outside to point to: up, so that a normal is a normal.
 Vec3 unit(const Vec3& v) {

@@ -14,7 +14,6 @@ namespace fulcrum {
 namespace {
 
 constexpr double kFlat = 1e-12;  // volume over the cube of the diagonal: below it is rounding
-constexpr double kScrap = 0.01;  // of the whole area
 
 // The bodies that do not close are repaired, each other one stays as it is. Answers the notes.
 Result<std::vector<std::string>> repair_bodies(TriangleMesh& welded, const EdgeFans& fans,

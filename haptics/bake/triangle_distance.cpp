@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 
 namespace fulcrum {
 namespace {
@@ -13,10 +13,6 @@ constexpr double kEverything = std::numeric_limits<double>::infinity();
 Vec3 unit_or_zero(const Vec3& v) {
   const double length = v.norm();
   return length > 0.0 ? Vec3(v / length) : Vec3(Vec3::Zero());
-}
-
-double angle_between(const Vec3& u, const Vec3& v) {
-  return math::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr float kRounding = 1.0f + 4e-6f;  // of squared bounds; that of coordinates is in the slack
+constexpr float kBoundRounding = 1.0f + 4e-6f;  // of squared bounds; that of coordinates is in the slack
 
 struct Waiting {
   std::uint32_t reference;
@@ -170,7 +170,7 @@ TriangleTree::Nearest TriangleTree::nearest(Root root, const Vec3& p, double lim
                                             std::uint32_t hint) const {
   Nearest best;
   float reach = 0.0f;  // bounds above it cannot matter: the best so far, and the rounding of squared bounds
-  const auto set_reach = [&] { reach = static_cast<float>(best.squared) * kRounding; };
+  const auto set_reach = [&] { reach = static_cast<float>(best.squared) * kBoundRounding; };
   best.squared = limit_squared;
   set_reach();
   const auto look_at = [&](const Corners& corners) {

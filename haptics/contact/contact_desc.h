@@ -3,15 +3,20 @@
 
 #include <vector>
 
+#include "haptics/math/names_of.h"
+
 namespace fulcrum {
 
 enum class ContactResponse {
   penalty,       // springs against a tool with mass
   voxel,         // the same with depths from occupied voxels: the classic method, to compare with
-  quasi_static,  // springs against a tool without: "static" in a scenario
+  quasi_static,  // springs against a tool without
   constraint,    // the tool stays out, as near to the hand as it can
   direct         // springs against a tool that is where the hand wants it: no coupling
 };
+template <>
+inline constexpr std::array<std::string_view, 5> names_of<ContactResponse>{"penalty", "voxel", "static",
+                                                                           "constraint", "direct"};
 
 // Whether the tool has no mass under it.
 inline bool massless(ContactResponse response) {

@@ -5,7 +5,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kNothing = 1e-9;  // N, so that points which touch without force have a centre too
+constexpr double kLeastWeight = 1e-9;  // N, so that points which touch without force have a centre too
 
 bool alike(const Contact& a, const Contact& b, double radius) {
   constexpr double cos_60_degrees = 0.5;
@@ -59,7 +59,7 @@ void RegionTracker::describe(std::span<const Contact> contacts, std::span<const 
   std::fill_n(regions_.begin(), count_, ContactRegion{});
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     ContactRegion& region = regions_[label_[i]];
-    const double weight = forces[i].norm() + kNothing;
+    const double weight = forces[i].norm() + kLeastWeight;
     pressure[label_[i]] += weight;
     region.p_W += weight * contacts[i].p_W;
     region.nhat_W += weight * contacts[i].nhat_W;

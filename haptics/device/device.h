@@ -11,6 +11,7 @@
 #include "haptics/device/mechanism_desc.h"
 #include "haptics/device/structure.h"
 #include "haptics/device/vibrotactile_desc.h"
+#include "haptics/math/names_of.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 
@@ -47,6 +48,8 @@ enum class Kinematics {
   cartesian,  // a motor for each force axis, and for each torque axis where torque is rendered
   arms        // as `mechanism` says
 };
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<Kinematics>{"none", "cartesian", "arms"};
 
 // The device's figures, from its data sheet or measured. They bound what safety lets through; a scenario
 // cannot change them.

@@ -12,8 +12,8 @@ namespace {
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 
 constexpr double kSubstep = 0.1e-3;  // s, at most
-constexpr int kSweeps = 200;         // at most, where an axis sticks or turns back
-constexpr double kSettled = 1e-12;   // m/s or rad/s
+constexpr int kMaxSweeps = 200;      // at most, where an axis sticks or turns back
+constexpr double kStill = 1e-12;     // m/s or rad/s
 
 Mat3 cross(const Vec3& v) {
   Mat3 m;
@@ -87,7 +87,7 @@ Vec6 HeldHandle::middle(const Mat6& A, const Vec6& r, double h) const noexcept {
   Vec6 w = A.llt().solve(r - rubs.cwiseProduct(way));
   const Vec6 slides = w.unaryExpr(&sign);
   if ((slides.array() == way.array() || rubs.array() == 0).all()) return w;
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     double moved = 0;
     for (Eigen::Index i = 0; i < 6; ++i) {
       const double push = r[i] - A.row(i).dot(w) + A(i, i) * w[i];
@@ -95,7 +95,7 @@ Vec6 HeldHandle::middle(const Mat6& A, const Vec6& r, double h) const noexcept {
       moved = std::max(moved, std::abs(next - w[i]));
       w[i] = next;
     }
-    if (moved < kSettled) break;
+    if (moved < kStill) break;
   }
   return w;
 }

@@ -36,8 +36,8 @@ double exact_growth(const WallLoop& loop, const Wall& wall, const std::optional<
   const Eigen::Index delay = loop.delay_ticks, of_tool = kOwn + delay, size = of_tool + (tool ? 1 : 0);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
   Eigen::RowVectorXd velocity = Eigen::RowVectorXd::Zero(size);
-  velocity[2] = (1 - loop.keep) / T;
-  velocity[3] = loop.keep;
+  velocity[2] = (1 - loop.filter_pole) / T;
+  velocity[3] = loop.filter_pole;
   Eigen::RowVectorXd force = -wall.B * velocity;
   force[0] -= wall.K;
   if (tool) force[of_tool] += wall.B;

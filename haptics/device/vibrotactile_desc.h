@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "haptics/math/names_of.h"
+
 namespace fulcrum {
 
 inline constexpr std::size_t kMaxChannels = 4;
@@ -16,6 +18,8 @@ enum class ChannelKind {
   rumble,  // a motor with an eccentric mass: an amplitude is all that it is told
   pcm      // a voice coil, or an audio channel: it is told samples
 };
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<ChannelKind>{"rumble", "pcm"};
 
 // Figures from a data sheet or measured.
 struct ChannelDesc {

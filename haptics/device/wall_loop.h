@@ -1,9 +1,9 @@
 #pragma once
 // One axis of a device against a virtual wall on both sides: what stability is asked of.
 //     m x'' = F - b x' - f_c sgn(x'),    F = -K x - B u,    computed each tick, then held
-//     u = keep u_before + (1 - keep) (x - x_before) / T
-// The law is this simulator's coupling against a still tool, with the velocity estimator `difference` (keep =
-// 0) or `low_pass`.
+//     u = filter_pole u_before + (1 - filter_pole) (x - x_before) / T
+// The law is this simulator's coupling against a still tool, with the velocity estimator `difference`
+// (filter_pole = 0) or `low_pass`.
 
 namespace fulcrum {
 
@@ -20,8 +20,8 @@ struct DeviceAxis {
 struct WallLoop {
   DeviceAxis axis;
   double tick_s = 1e-3;
-  int delay_ticks = 0;  // whole ticks from the sample to the motors, 0 to 8
-  double keep = 0;      // of the velocity estimator's low-pass, 0 to 1
+  int delay_ticks = 0;     // whole ticks from the sample to the motors, 0 to 8
+  double filter_pole = 0;  // of the velocity estimator's low-pass, 0 to 1
 };
 
 struct Wall {

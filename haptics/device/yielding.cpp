@@ -11,7 +11,7 @@ namespace fulcrum {
 namespace {
 
 constexpr std::uint64_t kStream = 0x5969656c64696e67u;  // apart from what else the seed decides
-constexpr double kNothing = 1e-9;                       // rad: a turn that is over
+constexpr double kTurnOver = 1e-9;                      // rad: a turn that is over
 
 }  // namespace
 
@@ -51,7 +51,7 @@ Yielding::Percept Yielding::percept_of(const DeviceCommand::Cues& cues) const no
 void Yielding::turn_back(const Percept& percept) noexcept {
   const Vec3 left = rotation_vector(percept.goal * turn_.conjugate());
   const double angle = left.norm();
-  if (angle < kNothing) return;
+  if (angle < kTurnOver) return;
   const Vec3 right_way = left / angle;
   if (!told_) {
     told_ = true;
@@ -69,7 +69,7 @@ void Yielding::turn_back(const Percept& percept) noexcept {
 
 void Yielding::recover() noexcept {
   const Vec3 turned = rotation_vector(turn_);
-  turn_ = turned.norm() < kNothing ? Quat::Identity() : quaternion_exp(kept_ * turned);
+  turn_ = turned.norm() < kTurnOver ? Quat::Identity() : quaternion_exp(kept_ * turned);
 }
 
 }  // namespace fulcrum

@@ -10,6 +10,7 @@
 
 #include "haptics/estimate/kalman_design.h"
 #include "haptics/math/linear.h"
+#include "haptics/math/names_of.h"
 
 namespace fulcrum {
 
@@ -17,6 +18,8 @@ enum class AccelerationEstimatorKind {
   kalman,   // three states, white jerk: a steady gain
   adaptive  // four states, jerk correlated in time; how much of it is expected follows the innovations
 };
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<AccelerationEstimatorKind>{"kalman", "adaptive"};
 
 struct AccelerationEstimatorDesc {
   AccelerationEstimatorKind kind = AccelerationEstimatorKind::kalman;

@@ -6,8 +6,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kOneCount = 1.5;  // of a step: less is one count
-constexpr int kAtRest = 1000;      // ticks without a count; what went before has no say
+constexpr int kAtRest = 1000;  // ticks without a count; what went before has no say
 
 }  // namespace
 

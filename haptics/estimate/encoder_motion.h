@@ -10,6 +10,8 @@
 
 namespace fulcrum {
 
+inline constexpr double kOneCount = 1.5;  // of a step: less is a single count, more are several
+
 class EncoderMotion {
 public:
   // step (6): of one count in each axis, m and rad; 0: the axis is exact.

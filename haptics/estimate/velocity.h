@@ -4,11 +4,15 @@
 
 #include <vector>
 
+#include "haptics/math/names_of.h"
 #include "haptics/math/pose.h"
 
 namespace fulcrum {
 
 enum class VelocityEstimatorKind { difference, low_pass, adaptive_window };
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<VelocityEstimatorKind>{"difference", "low_pass",
+                                                                                 "adaptive_window"};
 
 struct VelocityEstimatorDesc {
   VelocityEstimatorKind kind = VelocityEstimatorKind::low_pass;

@@ -26,6 +26,7 @@
 
 #include "haptics/geometry/triangle_mesh.h"
 #include "haptics/math/linear.h"
+#include "haptics/math/names_of.h"
 
 namespace fulcrum {
 
@@ -47,6 +48,8 @@ enum class FieldFormat {
   int16,    // whole multiples of quantum_m: half the memory, and half the way for a look-up
   float32,  // as they are
 };
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<FieldFormat>{"int16", "float32"};
 
 // What decided the voxel.
 enum class VoxelReason : unsigned char {

@@ -8,7 +8,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr std::size_t kRun = 16;
+constexpr std::size_t kCellRun = 16;
 
 }  // namespace
 
@@ -17,12 +17,12 @@ ObjectMap::ObjectMap(std::span<const Vec3> samples_W, std::span<const std::int32
     samples_.push_back(samples_W[i]);
     objects_.push_back(objects[i]);
   }
-  std::vector<Box3>& runs = levels_.emplace_back((samples_.size() + kRun - 1) / kRun);
-  for (std::size_t i = 0; i < samples_.size(); ++i) runs[i / kRun].extend(samples_[i]);
+  std::vector<Box3>& runs = levels_.emplace_back((samples_.size() + kCellRun - 1) / kCellRun);
+  for (std::size_t i = 0; i < samples_.size(); ++i) runs[i / kCellRun].extend(samples_[i]);
   while (levels_.back().size() > 1) {
     const std::vector<Box3>& below = levels_.back();
-    std::vector<Box3> level((below.size() + kRun - 1) / kRun);
-    for (std::size_t i = 0; i < below.size(); ++i) level[i / kRun].extend(below[i]);
+    std::vector<Box3> level((below.size() + kCellRun - 1) / kCellRun);
+    for (std::size_t i = 0; i < below.size(); ++i) level[i / kCellRun].extend(below[i]);
     levels_.push_back(std::move(level));
   }
 }
@@ -34,9 +34,9 @@ std::int32_t ObjectMap::nearest(const Vec3& p_W) const noexcept {
 }
 
 void ObjectMap::search(std::size_t level, std::size_t node, const Vec3& p_W, Best& best) const noexcept {
-  const std::size_t first = node * kRun;
+  const std::size_t first = node * kCellRun;
   if (level == 0) {
-    for (std::size_t i = first; i < std::min(first + kRun, samples_.size()); ++i) {
+    for (std::size_t i = first; i < std::min(first + kCellRun, samples_.size()); ++i) {
       const double squared = (samples_[i] - p_W).squaredNorm();
       if (squared < best.squared) best = {squared, i};
     }
@@ -44,7 +44,7 @@ void ObjectMap::search(std::size_t level, std::size_t node, const Vec3& p_W, Bes
   }
   // The nearest first: the others are then mostly too far.
   const std::vector<Box3>& boxes = levels_[level - 1];
-  const std::size_t end = std::min(first + kRun, boxes.size());
+  const std::size_t end = std::min(first + kCellRun, boxes.size());
   std::size_t nearest = first;
   for (std::size_t i = first + 1; i < end; ++i)
     if (boxes[i].squaredExteriorDistance(p_W) < boxes[nearest].squaredExteriorDistance(p_W)) nearest = i;

@@ -8,8 +8,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-constexpr int kSteps = 24;          // of M. Badoiu, K. L. Clarkson, "Smaller core-sets for balls", SODA 2003
+constexpr float kNoBall = std::numeric_limits<float>::quiet_NaN();
+constexpr int kBallSteps = 24;      // of M. Badoiu, K. L. Clarkson, "Smaller core-sets for balls", SODA 2003
 constexpr double kRounding = 1e-6;  // more than single precision takes off a radius
 
 struct Sphere {
@@ -35,7 +35,7 @@ Sphere small_sphere(std::span<const Vec3> points) {
   for (const Vec3& p : points) box.extend(p);
   Vec3 centre = box.center();
   Sphere best{centre, std::numeric_limits<double>::infinity()};
-  for (int step = 1; step <= kSteps; ++step) {
+  for (int step = 1; step <= kBallSteps; ++step) {
     centre = centre.cast<float>().cast<double>();
     const Farthest far = farthest(points, centre);
     if (far.distance < best.radius) best = {centre, far.distance};
@@ -50,7 +50,7 @@ std::vector<SphereTree::Spheres> spheres_over(std::span<const Vec3> points, std:
   for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
     SphereTree::Spheres& block = blocks[i / kBlock];
     const std::size_t lane = i % kBlock, first = std::min(i * run, points.size());
-    block.x[lane] = block.y[lane] = block.z[lane] = kNothing;
+    block.x[lane] = block.y[lane] = block.z[lane] = kNoBall;
     block.radius[lane] = 0;
     if (first == points.size()) continue;
     const Sphere sphere = small_sphere(points.subspan(first, std::min(run, points.size() - first)));
@@ -71,9 +71,9 @@ SphereTree build_sphere_tree(const Pointshell& shell_T) {
   for (std::size_t first = 0; first < points.size(); first += kBlock) {
     const auto run = points.subspan(first, std::min(kBlock, points.size() - first));
     SphereTree::Points& patch = tree.patches[first / kBlock];
-    patch.x.fill(kNothing);
-    patch.y.fill(kNothing);
-    patch.z.fill(kNothing);
+    patch.x.fill(kNoBall);
+    patch.y.fill(kNoBall);
+    patch.z.fill(kNoBall);
     Eigen::AlignedBox3d box;
     for (const Vec3& p : run) box.extend(p);
     const Eigen::Vector3f middle = box.center().cast<float>();

@@ -50,6 +50,10 @@ double angle_between(const Quat& a, const Quat& b) {
   return angle_of(a * b.conjugate());
 }
 
+double angle_between(const Vec3& u, const Vec3& v) {
+  return math::atan2(u.cross(v).norm(), u.dot(v));
+}
+
 Quat slerp(const Quat& from, const Quat& to, double part) {
   const double cosine = from.dot(to), nearer = cosine < 0 ? -1.0 : 1.0;
   double of_from = 1.0 - part, of_to = part;  // in a line, where the angle is lost in rounding

@@ -25,6 +25,8 @@ Quat turn_by(double angle, const Vec3& axis);
 // rad, 0 to pi.
 double angle_of(const Quat& q);
 double angle_between(const Quat& a, const Quat& b);
+// Exact where they are nearly parallel, too; neither need be of length 1.
+double angle_between(const Vec3& u, const Vec3& v);
 
 // From 0 at `from` to 1 at `to`, the shorter way, at a steady pace. K. Shoemake, "Animating rotation with
 // quaternion curves", SIGGRAPH 1985.

@@ -3,7 +3,7 @@
 #include "haptics/motion/constrained_motion.h"
 #include "haptics/motion/direct_motion.h"
 #include "haptics/motion/dynamic_motion.h"
-#include "haptics/motion/static_motion.h"
+#include "haptics/motion/quasi_static_motion.h"
 
 namespace fulcrum {
 
@@ -13,7 +13,7 @@ std::unique_ptr<ToolMotion> build_motion(const PlainScene& desc) {
     case ContactResponse::voxel:
       break;
     case ContactResponse::quasi_static:
-      return std::make_unique<StaticMotion>(desc);
+      return std::make_unique<QuasiStaticMotion>(desc);
     case ContactResponse::constraint:
       return std::make_unique<ConstrainedMotion>(desc);
     case ContactResponse::direct:

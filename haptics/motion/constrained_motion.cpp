@@ -11,12 +11,12 @@
 namespace fulcrum {
 namespace {
 
-constexpr int kRounds = 6;             // at most, in a tick
-constexpr int kPasses = 3;             // in which normal forces and friction find each other
-constexpr double kSettled = 1e-6;      // m, a round that moves no point farther ends the tick
-constexpr double kTouching = 50e-6;    // m, a point nearer than this belongs to a region
-constexpr double kSettledTurn = 1e-6;  // rad, likewise
-constexpr double kSoftest = 1e-4;      // of the coupling's stiffness, however far the hand is away
+constexpr int kMaxRounds = 6;            // at most, in a tick
+constexpr int kPasses = 3;               // in which normal forces and friction find each other
+constexpr double kSettledTravel = 1e-6;  // m, a round that moves no point farther ends the tick
+constexpr double kTouching = 50e-6;      // m, a point nearer than this belongs to a region
+constexpr double kSettledTurn = 1e-6;    // rad, likewise
+constexpr double kSoftestShare = 1e-4;   // of the coupling's stiffness, however far the hand is away
 // Over the coupling's stiffness: conflicting rows share their depth at forces that are never felt, and
 // compatible ones give way by a ten thousandth of the coupling's own offset.
 constexpr double kSlackStiffness = 1e4;
@@ -62,7 +62,7 @@ ConstrainedMotion::ConstrainedMotion(const PlainScene& desc)
       allowance_(least(desc, motion_allowance)),
       reach_(
           std::min(2 * allowance_, least(desc, [](const DistanceField& field) { return field.band_m(); }))),
-      tool_radius_(std::max(desc.tool_shell->max_radius_m, kSettled)) {}
+      tool_radius_(std::max(desc.tool_shell->max_radius_m, kSettledTravel)) {}
 
 ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
   if (!looked_) look();
@@ -71,11 +71,11 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
   metric_ = secant_metric(tool_.to_hand(X_WG), tool_.to_goal(X_WG));
   qp_.set_metric(metric_);
   bool limited = false, settled = false;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     const Vec6 step = solve(X_WG);
     const double travel = step.head<3>().norm(), turn = step.tail<3>().norm();
     const double reach = travel + turn * tool_radius_;
-    settled = reach < kSettled;
+    settled = reach < kSettledTravel;
     if (settled) break;
     const double fraction = safe_fraction(travel, turn);
     limited = fraction < 1.0;
@@ -132,10 +132,11 @@ Vec6 ConstrainedMotion::secant_metric(const Vec6& to_hand, const Vec6& goal) con
   const Vec3 twist = saturated_spring(goal.tail<3>(), coupling_.angular_stiffness, coupling_.max_torque);
   const double way = goal.head<3>().norm(), turn = goal.tail<3>().norm();
   CouplingDesc secant = coupling_;
-  if (way > kSettled)
-    secant.stiffness = std::clamp(pull.norm() / way, kSoftest * coupling_.stiffness, coupling_.stiffness);
+  if (way > kSettledTravel)
+    secant.stiffness =
+        std::clamp(pull.norm() / way, kSoftestShare * coupling_.stiffness, coupling_.stiffness);
   if (turn > kSettledTurn)
-    secant.angular_stiffness = std::max(twist.norm() / turn, kSoftest * coupling_.angular_stiffness);
+    secant.angular_stiffness = std::max(twist.norm() / turn, kSoftestShare * coupling_.angular_stiffness);
   return metric(secant);
 }
 
@@ -235,7 +236,7 @@ std::vector<BuiltPart> ConstrainedMotion::parts() const {
   std::vector<BuiltPart> parts{
       query_part(query_),
       {"response",
-       "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kRounds) +
+       "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kMaxRounds) +
            " rounds of " + std::to_string(kMaxContacts) + " rows a tick, points within " +
            number_text(reach_ * 1e3) + " mm" +
            (friction_ > 0 ? ", friction " + number_text(friction_) : std::string()),

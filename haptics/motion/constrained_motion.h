@@ -17,7 +17,7 @@
 #include "haptics/contact/friction.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
-#include "haptics/motion/quasi_static.h"
+#include "haptics/motion/quasi_static_tool.h"
 #include "haptics/motion/tool_motion.h"
 
 namespace fulcrum {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/estimate/encoder_motion.h"
+
 namespace fulcrum {
 namespace {
 
-constexpr double kOneCount = 1.5;  // steps: more are several
-constexpr double kCurved = 2;      // times the mean way: the largest of a tick between two counts
-constexpr double kLikely = 0.5;    // of the largest lateness: twice what it is in the mean of a steady way
+constexpr double kCurved = 2;    // times the mean way: the largest of a tick between two counts
+constexpr double kLikely = 0.5;  // of the largest lateness: twice what it is in the mean of a steady way
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a limit: what the sums before may have gathered
+constexpr double kGathered = 1e-9;  // of a limit: what the sums before may have gathered
 constexpr int kHalvings = 50;
 
 // From the way that the last wrench would take to nothing: (3).
@@ -21,13 +21,13 @@ double aside(const Vec3& v, const Vec3& last) {
 // The largest part of `wanted`, 0 to 1, with |there + part wanted| <= limit.
 double part_of_motor(double there, double wanted, double limit) {
   const double all = there + wanted;
-  if (std::abs(all) <= limit * (1 + kRounding)) return 1;
+  if (std::abs(all) <= limit * (1 + kGathered)) return 1;
   const double room = wanted > 0 ? limit - there : limit + there;
   return std::clamp(room / std::abs(wanted), 0.0, 1.0);
 }
 
 double part_of_vector(const Vec3& there, const Vec3& wanted, double limit) {
-  if ((there + wanted).norm() <= limit * (1 + kRounding)) return 1;
+  if ((there + wanted).norm() <= limit * (1 + kGathered)) return 1;
   return part_beside(there, wanted, limit);
 }
 
@@ -36,7 +36,7 @@ double part_of_vector(const Vec3& there, const Vec3& wanted, double limit) {
 double SlewSteps::part(const Wrench& from, const Wrench& to) const noexcept {
   const double by_force = (to.force - from.force).norm(), by_torque = (to.torque - from.torque).norm();
   const auto of = [](double step, double wanted) {
-    return wanted > step * (1 + kRounding) ? step / wanted : 1.0;
+    return wanted > step * (1 + kGathered) ? step / wanted : 1.0;
   };
   return std::min(of(force, by_force), of(torque, by_torque));
 }
@@ -87,8 +87,8 @@ double OutputLimit::largest_part(const Part& continuous, const Part& transient) 
 }
 
 bool OutputLimit::within_slew(const Wrench& F_H_D) const noexcept {
-  return aside(F_H_D.force, last_.force) <= steps_.force * (1 + kRounding) &&
-         aside(F_H_D.torque, last_.torque) <= steps_.torque * (1 + kRounding);
+  return aside(F_H_D.force, last_.force) <= steps_.force * (1 + kGathered) &&
+         aside(F_H_D.torque, last_.torque) <= steps_.torque * (1 + kGathered);
 }
 
 }  // namespace fulcrum

@@ -9,6 +9,9 @@
 
 namespace fulcrum {
 
+// With fewer samples a period, what is held is mostly the tone's mirror images.
+inline constexpr double kMinSamplesPerPeriod = 2.5;
+
 class HeldSine {
 public:
   // frequency_Hz: below half of 1 / tick_s.

@@ -1,6 +1,7 @@
 #pragma once
 // The tool as a rigid body, and how it moves through one tick.
 
+#include "haptics/math/names_of.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 #include "haptics/tool/linearisation.h"
@@ -12,6 +13,9 @@ enum class Integrator {
   implicit_euler,
   momentum  // order 2 in rotation
 };
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<Integrator>{"semi_implicit_euler", "implicit_euler",
+                                                                      "momentum"};
 
 struct BodyState {
   Pose X_WT;

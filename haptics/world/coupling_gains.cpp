@@ -12,27 +12,27 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kSoftest = 1e-6;    // N/m or N m/rad
-constexpr double kStiffest = 1e9;    // likewise; where the search ends
-constexpr double kPrecision = 1e-4;  // of a limit
-constexpr double kNeutral = 1e-6;    // 1/s, of handle and tool that fly on together
-constexpr double kMargin = 0.5;      // of a limit: a factor of two is left to what the model leaves out
-constexpr double kSaturation = 0.9;  // of the device's largest force
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kMinStiffness = 1e-6;    // N/m or N m/rad
+constexpr double kStiffest = 1e9;         // likewise; where the search ends
+constexpr double kLimitPrecision = 1e-4;  // of a limit
+constexpr double kNeutral = 1e-6;         // 1/s, of handle and tool that fly on together
+constexpr double kMargin = 0.5;           // of a limit: a factor of two is left to what the model leaves out
+constexpr double kSaturation = 0.9;       // of the device's largest force
 
-// One way in which the handle moves: along an axis or about one.
-struct Way {
+// One degree of freedom of the handle: along an axis or about one.
+struct Freedom {
   DeviceAxis axis;   // in D
   double stiffness;  // what the device renders of 1 of the coupling's
   double inertia;    // kg or kg m^2, which the coupling damps
-  double tool;       // kg or kg m^2, of the tool in this way; 0: it has none
+  double tool;       // kg or kg m^2, of the tool in it; 0: it has none
 };
 
 double least_inertia(const ToolDesc& tool) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia_T, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-Way along(const SceneDesc& desc) {
+Freedom along(const SceneDesc& desc) {
   const double scale = desc.mapping.position_scale * desc.mapping.force_scale;
   const DeviceDesc& device = desc.device;
   return {{device.handle_mass, device.damping, device.friction, device.encoder_step},
@@ -41,7 +41,7 @@ Way along(const SceneDesc& desc) {
           massless(desc.contact.response) ? 0.0 : desc.tool.mass};
 }
 
-Way about(const SceneDesc& desc, Eigen::Index axis) {
+Freedom about(const SceneDesc& desc, Eigen::Index axis) {
   const double scale = desc.mapping.energy_scale();
   const DeviceDesc& device = desc.device;
   const double inertia = device.handle_inertia[axis];
@@ -53,50 +53,50 @@ Way about(const SceneDesc& desc, Eigen::Index axis) {
 }
 
 // The low-pass that is as late as the estimator.
-double keep_of(const SceneDesc& desc) {
+double filter_pole_of(const SceneDesc& desc) {
   const double late = VelocityEstimator(desc.velocity, desc.tick_s).delay() / desc.tick_s - 0.5;
   return late / (1 + late);
 }
 
-WallLoop loop_of(const Way& way, const SceneDesc& desc) {
-  return {.axis = way.axis, .tick_s = desc.tick_s, .keep = keep_of(desc)};
+WallLoop loop_of(const Freedom& dof, const SceneDesc& desc) {
+  return {.axis = dof.axis, .tick_s = desc.tick_s, .filter_pole = filter_pole_of(desc)};
 }
 
-double limit_of(const Way& way, const SceneDesc& desc) {
-  const WallLoop loop = loop_of(way, desc);
+double limit_of(const Freedom& dof, const SceneDesc& desc) {
+  const WallLoop loop = loop_of(dof, desc);
   const auto holds = [&](double k) {
     const auto wall = [&](double inertia) {
       const double B = 2 * desc.coupling.damping_ratio * std::sqrt(k * inertia);
-      return Wall{way.stiffness * k, way.stiffness * B};
+      return Wall{dof.stiffness * k, dof.stiffness * B};
     };
-    if (k >= kStiffest || !(exact_growth(loop, wall(way.inertia)) < 0)) return false;
-    if (way.tool == 0) return true;
-    const FreeTool tool{way.stiffness * way.tool, desc.integrator};
-    return exact_growth(loop, wall(way.tool), tool) < kNeutral;
+    if (k >= kStiffest || !(exact_growth(loop, wall(dof.inertia)) < 0)) return false;
+    if (dof.tool == 0) return true;
+    const FreeTool tool{dof.stiffness * dof.tool, desc.integrator};
+    return exact_growth(loop, wall(dof.tool), tool) < kNeutral;
   };
-  return end_above(kSoftest, kPrecision, holds);
+  return end_above(kMinStiffness, kLimitPrecision, holds);
 }
 
 // N/m or N m/rad of the coupling. `otherwise`: where nothing limits it.
-double suited(const Way& way, double limit, double otherwise) {
-  double k = limit < kInfinity ? kMargin * limit : otherwise;
-  if (limit < kInfinity && way.axis.friction > 0 && way.axis.encoder_step > 0)
-    k = std::min(k, 2 * way.axis.friction / way.axis.encoder_step / way.stiffness);
+double suited(const Freedom& dof, double limit, double otherwise) {
+  double k = limit < kNoLimit ? kMargin * limit : otherwise;
+  if (limit < kNoLimit && dof.axis.friction > 0 && dof.axis.encoder_step > 0)
+    k = std::min(k, 2 * dof.axis.friction / dof.axis.encoder_step / dof.stiffness);
   return k;
 }
 
 // About the axis of the handle that holds least.
-Way about(const SceneDesc& desc) {
+Freedom about(const SceneDesc& desc) {
   const DeviceDesc& device = desc.device;
-  Way least = about(desc, 0);
+  Freedom least = about(desc, 0);
   const auto alike = [](const Vec3& v) { return v.isConstant(v.x(), 0); };
   if (alike(device.handle_inertia) && alike(device.angular_damping)) return least;
   double limit = limit_of(least, desc);
   for (Eigen::Index axis = 1; axis < 3; ++axis) {
-    const Way way = about(desc, axis);
-    const double holds = limit_of(way, desc);
+    const Freedom dof = about(desc, axis);
+    const double holds = limit_of(dof, desc);
     if (holds < limit) {
-      least = way;
+      least = dof;
       limit = holds;
     }
   }
@@ -129,8 +129,8 @@ std::optional<std::string> wall_beyond_limit(const SceneDesc& desc) {
 }  // namespace
 
 StiffnessLimits coupling_limits(const SceneDesc& desc) {
-  return {desc.device.renders_force ? limit_of(along(desc), desc) : kInfinity,
-          desc.device.renders_torque ? limit_of(about(desc), desc) : kInfinity};
+  return {desc.device.renders_force ? limit_of(along(desc), desc) : kNoLimit,
+          desc.device.renders_torque ? limit_of(about(desc), desc) : kNoLimit};
 }
 
 CouplingDesc tune_coupling(const CouplingGains& given, const SceneDesc& desc) {
@@ -145,8 +145,8 @@ CouplingDesc tune_coupling(const CouplingGains& given, const SceneDesc& desc) {
   coupling.stiffness =
       given.stiffness.value_or(suited(along(desc), limits.stiffness, CouplingDesc{}.stiffness));
   const double radius_squared = desc.tool.inertia_T.trace() / 3 / desc.tool.mass;  // of gyration
-  coupling.angular_stiffness = given.angular_stiffness.value_or(std::min(
-      coupling.stiffness * radius_squared, suited(about(desc), limits.angular_stiffness, kInfinity)));
+  coupling.angular_stiffness = given.angular_stiffness.value_or(
+      std::min(coupling.stiffness * radius_squared, suited(about(desc), limits.angular_stiffness, kNoLimit)));
   coupling.max_force = given.max_force.value_or(
       device.renders_force ? kSaturation * device.max_force / force_scale : CouplingDesc{}.max_force);
   coupling.max_torque = given.max_torque.value_or(
@@ -168,7 +168,7 @@ std::optional<std::string> beyond_limits(const SceneDesc& desc) {
 
 // The force is in N at the handle, the speed the scene's.
 double lateral_damping_limit(const SceneDesc& desc) {
-  if (!desc.device.renders_force) return kInfinity;
+  if (!desc.device.renders_force) return kNoLimit;
   return exact_damping_limit(loop_of(along(desc), desc)) / desc.mapping.position_scale;
 }
 
@@ -176,7 +176,7 @@ std::optional<std::string> lateral_beyond_limit(const SceneDesc& desc) {
   if (!desc.vibrotactile_motion || desc.vibrotactile_motion->use != VibrotactileUse::sweep)
     return std::nullopt;
   const double damping = desc.vibrotactile_motion->lateral_force / desc.vibrotactile_motion->full_speed;
-  const double limit = damping > 0 ? lateral_damping_limit(desc) : kInfinity;
+  const double limit = damping > 0 ? lateral_damping_limit(desc) : kNoLimit;
   if (damping <= limit) return std::nullopt;
   return "vibrotactile_motion.lateral_force / full_speed is " + number_text(damping) +
          " N s/m, and the device, let go, holds at most " + number_text(limit) +

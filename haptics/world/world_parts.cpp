@@ -17,11 +17,6 @@ std::string free_handle_limit_text(const SceneDesc& desc) {
          number_text(limit * desc.mapping.position_scale * desc.mapping.force_scale) + " N/m";
 }
 
-const char* method_name(AllocationMethod method) {
-  constexpr const char* names[] = {"exact", "algorithm1", "pseudoinverse"};
-  return names[static_cast<int>(method)];
-}
-
 std::string reason_of(VoxelReason reason) {
   switch (reason) {
     case VoxelReason::given:
@@ -102,7 +97,6 @@ std::size_t bytes_of(const Pointshell& shell) {
 
 std::vector<BuiltPart> World::parts() const {
   const Pointshell& shell = *desc_.tool_shell;
-  constexpr const char* estimators[] = {"difference", "low_pass", "adaptive_window"};
   std::vector<BuiltPart> parts{
       field_part("field", *desc_.scene_field),
       {"pointshell",
@@ -110,12 +104,12 @@ std::vector<BuiltPart> World::parts() const {
            number_text(shell.covering_radius_m * 1e3) + " mm from one",
        bytes_of(shell)},
       {"estimator",
-       std::string("velocity by ") + estimators[static_cast<int>(desc_.velocity.kind)] + ", delay " +
+       std::string("velocity by ").append(name_of(desc_.velocity.kind)) + ", delay " +
            number_text(input_.velocity().delay() * 1e3) + " ms",
        sizeof(VelocityEstimator) + input_.velocity().bytes()},
       {"allocation",
        std::to_string(output_.motors().motors()) + " motors of " + desc_.device.name + ", " +
-           method_name(desc_.allocation.method),
+           std::string(name_of(desc_.allocation.method)),
        sizeof(Allocator)},
       {"safety", "clamp, slew, ramp-in, stop, passivity observer and controller, output limit: always built",
        sizeof(Guard) + sizeof(EncoderMotion) + sizeof(PassivityObserver) + sizeof(PassivityController) +

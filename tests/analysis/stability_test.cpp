@@ -88,12 +88,12 @@ TEST(SimulatedBorder, IsTheExactOneOfALinearDevice) {
 }
 
 TEST(SimulatedBorder, WithALowPassIsTheExactOneToo) {
-  for (double keep : {0.5, 0.686, 0.9}) {
+  for (double pole : {0.5, 0.686, 0.9}) {
     WallLoop loop = reference();
-    loop.keep = keep;
+    loop.filter_pole = pole;
     for (double B : {1.0, 0.5 * exact_damping_limit(loop)}) {
       const double exact = exact_stiffness_limit(loop, B);
-      EXPECT_NEAR(simulated_stiffness_limit(loop, B, kStart), exact, 0.05 * exact) << keep << " " << B;
+      EXPECT_NEAR(simulated_stiffness_limit(loop, B, kStart), exact, 0.05 * exact) << pole << " " << B;
     }
     EXPECT_LT(exact_stiffness_limit(loop, 10), exact_stiffness_limit(reference(), 10)) << "late damping";
   }

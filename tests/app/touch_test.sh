@@ -14,7 +14,7 @@ done
 cmp -s A/touch-left.wav A/touch-right.wav && fail "both channels got the same"
 [ "$(tail -c +45 A/touch-left.wav | tr -d '\0' | wc -c)" -gt 1000 ] || fail "nothing vibrated"
 header=$(head -1 A/trace.csv)
-for column in gain left right missing glide x direction force; do
+for column in gain level/left level/right shortfall glide x direction force; do
   [[ ",$header," == *",vibrotactile_motion/$column,"* ]] || fail "the trace has no vibrotactile_motion/$column"
 done
 expect 0 'bit for bit' "$FULCRUM" replay A/tape --out B

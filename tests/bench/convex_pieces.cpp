@@ -10,7 +10,6 @@ namespace fulcrum::bench {
 namespace {
 
 using Design = content::SpannerDesign;
-constexpr double kPi = std::numbers::pi;
 
 struct HalfSpace {
   Vec3 normal;    // (3) unit, out of what is kept
@@ -55,16 +54,16 @@ HalfSpace below(const Vec3& normal, const Vec3& p) {
 void add_ring(const TriangleMesh& mesh, const content::RingHead& head, const Vec3& centre, double towards,
               std::vector<HullPoints>& pieces) {
   constexpr int kSectors = 12;
-  constexpr double kSector = 2 * kPi / kSectors;
+  constexpr double kSector = 2 * std::numbers::pi / kSectors;
   // A sector goes past the outer wall a little, where the neck's fillets meet it.
   constexpr double kInto = 1.05;
   for (int i = 0; i < kSectors; ++i) {
     const auto at = [&](double angle) { return Vec3(towards * std::cos(angle), std::sin(angle), 0); };
     const double start = kSector * i;
     const Vec3 outward = at(start + kSector / 2);
-    pieces.push_back(
-        cut(mesh, {below(-at(start + kPi / 2), centre), below(at(start + kSector + kPi / 2), centre),
-                   below(outward, centre + kInto * head.radius * outward)}));
+    pieces.push_back(cut(mesh, {below(-at(start + std::numbers::pi / 2), centre),
+                                below(at(start + kSector + std::numbers::pi / 2), centre),
+                                below(outward, centre + kInto * head.radius * outward)}));
   }
 }
 
@@ -84,9 +83,9 @@ void add_shank(const TriangleMesh& mesh, const Vec3& middle, std::vector<HullPoi
 
 void add_bend(const Bend& bend, double radius, std::vector<HullPoints>& pieces) {
   constexpr int kColumns = 48;
-  constexpr double kPiece = 22.5 * kPi / 180;
+  constexpr double kPiece = 22.5 * std::numbers::pi / 180;
   constexpr int kSections = 9;  // of a piece: its ends and its middle
-  const double drawn = radius / (1 - std::pow(kPi / kColumns, 2) / 3);
+  const double drawn = radius / (1 - std::pow(std::numbers::pi / kColumns, 2) / 3);
   const Vec3 aside = bend.arm.cross(bend.tangent);
   const int count = static_cast<int>(std::ceil(bend.angle / kPiece - 1e-9));
   for (int piece = 0; piece < count; ++piece) {
@@ -95,7 +94,7 @@ void add_bend(const Bend& bend, double radius, std::vector<HullPoints>& pieces) 
       const double a = bend.angle * (piece + section / (kSections - 1.0)) / count;
       const Vec3 out = std::cos(a) * bend.arm + std::sin(a) * bend.tangent;
       for (int k = 0; k < kColumns; ++k) {
-        const double b = 2 * kPi * k / kColumns;
+        const double b = 2 * std::numbers::pi * k / kColumns;
         points.push_back(bend.centre + (bend.radius + drawn * std::cos(b)) * out +
                          drawn * std::sin(b) * aside);
       }

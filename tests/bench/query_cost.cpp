@@ -11,7 +11,7 @@
 namespace fulcrum::bench {
 namespace {
 
-constexpr std::size_t kWarm = 32;
+constexpr std::size_t kWarmUp = 32;
 constexpr std::size_t kFloorPoses = 64;
 constexpr double kAllTouchingDepth = 1.0e-3;  // m
 constexpr std::size_t kAllTouchingRuns = 40;
@@ -67,7 +67,7 @@ QueryCost cost_of_queries(const Field& field, const Shell& shell, const std::vec
   double touched_m2 = 0, all_m2 = 0, contacts = 0;
   for (const double area : shell->areas_m2) all_m2 += area;
   touch(*field);
-  for (std::size_t i = 0; i < kWarm; ++i) query.run(poses[poses.size() - 1 - i], set);
+  for (std::size_t i = 0; i < kWarmUp; ++i) query.run(poses[poses.size() - 1 - i], set);
   std::vector<double> us;
   for (const Pose& X_WT : poses) {
     us.push_back(cpu_us([&] { query.run(X_WT, set); }));

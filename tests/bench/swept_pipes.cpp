@@ -11,11 +11,10 @@
 namespace fulcrum::bench {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kBendRadii = 3;             // of the pipe, as the plant's bends
-constexpr int kColumns = 64;                 // corners around the circle
-constexpr double kBendStep = 2 * kPi / 180;  // rad, along a bend
-constexpr double kRunStep = 50e-3;           // m, along a run
+constexpr double kBendRadii = 3;                          // of the pipe, as the plant's bends
+constexpr int kColumns = 64;                              // corners around the circle
+constexpr double kBendStep = 2 * std::numbers::pi / 180;  // rad, along a bend
+constexpr double kRunStep = 50e-3;                        // m, along a run
 
 SweptPipe swept(const content::PipeLine& line) {
   SweptPipe pipe{line.size.pipe_radius, {}, {}};
@@ -78,7 +77,8 @@ ToPart to_part(const Run& run, double radius, const Vec3& p) {
 ToPart to_part(const Bend& bend, double radius, const Vec3& p) {
   const Vec3 from_centre = p - bend.centre;
   double angle = std::atan2(bend.tangent.dot(from_centre), bend.arm.dot(from_centre));
-  if (angle < (bend.angle - 2 * kPi) / 2) angle += 2 * kPi;  // to the nearer end of the bend
+  if (angle < (bend.angle - 2 * std::numbers::pi) / 2)
+    angle += 2 * std::numbers::pi;  // to the nearer end of the bend
   angle = std::clamp(angle, 0.0, bend.angle);
   const Vec3 from_axis =
       from_centre - bend.radius * (std::cos(angle) * bend.arm + std::sin(angle) * bend.tangent);
@@ -135,7 +135,7 @@ Nearest nearest_pipe(const std::vector<SweptPipe>& pipes, const Vec3& p) {
 }
 
 TriangleMesh mesh_of(const std::vector<SweptPipe>& pipes) {
-  constexpr double kHalfColumn = kPi / kColumns;
+  constexpr double kHalfColumn = std::numbers::pi / kColumns;
   TriangleMesh mesh;
   for (const SweptPipe& pipe : pipes) {
     std::vector<content::Station> stations;

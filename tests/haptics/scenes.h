@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "haptics/bake/field_bake.h"
@@ -78,6 +79,12 @@ inline DeviceSample at(const Pose& X_DH) {
   DeviceSample sample;
   sample.X_DH = X_DH;
   return sample;
+}
+
+inline std::vector<std::string> part_names(const SceneDesc& desc) {
+  std::vector<std::string> names;
+  for (const BuiltPart& part : expect(World::build(desc)).parts()) names.push_back(part.name);
+  return names;
 }
 
 // Holds the handle still for a while and answers the last tick.

@@ -8,7 +8,7 @@
 
 #include "engine/record/tape_writer.h"
 #include "engine/record/trace_writer.h"
-#include "made_up.h"
+#include "synthetic_run.h"
 
 namespace fulcrum::record {
 namespace {

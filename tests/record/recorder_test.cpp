@@ -13,7 +13,7 @@
 #include "engine/record/tape_reader.h"
 #include "engine/record/trace_reader.h"
 #include "haptics/safety/faults.h"
-#include "made_up.h"
+#include "synthetic_run.h"
 
 namespace fulcrum::record {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "engine/record/digest.h"
 #include "engine/record/trace_writer.h"
-#include "made_up.h"
+#include "synthetic_run.h"
 
 namespace fulcrum::record {
 namespace {

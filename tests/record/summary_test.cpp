@@ -8,7 +8,7 @@
 #include <random>
 
 #include "haptics/safety/faults.h"
-#include "made_up.h"
+#include "synthetic_run.h"
 
 namespace fulcrum::record {
 namespace {

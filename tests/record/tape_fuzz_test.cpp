@@ -9,14 +9,10 @@
 #include "engine/record/crc32c.h"
 #include "engine/record/tape_reader.h"
 #include "engine/record/tape_writer.h"
-#include "made_up.h"
+#include "synthetic_run.h"
 
 namespace fulcrum::record {
 namespace {
-
-std::span<const std::byte> bytes_of(std::string_view text) {
-  return std::as_bytes(std::span(text));
-}
 
 std::uint32_t word(const std::string& text, std::size_t at) {
   std::uint32_t value = 0;

@@ -8,14 +8,10 @@
 #include "engine/record/crc32c.h"
 #include "engine/record/tape_reader.h"
 #include "engine/record/tape_writer.h"
-#include "made_up.h"
+#include "synthetic_run.h"
 
 namespace fulcrum::record {
 namespace {
-
-std::span<const std::byte> bytes_of(std::string_view text) {
-  return std::as_bytes(std::span(text));
-}
 
 std::vector<TapeEntry> made_up_entries(int count) {
   SyntheticRun made_up(7);

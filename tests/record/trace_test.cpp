@@ -10,7 +10,7 @@
 #include "engine/record/trace_columns.h"
 #include "engine/record/trace_reader.h"
 #include "engine/record/trace_writer.h"
-#include "made_up.h"
+#include "synthetic_run.h"
 
 namespace fulcrum::record {
 namespace {
@@ -127,8 +127,8 @@ TEST(Trace, EachChannelHasAColumn) {
   TickRecord record;
   record.vibrotactile_motion.emplace().command.level = {0.5, 0.25};
   const TraceColumns columns(1e-3, {.channels = {"left", "right"}}, {record});
-  EXPECT_EQ(cell(columns, "vibrotactile_motion/left", record), "0.5");
-  EXPECT_EQ(cell(columns, "vibrotactile_motion/right", record), "0.25");
+  EXPECT_EQ(cell(columns, "vibrotactile_motion/level/left", record), "0.5");
+  EXPECT_EQ(cell(columns, "vibrotactile_motion/level/right", record), "0.25");
 }
 
 // Each cell under its own name, for all that a record can have.

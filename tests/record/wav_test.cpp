@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/record/channel_files.h"
-#include "tests/record/made_up.h"
+#include "tests/record/synthetic_run.h"
 
 namespace fulcrum::record {
 namespace {

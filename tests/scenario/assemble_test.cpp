@@ -198,7 +198,7 @@ TEST_F(Assemble, AGhostIsThereWhereTheSceneShowsOne) {
   EXPECT_TRUE(assemble_visual(scenario, *models, scene)->desc.ghost);  // off, and a key away
   scene.device.senses_rotation = false;
   EXPECT_FALSE(assemble_visual(scenario, *models, scene)->desc.ghost);
-  EXPECT_FALSE(read({}).torque_substitution);
+  EXPECT_FALSE(read({}).effects.torque_substitution);
 }
 
 // Models are numbered as they stand in the file, those of the scene alone.

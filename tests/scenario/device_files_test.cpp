@@ -24,7 +24,7 @@ double largest(DeviceDesc device, const Wrench& direction,
                AllocationMethod method = AllocationMethod::exact) {
   device.max_force = device.max_torque = 1e6;  // of the whole: not asked for here
   Allocator motors(device, {.method = method});
-  const Wrench F = motors.whole(direction * 1e3).F_H_D;
+  const Wrench F = motors.allocate_uniform(direction * 1e3).F_H_D;
   return std::max(F.force.norm(), F.torque.norm());
 }
 

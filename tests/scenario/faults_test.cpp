@@ -10,22 +10,22 @@
 namespace fulcrum::scenario::test {
 namespace {
 
-struct Case {
+struct FaultCase {
   const char* name;
   const char* what;
   const char* by;
   const char* fault;  // without the file's name
 };
 
-class ScenarioFaults : public testing::TestWithParam<Case> {};
+class ScenarioFaults : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(ScenarioFaults, PointAtTheCause) {
   const Folder folder;
-  const Case& c = GetParam();
+  const FaultCase& c = GetParam();
   EXPECT_EQ(faults_of(folder, replaced(kScenario, c.what, c.by)), std::string("scenario.yaml:") + c.fault);
 }
 
-const Case kCases[] = {
+const FaultCase kFaultCases[] = {
     {"unknown_key", "  stiffness: 5000", "  stifness: 5000",
      "11:3: unknown key 'contact.stifness'; did you mean 'stiffness'?"},
     {"unknown_key_at_top", "time_limit: 10", "time_limit: 10\nseeed: 4",
@@ -168,11 +168,11 @@ const Case kCases[] = {
      "11:14: anchor '&k' is not supported; write the value out where it is needed"},
 };
 
-std::string name_of(const testing::TestParamInfo<Case>& each) {
+std::string name_of_fault(const testing::TestParamInfo<FaultCase>& each) {
   return each.param.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ScenarioFaults, testing::ValuesIn(kCases), name_of);
+INSTANTIATE_TEST_SUITE_P(Each, ScenarioFaults, testing::ValuesIn(kFaultCases), name_of_fault);
 
 TEST(ScenarioFaultsTogether, AreAllReported) {
   const Folder folder;

@@ -58,21 +58,21 @@ TEST(Overrides, ReplaceAnEstimatorWhole) {
   EXPECT_EQ(window->velocity_estimator.window, 9);
 }
 
-struct Case {
+struct OverrideFaultCase {
   const char* name;
   const char* override;
   const char* fault;  // after "--set OVERRIDE: "
 };
 
-class OverrideFaults : public testing::TestWithParam<Case> {};
+class OverrideFaults : public testing::TestWithParam<OverrideFaultCase> {};
 
 TEST_P(OverrideFaults, SaySo) {
   const Folder folder;
-  const Case& c = GetParam();
+  const OverrideFaultCase& c = GetParam();
   EXPECT_EQ(faults_of(folder, kScenario, {c.override}), "--set " + std::string(c.override) + ": " + c.fault);
 }
 
-const Case kCases[] = {
+const OverrideFaultCase kOverrideFaultCases[] = {
     {"no_value", "stiffness", "an override is written KEY=VALUE, for instance contact.stiffness=5000"},
     {"no_key", "=3", "an override is written KEY=VALUE, for instance contact.stiffness=5000"},
     {"unknown", "contact.stifness=3", "unknown key 'contact.stifness'; did you mean 'contact.stiffness'?"},
@@ -104,11 +104,11 @@ const Case kCases[] = {
      "unknown key 'contact.stifness'; did you mean 'stiffness'?"},
 };
 
-std::string name_of(const testing::TestParamInfo<Case>& each) {
+std::string name_of_override(const testing::TestParamInfo<OverrideFaultCase>& each) {
   return each.param.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, OverrideFaults, testing::ValuesIn(kCases), name_of);
+INSTANTIATE_TEST_SUITE_P(Each, OverrideFaults, testing::ValuesIn(kOverrideFaultCases), name_of_override);
 
 TEST(Overrides, AreNamedOnOneLine) {
   const Folder folder;

@@ -14,16 +14,16 @@
 
 namespace fulcrum::test {
 
-app::Moment moment_on_route(const app::Prepared& prepared, double time, std::size_t step) {
+app::FrameInput input_on_route(const app::Prepared& prepared, double time, std::size_t step) {
   const auto& hands = prepared.haptic.hands;
   const auto expert = std::ranges::find(hands, "expert", &scenario::HandScript::name);
   if (expert == hands.end()) throw std::runtime_error("the scenario has no expert hand");
-  app::Moment moment{};
-  moment.task.reached.resize(prepared.haptic.task.checkpoints.size());
-  moment.task.step = step;
-  moment.task.inside = true;
-  moment.task.dwell_progress = 0.6;
-  TickRecord& record = moment.record;
+  app::FrameInput input{};
+  input.task.reached.resize(prepared.haptic.task.checkpoints.size());
+  input.task.step = step;
+  input.task.inside = true;
+  input.task.dwell_progress = 0.6;
+  TickRecord& record = input.record;
   record.tick = static_cast<std::int64_t>(1000 * time);
   record.force_gain = 1;
   record.X_WT = HandPath(expert->waypoints).at(time);
@@ -59,7 +59,7 @@ app::Moment moment_on_route(const app::Prepared& prepared, double time, std::siz
   }
   for (std::size_t motor = 0; motor < kMaxMotors; ++motor)
     record.actuator_load[motor] = 0.25 * static_cast<double>(motor) - 0.5;
-  return moment;
+  return input;
 }
 
 void turn_on(const app::Prepared& prepared, const Vec3& axis_T, double angle_rad, TickRecord& record) {
@@ -70,14 +70,14 @@ void turn_on(const app::Prepared& prepared, const Vec3& axis_T, double angle_rad
   record.torque_substitution->ghost = 1;
 }
 
-void expect_golden(const app::Prepared& prepared, app::Moment moment, const std::string& view,
+void expect_golden(const app::Prepared& prepared, app::FrameInput input, const std::string& view,
                    const std::string& golden) {
   Result<scenario::VisualAssembly> visual =
       scenario::assemble_visual(prepared.scenario, prepared.models, prepared.haptic.scene);
   ASSERT_TRUE(visual) << visual.error().sentence;
   const auto found = std::ranges::find(visual->views, view, &scenario::View::name);
   ASSERT_NE(found, visual->views.end()) << view;
-  moment.camera = found->camera;
+  input.camera = found->camera;
   app::RunOptions options;
   options.size = {640, 360};
   options.gpu = "llvmpipe";
@@ -86,7 +86,7 @@ void expect_golden(const app::Prepared& prepared, app::Moment moment, const std:
   std::filesystem::create_directories(folder);
   const std::filesystem::path file = folder / (golden + ".png");
   const auto drawn =
-      app::draw_picture(prepared, prepared.haptic.scene, *visual, moment, options, file, nullptr);
+      app::draw_picture(prepared, prepared.haptic.scene, *visual, input, options, file, nullptr);
   ASSERT_TRUE(drawn) << drawn.error().sentence;
   const auto picture = read_png(file);
   ASSERT_TRUE(picture) << picture.error().sentence;
@@ -97,14 +97,14 @@ void expect_golden(const app::Prepared& prepared, app::Moment moment, const std:
 
 void expect_goldens(const app::Prepared& prepared, std::span<const Shot> shots) {
   for (const Shot& shot : shots)
-    expect_golden(prepared, moment_on_route(prepared, shot.time, shot.step), shot.view, shot.view);
+    expect_golden(prepared, input_on_route(prepared, shot.time, shot.step), shot.view, shot.view);
 }
 
 void expect_ghost_goldens(const app::Prepared& prepared, std::span<const Shot> shots) {
   for (const Shot& shot : shots) {
-    app::Moment moment = moment_on_route(prepared, shot.time, shot.step);
-    turn_on(prepared, prepared.models.p_MT, 0.44, moment.record);
-    expect_golden(prepared, moment, shot.view, std::string(shot.view) + "_ghost");
+    app::FrameInput input = input_on_route(prepared, shot.time, shot.step);
+    turn_on(prepared, prepared.models.p_MT, 0.44, input.record);
+    expect_golden(prepared, input, shot.view, std::string(shot.view) + "_ghost");
   }
 }
 

@@ -12,14 +12,14 @@ namespace fulcrum::test {
 
 // The tool where the route of the hand `expert` has it at `time` (s), dwelling at the checkpoint `step`: it
 // does not depend on a run.
-app::Moment moment_on_route(const app::Prepared& prepared, double time, std::size_t step);
+app::FrameInput input_on_route(const app::Prepared& prepared, double time, std::size_t step);
 
 // The hand has turned on by `angle_rad` about an axis of T through its origin while the tool stayed, and the
 // ghost is there.
 void turn_on(const app::Prepared& prepared, const Vec3& axis_T, double angle_rad, TickRecord& record);
 
 // The moment from a view of that name, against FULCRUM_GOLDENS/`golden`.png.
-void expect_golden(const app::Prepared& prepared, app::Moment moment, const std::string& view,
+void expect_golden(const app::Prepared& prepared, app::FrameInput input, const std::string& view,
                    const std::string& golden);
 
 // A view, and when the tool is to be seen in it: at the checkpoint `step`.

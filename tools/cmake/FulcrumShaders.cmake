@@ -40,7 +40,7 @@ std::span<const std::uint32_t> embedded_shader(std::string_view name) {
 }  // namespace fulcrum::render
 ]])
   # The words are no translation unit of their own: the object depends on them, and a target is where they are made.
-  set_source_files_properties(${out}/embedded_shaders.cpp PROPERTIES OBJECT_DEPENDS "${words}")
+  set_source_files_properties(${out}/embedded_shaders.cpp PROPERTIES OBJECT_DEPENDS "${words}" SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${target} PRIVATE ${out}/embedded_shaders.cpp ${words})
   target_include_directories(${target} PRIVATE ${out})
   # A Debug build compiles the folder again while it runs, whenever a file of it changes.

@@ -4,12 +4,11 @@
 #include <functional>
 
 #include "haptics/effects/impact_vibration/distance_model.h"
+#include "haptics/effects/impact_vibration/impact_vibration.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum::analysis::ambiguity {
 namespace {
-
-constexpr double kParallel = 0.087155742747658174;  // sine of 5 degrees, as in impact_vibration.h
 
 // What an impact feels like.
 struct Percept {

@@ -37,18 +37,18 @@ struct Trial {
 };
 
 // Of one trial, every so many ticks.
-struct Moment {
+struct TimePoint {
   double time = 0;       // s
   double torque = 0;     // N m, |tau_v|
-  bool bad = false;      // in any tick since the moment before
+  bool bad = false;      // in any tick since the time point before
   double vibration = 0;  // N, amplitude
   double ghost = 0;      // opacity
 };
 
 struct VariantRuns {
   std::string name;
-  std::vector<Trial> trials;   // in the same order for every variant
-  std::vector<Moment> course;  // of the first trial
+  std::vector<Trial> trials;      // in the same order for every variant
+  std::vector<TimePoint> course;  // of the first trial
 };
 
 struct Comparison {

@@ -25,7 +25,7 @@ constexpr double kRoomForWords = 0.12;  // of the time that is shown
 double largest_torque(const Comparison& comparison) {
   double largest = comparison.bad_above_Nm;
   for (const VariantRuns& runs : comparison.variants)
-    for (const Moment& moment : runs.course) largest = std::max(largest, moment.torque);
+    for (const TimePoint& at : runs.course) largest = std::max(largest, at.torque);
   return largest;
 }
 
@@ -34,11 +34,11 @@ double largest_torque(const Comparison& comparison) {
 std::pair<double, double> stretch_with_torque(const Comparison& comparison) {
   double begin = kNever, end = -kNever, whole = 0;
   for (const VariantRuns& runs : comparison.variants) {
-    for (const Moment& moment : runs.course) {
-      whole = std::max(whole, moment.time);
-      if (moment.torque <= comparison.bad_above_Nm) continue;
-      begin = std::min(begin, moment.time);
-      end = std::max(end, moment.time);
+    for (const TimePoint& at : runs.course) {
+      whole = std::max(whole, at.time);
+      if (at.torque <= comparison.bad_above_Nm) continue;
+      begin = std::min(begin, at.time);
+      end = std::max(end, at.time);
     }
   }
   if (begin > end) return {0.0, whole};
@@ -110,18 +110,18 @@ Plot course_plot(const Comparison& comparison, std::size_t variant) {
       {named("bad torque"), 1}, {named("cue, weak"), -1}, {"", -2}, {"", -3}, {named("cue, full"), -4}};
   double loudest = 0;
   for (const VariantRuns& each : comparison.variants)
-    for (const Moment& moment : each.course) loudest = std::max(loudest, moment.vibration);
+    for (const TimePoint& at : each.course) loudest = std::max(loudest, at.vibration);
   const auto cue_band = [](double fraction) { return fraction > 0 ? shade_of(fraction) : -1; };
   Series torque{named("|τ|"), {}, Line::solid, Marker::none, report::kInk, false};
   Series bound{
       named("bad from here on, where no force explains it"), {}, Line::dashed, Marker::none, 6, false};
   std::vector<int> bad, vibration, ghost;
-  for (const Moment& moment : runs.course) {
-    plot.cells.x_edges.push_back(moment.time);
-    bad.push_back(moment.bad ? 0 : -1);
-    vibration.push_back(loudest > 0 ? cue_band(moment.vibration / loudest) : -1);
-    ghost.push_back(cue_band(moment.ghost));
-    torque.points.push_back({moment.time, moment.torque});
+  for (const TimePoint& at : runs.course) {
+    plot.cells.x_edges.push_back(at.time);
+    bad.push_back(at.bad ? 0 : -1);
+    vibration.push_back(loudest > 0 ? cue_band(at.vibration / loudest) : -1);
+    ghost.push_back(cue_band(at.ghost));
+    torque.points.push_back({at.time, at.torque});
   }
   if (!runs.course.empty()) plot.cells.x_edges.push_back(runs.course.back().time);
   bound.points = {{begin, comparison.bad_above_Nm}, {end, comparison.bad_above_Nm}};

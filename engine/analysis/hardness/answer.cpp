@@ -10,7 +10,7 @@ namespace {
 
 using report::short_number;
 
-constexpr double kNothing = 1e-9;  // what rounding leaves
+constexpr double kRounding = 1e-9;  // what rounding leaves
 
 std::string times(double gain) {
   return number(gain) + " times";
@@ -55,7 +55,7 @@ std::vector<std::string> hardness_answer(const HardnessStudy& study) {
     return answer;
   }
   answer.push_back("Algorithm 1 finds a moment in " + percent(algorithm1.helped) + " of the directions" +
-                   (algorithm1.helped < 1 - kNothing ? " and none in the others" : "") +
+                   (algorithm1.helped < 1 - kRounding ? " and none in the others" : "") +
                    ". The felt moment becomes " + times(algorithm1.gain) +
                    " that of the force alone, at most " + times(algorithm1.largest_gain) +
                    "; the force stays.");

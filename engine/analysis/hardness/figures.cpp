@@ -106,7 +106,7 @@ Plot lean_plot(const HardnessStudy& study) {
          exact = series_of(PulseMethod::exact);
   Series printed{"Algorithm 1 with the sign as printed", {}, Line::dashed, Marker::none, 3};
   const Vec3 n = Vec3::UnitY();
-  for (const LeanAt& at : study.leans) {
+  for (const TiltSample& at : study.leans) {
     const Strike strike{n, kPhi * std::numbers::pi / 180, at.lean_deg * std::numbers::pi / 180};
     const Vec3 own = strike.p_HG_D(1).cross(n).normalized();  // below 0: the other way than a contact's
     force.points.push_back({at.lean_deg, at.force_only.moment_D.dot(own)});

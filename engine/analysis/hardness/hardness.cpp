@@ -100,9 +100,9 @@ HardnessStudy study_hardness(const std::string& name, const DeviceDesc& device, 
       study.shown.push_back(there.shown(method));
   }
   for (const double phi_deg : {0.0, 15.0, 30.0, 45.0, 60.0, 90.0}) {
-    for (const bool all_leans : {false, true})
+    for (const bool all_tilts : {false, true})
       for (const PulseMethod method : {PulseMethod::algorithm1, PulseMethod::exact})
-        study.maps.push_back(at.map(method, phi_deg, all_leans));
+        study.maps.push_back(at.map(method, phi_deg, all_tilts));
     progress("The map", phi_deg / 90);
   }
   for (const double speed : {setting.speed, 0.3 * setting.speed, 0.1 * setting.speed}) {

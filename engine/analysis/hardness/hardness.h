@@ -39,10 +39,10 @@ Gain gain_over(const PulseOutcome& felt, const PulseOutcome& force_only, double 
 // is away from the person; equal areas. Cells outside of it are empty. The lower half is the same: where
 // force and moment change sign together, the motors' efforts do.
 inline constexpr std::size_t kAcross = 25;
-struct SkyMap {
+struct DirectionMap {
   PulseMethod method = PulseMethod::exact;
   double phi_deg = 0;
-  bool all_leans = false;  // the mean over eight leans; else towards the person
+  bool all_tilts = false;  // the mean over eight leans; else towards the person
   std::vector<std::optional<Gain>> cells;
 };
 std::optional<Vec3> sky_direction(std::size_t cell);  // (3) unit; of a cell that the rim cuts, on the rim
@@ -59,7 +59,7 @@ struct AngleCurve {
 };
 
 // Over the side to which the stylus leans, for a surface that faces up.
-struct LeanAt {
+struct TiltSample {
   double lean_deg = 0;
   PulseOutcome force_only, as_printed, algorithm1, exact;
 };
@@ -133,9 +133,9 @@ struct HardnessStudy {
   std::vector<DirectionMeans> means;         // at kPhi, leaning towards the person
   std::vector<DirectionMeans> along_stylus;  // with the grasp along stylus_D; empty without one
   std::vector<ShownMethod> shown;
-  std::vector<SkyMap> maps;
+  std::vector<DirectionMap> maps;
   std::vector<AngleCurve> angles;
-  std::vector<LeanAt> leans;
+  std::vector<TiltSample> leans;
   std::vector<PoseAt> poses;  // x fastest, then z, then y
   std::vector<Front> fronts;
   std::vector<PaperAxis> axes;

@@ -36,12 +36,12 @@ Panels sky_panels(const HardnessStudy& study, double Gain::*gain) {
   panels.above = "away";
   panels.below = "person";
   panels.bands = gain_bands();
-  for (const auto& [method, all_leans] :
+  for (const auto& [method, all_tilts] :
        {std::pair{PulseMethod::algorithm1, false}, std::pair{PulseMethod::exact, false},
         std::pair{PulseMethod::algorithm1, true}, std::pair{PulseMethod::exact, true}}) {
-    panels.rows.push_back(std::string(title_of(method)) + (all_leans ? ", all leans" : ", to person"));
-    for (const SkyMap& map : study.maps) {
-      if (map.method != method || map.all_leans != all_leans) continue;
+    panels.rows.push_back(std::string(title_of(method)) + (all_tilts ? ", all leans" : ", to person"));
+    for (const DirectionMap& map : study.maps) {
+      if (map.method != method || map.all_tilts != all_tilts) continue;
       if (panels.rows.size() == 1) panels.columns.push_back(degrees(map.phi_deg));
       std::vector<int> band;
       for (const std::optional<Gain>& cell : map.cells) band.push_back(cell ? gain_band((*cell).*gain) : -1);

@@ -12,12 +12,12 @@ namespace {
 
 using report::short_number;
 
-constexpr double kNothing = 1e-9;  // what rounding leaves
+constexpr double kRoundingLeft = 1e-9;  // what rounding leaves
 
 // Of the sides to which a stylus can lean at a surface that faces up: where Algorithm 1 finds no moment.
 double leans_without(const HardnessStudy& study) {
   double without = 0;
-  for (const LeanAt& at : study.leans)
+  for (const TiltSample& at : study.leans)
     if (at.algorithm1.moment_D.norm() <= (1 + kNoticed) * at.force_only.moment_D.norm()) ++without;
   return without / static_cast<double>(study.leans.size());
 }
@@ -147,7 +147,7 @@ void say_cost(report::Page& page, const HardnessStudy& study) {
   page.paragraph(
       "In what it makes small, the squares of missing force and of missing felt moment over |r|, the "
       "exact method was " +
-      std::string(checks.worst_margin <= kNothing ? "never" : "sometimes") +
+      std::string(checks.worst_margin <= kRoundingLeft ? "never" : "sometimes") +
       " worse than Algorithm 1 or the pseudoinverse. At its worst it was " +
       short_number(std::abs(checks.worst_margin), 2) + " of the wanted wrench's square " +
       (checks.worst_margin > 0 ? "above" : "below") +

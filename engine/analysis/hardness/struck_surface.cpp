@@ -13,7 +13,7 @@ std::vector<double> struck_forces(const DeviceDesc& device, const StrikeSetting&
                                .encoder_step = 0},
                       .tick_s = setting.tick_s,
                       .delay_ticks = 0,
-                      .keep = 0};
+                      .filter_pole = 0};
   SimulatedWall surface(loop, {.K = setting.stiffness, .B = 0}, setting.speed);
   std::vector<double> forces;
   for (int tick = 0; tick < kStruckTicks && surface.v() > 0; ++tick) {

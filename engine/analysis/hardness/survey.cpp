@@ -5,13 +5,14 @@
 
 #include "engine/analysis/hardness/struck_surface.h"
 #include "haptics/math/functions.h"
+#include "haptics/math/rotation.h"
 
 namespace fulcrum::analysis::hardness {
 namespace {
 
-constexpr int kLeans = 8;           // of a mean over them
-constexpr double kNothing = 1e-12;  // N
-constexpr double kReached = 1e-6;   // m
+constexpr int kLeans = 8;              // of a mean over them
+constexpr double kNoMore = 1e-12;      // N
+constexpr double kPoseReached = 1e-6;  // m
 
 double rad(double deg) {
   return deg * std::numbers::pi / 180;
@@ -79,13 +80,13 @@ std::vector<HardnessRow> HardnessSurvey::rows_at_home(std::span<const PulseMetho
   return rows;
 }
 
-SkyMap HardnessSurvey::map(PulseMethod method, double phi_deg, bool all_leans) {
-  SkyMap map{method, phi_deg, all_leans, {}};
+DirectionMap HardnessSurvey::map(PulseMethod method, double phi_deg, bool all_tilts) {
+  DirectionMap map{method, phi_deg, all_tilts, {}};
   for (std::size_t cell = 0; cell < kAcross * kAcross; ++cell) {
     const std::optional<Vec3> nhat_D = sky_direction(cell);
     map.cells.emplace_back();
     if (!nhat_D) continue;
-    const int leans = all_leans ? kLeans : 1;
+    const int leans = all_tilts ? kLeans : 1;
     MeanGain mean;
     for (int lean = 0; lean < leans; ++lean) {
       const Strike strike{*nhat_D, rad(phi_deg), 2 * std::numbers::pi * lean / kLeans};
@@ -115,7 +116,7 @@ AngleCurve HardnessSurvey::over_angles(PulseMethod method) {
   return curve;
 }
 
-LeanAt HardnessSurvey::lean(double lean_deg) {
+TiltSample HardnessSurvey::lean(double lean_deg) {
   const Strike strike{Vec3::UnitY(), rad(kPhi), rad(lean_deg)};
   return {lean_deg, striker_.strike(PulseMethod::force_only, Pose{}, strike),
           striker_.as_printed(Pose{}, strike), striker_.strike(PulseMethod::algorithm1, Pose{}, strike),
@@ -129,7 +130,7 @@ PoseAt HardnessSurvey::pose(const Vec3& p_DH) {
   if (device_.kinematics == Kinematics::arms) {
     Mechanism mechanism(device_.mechanism);
     mechanism.follow(X_DH);
-    at.reached = mechanism.out_of_reach() < kReached;
+    at.reached = mechanism.out_of_reach() < kPoseReached;
   } else {
     at.reached = true;
   }
@@ -175,7 +176,7 @@ TickMethod HardnessSurvey::in_the_tick(PulseMethod method) {
     const PulseOutcome able = striker_.strike(method, Pose{}, strike);
     force.add(felt.force);
     moment.add(felt.moment_D.norm());
-    cut.add(felt.missing > able.missing + kNothing ? 1.0 : 0.0);
+    cut.add(felt.missing > able.missing + kNoMore ? 1.0 : 0.0);
     gain.add(gain_over(felt, striker_.in_the_tick(PulseMethod::force_only, Pose{}, strike), strike.phi,
                        setting_.lever));
   }
@@ -235,7 +236,7 @@ ShownMethod HardnessSurvey::shown(PulseMethod method) {
     const Vec3 own = setting_.wanted_force() * strike.p_HG_D(setting_.lever).cross(nhat_D);
     force.add(felt.force);
     tilt.add(felt.tilt);
-    turned.add(math::atan2(felt.moment_D.cross(own).norm(), felt.moment_D.dot(own)));
+    turned.add(angle_between(felt.moment_D, own));
     shown.largest_tilt = std::max(shown.largest_tilt, felt.tilt);
     shown.largest_moment = std::max(shown.largest_moment, felt.moment_D.norm() / own.norm());
   }

@@ -16,9 +16,9 @@ public:
   HardnessRow row(PulseMethod method, const Pose& X_DH, const std::string& pose, const Vec3& nhat_D,
                   double phi_deg);
   std::vector<HardnessRow> rows_at_home(std::span<const PulseMethod> methods, std::span<const double> phis);
-  SkyMap map(PulseMethod method, double phi_deg, bool all_leans);
+  DirectionMap map(PulseMethod method, double phi_deg, bool all_tilts);
   AngleCurve over_angles(PulseMethod method);
-  LeanAt lean(double lean_deg);
+  TiltSample lean(double lean_deg);
   PoseAt pose(const Vec3& p_DH);
   Front front(const std::string& name, const Vec3& nhat_D);
   TickMethod in_the_tick(PulseMethod method);

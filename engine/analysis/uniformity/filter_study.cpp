@@ -62,10 +62,6 @@ void measure(FilterRow& row, const AccelerationEstimatorDesc& desc, double encod
 
 }  // namespace
 
-std::string_view name_of(AccelerationEstimatorKind kind) {
-  return kind == AccelerationEstimatorKind::kalman ? "kalman" : "adaptive";
-}
-
 std::vector<FilterRow> study_filters(double encoder_step, double tick_s) {
   std::vector<FilterRow> rows;
   for (const auto kind : {AccelerationEstimatorKind::kalman, AccelerationEstimatorKind::adaptive}) {

@@ -22,6 +22,4 @@ struct FilterRow {
 // encoder_step: m, above 0.
 std::vector<FilterRow> study_filters(double encoder_step, double tick_s);
 
-std::string_view name_of(AccelerationEstimatorKind kind);
-
 }  // namespace fulcrum::analysis::uniformity

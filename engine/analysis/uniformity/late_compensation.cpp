@@ -10,10 +10,10 @@
 namespace fulcrum::analysis::uniformity {
 namespace {
 
-constexpr double kLength = 4, kLast = 0.5;  // s
-constexpr double kAbove = 5e-3;             // m, where the hand begins
-constexpr double kDeep = 4e-3;              // m, where it wants the stick
-constexpr double kNoBudget = 1e3;           // J, that nothing reaches
+constexpr double kRunLength = 4, kLast = 0.5;  // s
+constexpr double kAbove = 5e-3;                // m, where the hand begins
+constexpr double kDeep = 4e-3;                 // m, where it wants the stick
+constexpr double kNoBudget = 1e3;              // J, that nothing reaches
 
 struct Swing {
   std::vector<double> way;
@@ -36,7 +36,7 @@ Swing press(SceneDesc scene, const InertiaLoop& loop) {
   World world = std::move(*World::build(scene));
   Swing run;
   double low = kAbove, high = -kAbove;
-  for (int i = 0; i < static_cast<int>(kLength / scene.tick_s); ++i) {
+  for (int i = 0; i < static_cast<int>(kRunLength / scene.tick_s); ++i) {
     const double t = i * scene.tick_s;
     const StepResult result = step(world, device.read(), {});
     device.write(result.command);
@@ -44,7 +44,7 @@ Swing press(SceneDesc scene, const InertiaLoop& loop) {
     run.way.push_back(y);
     run.least_port = std::min(run.least_port, result.record.energy_port);
     if (result.record.inertia_compensation->faded && run.faded_at < 0) run.faded_at = t;
-    if (t < kLength - kLast) continue;
+    if (t < kRunLength - kLast) continue;
     low = std::min(low, y);
     high = std::max(high, y);
   }

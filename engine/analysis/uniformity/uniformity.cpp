@@ -85,11 +85,6 @@ double with_true_acceleration(const StickBodies& bodies, DeviceDesc device, doub
 
 }  // namespace
 
-std::string_view name_of(InertiaMethod method) {
-  constexpr std::array<std::string_view, 3> names{"none", "arm", "acceleration"};
-  return names[static_cast<std::size_t>(method)];
-}
-
 UniformityStudy study_uniformity(const DeviceDesc& device, const StrikePath& path, int strikes,
                                  const UniformityProgress& progress) {
   UniformityStudy study;

@@ -63,6 +63,4 @@ using UniformityProgress = std::function<void(std::string_view what, double frac
 UniformityStudy study_uniformity(const DeviceDesc& device, const StrikePath& path, int strikes,
                                  const UniformityProgress& progress);
 
-std::string_view name_of(InertiaMethod method);
-
 }  // namespace fulcrum::analysis::uniformity

@@ -15,7 +15,7 @@ namespace fulcrum::analysis::workprecision {
 namespace {
 
 constexpr double kTick = 1e-3;          // s
-constexpr double kStiffness = 2000;     // N/m
+constexpr double kSpring = 2000;        // N/m
 constexpr double kDamping = 4;          // N s/m
 constexpr double kCutoff_Hz = 60;       // of the wall's velocity
 constexpr double kDepth = 2e-3;         // m, of the press
@@ -47,7 +47,7 @@ Trembling tremble(double rms, double count, double seconds) {
   const auto seen = [count](double x) { return count > 0 ? std::round(x / count) * count : x; };
   const double keep = math::exp(-2 * std::numbers::pi * kCutoff_Hz * kTick);
   Trembling hand;
-  double x = place(0), q = seen(x), v = 0, F = -kStiffness * q;
+  double x = place(0), q = seen(x), v = 0, F = -kSpring * q;
   hand.first_force = F;
   for (int tick = 1; tick <= static_cast<int>(seconds / kTick); ++tick) {
     const double next = place(tick);
@@ -56,7 +56,7 @@ Trembling tremble(double rms, double count, double seconds) {
     x = next;
     q = seen(next);
     v = keep * v + (1 - keep) * hand.counted.back() / kTick;
-    F = -kStiffness * q - kDamping * v;
+    F = -kSpring * q - kDamping * v;
     hand.force.push_back(F);
   }
   return hand;

@@ -28,7 +28,7 @@ Pose askew() {
   return {quaternion_exp(Vec3(0.31, 0.52, 0.23)), Vec3(0.13e-3, 0.07e-3, 0.19e-3)};
 }
 
-PressPlace moved(const PressPlace& place, const Pose& X) {
+PressPlace moved_place(const PressPlace& place, const Pose& X) {
   return {X * place.X_WT_start, X * place.X_WG, {X.q * place.felt.force, X.q * place.felt.torque}};
 }
 
@@ -100,8 +100,9 @@ WorkStudy study_press_groove(bool quick) {
     const double z = 20e-3 * ((i + 0.5) / places - 0.5);
     const Pose start{Quat::Identity(), Vec3(0, height, z)};
     const Wrench felt{Vec3(0, -W, 0), Vec3::Zero()};
-    task.springs.push_back(moved({start, {Quat::Identity(), Vec3(0, height - sink - pulled, z)}, felt}, X));
-    task.rigid.push_back(moved({start, {Quat::Identity(), Vec3(0, height - pulled, z)}, felt}, X));
+    task.springs.push_back(
+        moved_place({start, {Quat::Identity(), Vec3(0, height - sink - pulled, z)}, felt}, X));
+    task.rigid.push_back(moved_place({start, {Quat::Identity(), Vec3(0, height - pulled, z)}, felt}, X));
   }
   measure_presses(study, task);
   return study;
@@ -145,7 +146,7 @@ WorkStudy study_press_table(bool quick) {
           {Quat::Identity(), Vec3(0, b, 0)},
           {quaternion_exp(Vec3(0, 0, angle + torque / k_R)), Vec3(0, height - P / k_c, 0)},
           {Vec3(0, -P, 0), Vec3(0, 0, torque)}};
-      return moved(straight, X * on_floor);
+      return moved_place(straight, X * on_floor);
     };
     task.springs.push_back(place(t, b * math::cos(t) - P / (4 * k), couple));
     task.rigid.push_back(place(0, b, -P * e));

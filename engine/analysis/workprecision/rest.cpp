@@ -16,9 +16,9 @@
 namespace fulcrum::analysis::workprecision {
 namespace {
 
-constexpr double kRadius = 4e-3, kPressed = 1e-3;      // m
+constexpr double kTubeRadius = 4e-3, kPressed = 1e-3;  // m
 constexpr double kDeviation = 50e-6, kEdges = 0.5e-3;  // m
-constexpr int kPressing = 60, kSettling = 100;         // ticks
+constexpr int kLowering = 60, kResting = 100;          // ticks
 
 // Along x, its edge at y = 0, 60 degrees sharp.
 TriangleMesh knife_mesh() {
@@ -32,7 +32,7 @@ TriangleMesh knife_mesh() {
   return mesh;
 }
 
-struct Method {
+struct ShellMethod {
   const char* name;
   double deviation;  // m
   bool edges;
@@ -48,15 +48,15 @@ Rest rest(const SceneDesc& desc) {
   DeviceSample sample;
   const Pose& start = desc.tool.X_WT_start;
   sample.X_DH = start;
-  const double lowest = kRadius - kPressed;
+  const double lowest = kTubeRadius - kPressed;
   const std::int64_t before = thread_cpu_ns();
-  for (int i = 1; i <= kPressing; ++i) {
-    sample.X_DH.p.y() = start.p.y() + (lowest - start.p.y()) * i / kPressing;
+  for (int i = 1; i <= kLowering; ++i) {
+    sample.X_DH.p.y() = start.p.y() + (lowest - start.p.y()) * i / kLowering;
     step(world, sample, {});
   }
-  const double us = static_cast<double>(thread_cpu_ns() - before) * 1e-3 / kPressing;
+  const double us = static_cast<double>(thread_cpu_ns() - before) * 1e-3 / kLowering;
   Vec3 felt = Vec3::Zero();
-  for (int i = 0; i < kSettling; ++i) felt = step(world, sample, {}).record.coupling_F_T_W.force;
+  for (int i = 0; i < kResting; ++i) felt = step(world, sample, {}).record.coupling_F_T_W.force;
   const double truth = -desc.coupling.stiffness * kPressed;
   return {(felt - Vec3(0, truth, 0)).squaredNorm() / (truth * truth), us};
 }
@@ -76,7 +76,7 @@ WorkStudy study_rest(bool quick) {
       "",
       {},
       {}};
-  const Solid roller = std::move(*build_solid(tube_mesh(2e-3, kRadius, 30e-3, quick ? 64 : 256)));
+  const Solid roller = std::move(*build_solid(tube_mesh(2e-3, kTubeRadius, 30e-3, quick ? 64 : 256)));
   const Solid knife = std::move(*build_solid(knife_mesh()));
   SceneDesc desc;
   desc.tool.mass = 0.1;
@@ -90,8 +90,9 @@ WorkStudy study_rest(bool quick) {
   const auto tool_field = field_of(roller.mesh, 0.5e-3);
 
   const double none = PointshellDesc{}.deviation;
-  for (const Method& method : {Method{"even", none, false}, Method{"deviation", kDeviation, false},
-                               Method{"edges", kDeviation, true}}) {
+  for (const ShellMethod& method :
+       {ShellMethod{"even", none, false}, ShellMethod{"deviation", kDeviation, false},
+        ShellMethod{"edges", kDeviation, true}}) {
     desc.scene_edges = method.edges ? edges : nullptr;
     desc.tool_field = method.edges ? tool_field : nullptr;
     for (const double spacing_mm :
@@ -104,7 +105,7 @@ WorkStudy study_rest(bool quick) {
       Rest sum;
       for (int i = 0; i < places; ++i) {
         const Quat rolled = quaternion_exp(Vec3(0, 0, roll(random)));
-        desc.tool.X_WT_start = {rolled, Vec3(0, kRadius + 1e-3, aside(random))};
+        desc.tool.X_WT_start = {rolled, Vec3(0, kTubeRadius + 1e-3, aside(random))};
         const Rest one = rest(desc);
         sum.mean_square += one.mean_square / places;
         sum.cpu_us += one.cpu_us / places;

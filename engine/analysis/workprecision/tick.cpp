@@ -19,28 +19,28 @@ namespace {
 constexpr double kMean = 1e-3, kSwing = 0.5e-3;     // m
 constexpr double kTurn = 2 * std::numbers::pi * 2;  // rad/s
 constexpr double kSettled = 0.5, kEnd = 1;          // s: measured in between, one turn
-constexpr double kRadius = 5e-3;                    // m
+constexpr double kBallRadius = 5e-3;                // m
 
-struct Method {
+struct TickMethod {
   const char* name;
   ContactResponse response;
   Integrator integrator;
 };
-constexpr Method kMethods[] = {
+constexpr TickMethod kMethods[] = {
     {"penalty, semi-implicit Euler", ContactResponse::penalty, Integrator::semi_implicit_euler},
     {"penalty, implicit Euler", ContactResponse::penalty, Integrator::implicit_euler},
     {"static", ContactResponse::quasi_static, Integrator::implicit_euler},
     {"constraint", ContactResponse::constraint, Integrator::implicit_euler}};
 
-SceneDesc scene(const Method& method, const std::shared_ptr<const DistanceField>& floor, double tick_s) {
+SceneDesc scene(const TickMethod& method, const std::shared_ptr<const DistanceField>& floor, double tick_s) {
   SceneDesc desc;
   desc.tick_s = tick_s;
   desc.tool.mass = 0.2;
   desc.tool.inertia_T = Mat3::Identity() * 5.3e-5;
   desc.tool.weight = false;
-  desc.tool.X_WT_start.p.y() = kRadius;
+  desc.tool.X_WT_start.p.y() = kBallRadius;
   desc.tool_shell =
-      shell_touching(std::array{Vec3(0, -kRadius, 0)}, std::array{Vec3(0, -1, 0)}, 0.75 * kRadius);
+      shell_touching(std::array{Vec3(0, -kBallRadius, 0)}, std::array{Vec3(0, -1, 0)}, 0.75 * kBallRadius);
   desc.scene_field = floor;
   desc.velocity.kind = VelocityEstimatorKind::difference;
   desc.coupling.stiffness = 1000;
@@ -88,7 +88,7 @@ double run(const SceneDesc& desc) {
   DeviceSample sample;
   for (long i = 0; i < ticks; ++i) {
     const double t = static_cast<double>(i) * desc.tick_s;
-    sample.X_DH.p.y() = kRadius - kMean - kSwing * math::sin(kTurn * t);
+    sample.X_DH.p.y() = kBallRadius - kMean - kSwing * math::sin(kTurn * t);
     const double felt = -step(world, sample, {}).record.coupling_F_T_W.force.y();
     if (i < settled) continue;
     constexpr int moments = 8;
@@ -120,7 +120,7 @@ WorkStudy study_tick(bool quick) {
       {},
       {}};
   const auto floor = field_of(box_mesh({-0.02, -0.01, -0.02}, {0.02, 0, 0.02}), 0.5e-3);
-  for (const Method& method : kMethods) {
+  for (const TickMethod& method : kMethods) {
     study.expected_order.emplace_back(method.name, 1);
     for (const double tick_ms : quick ? std::vector{1.0, 0.5} : std::vector{4.0, 2.0, 1.0, 0.5, 0.25}) {
       const SceneDesc desc = scene(method, floor, 1e-3 * tick_ms);

@@ -98,7 +98,7 @@ Json to_json(const analysis::compare::Comparison& comparison) {
 std::string command_line(const CompareOptions& options) {
   std::string text = "fulcrum compare " + options.run.scenario + " --variants ";
   for (const TorqueVariant variant : options.variants)
-    text += (variant == options.variants.front() ? "" : ",") + variant_name(variant);
+    text.append(variant == options.variants.front() ? "" : ",").append(name_of(variant));
   if (options.tape.empty())
     text += " --hand " + options.hand + " --trials " + std::to_string(options.trials);
   else

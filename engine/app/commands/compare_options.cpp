@@ -8,25 +8,17 @@
 #include "engine/scenario/words.h"
 
 namespace fulcrum::app {
-namespace {
-
-constexpr std::array<std::string_view, 3> kNames{"A", "B", "C"};  // in the order of TorqueVariant
-
-}  // namespace
-
-std::string variant_name(TorqueVariant variant) {
-  return std::string(kNames[static_cast<std::size_t>(variant)]);
-}
 
 std::string read_variants(const std::string& text, std::vector<TorqueVariant>& variants) {
+  constexpr const auto& names = names_of<TorqueVariant>;
   std::vector<TorqueVariant> read;
   std::istringstream in(text);
   for (std::string name; std::getline(in, name, ',');) {
-    const auto known = std::find(kNames.begin(), kNames.end(), name);
-    if (known == kNames.end())
+    const auto known = std::find(names.begin(), names.end(), name);
+    if (known == names.end())
       return "there is no variant " + scenario::in_quotes(name) +
-             scenario::did_you_mean(name, kNames, "there are A, B and C; give them as A,B,C");
-    const auto variant = static_cast<TorqueVariant>(known - kNames.begin());
+             scenario::did_you_mean(name, names, "there are A, B and C; give them as A,B,C");
+    const auto variant = static_cast<TorqueVariant>(known - names.begin());
     if (std::count(read.begin(), read.end(), variant) > 0) return "variant " + name + " is named twice";
     read.push_back(variant);
   }

@@ -18,8 +18,6 @@ struct CompareOptions {
   std::uint64_t trials = 20;
 };
 
-std::string variant_name(TorqueVariant variant);
-
 // "A,B,C": each at most once. A sentence if that is not it.
 std::string read_variants(const std::string& text, std::vector<TorqueVariant>& variants);
 

@@ -18,7 +18,7 @@ constexpr double kMomentEvery = 20e-3;  // s, of a course
 // Looks on while the first trial of a variant runs.
 class CourseWatch {
 public:
-  CourseWatch(double tick_s, std::vector<analysis::compare::Moment>& course)
+  CourseWatch(double tick_s, std::vector<analysis::compare::TimePoint>& course)
       : every_(std::max<std::int64_t>(1, std::llround(kMomentEvery / tick_s))),
         tick_s_(tick_s),
         course_(course) {}
@@ -36,7 +36,7 @@ public:
 private:
   std::int64_t every_;
   double tick_s_;
-  std::vector<analysis::compare::Moment>& course_;
+  std::vector<analysis::compare::TimePoint>& course_;
   bool bad_ = false;
 };
 
@@ -138,7 +138,8 @@ analysis::compare::Comparison run_trials(const Prepared& prepared, const Compare
   analysis::compare::Comparison comparison =
       described(prepared, options, *trials.world(options.variants.front()));
   for (const TorqueVariant variant : options.variants)
-    comparison.variants.push_back({variant_name(variant), std::vector<analysis::compare::Trial>(count), {}});
+    comparison.variants.push_back(
+        {std::string(name_of(variant)), std::vector<analysis::compare::Trial>(count), {}});
   for_each_piece(
       comparison.variants.size() * count, 0,
       [&](std::size_t piece) {

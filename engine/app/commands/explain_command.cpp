@@ -34,7 +34,7 @@ std::string human_us(double us) {
   return us > 0 ? text : "";
 }
 
-void print_table(const std::vector<InventoryItem>& items, bool with_cost) {
+void print_items(const std::vector<InventoryItem>& items, bool with_cost) {
   std::size_t width = 0;
   for (const InventoryItem& item : items) width = std::max(width, item.name.size());
   for (const InventoryItem& item : items) {
@@ -113,11 +113,11 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
   std::printf("%s\n", bold(prepared->scenario.title).c_str());
   std::printf("On %s, %s.\n\n%s\n", world->desc().device.name.c_str(),
               device.own ? "the scenario's own device" : "an installed device", bold("Built").c_str());
-  print_table(list.built, true);
+  print_items(list.built, true);
   std::printf(
       "  A whole tick takes %.1f us of the processor, in the mean over the '%s' hand's motion.\n\n%s\n",
       tick_us, hand.c_str(), bold("Left out").c_str());
-  print_table(list.left_out, false);
+  print_items(list.left_out, false);
   if (!prepared->haptic.repaired.empty()) std::printf("\n%s\n", bold("Repaired").c_str());
   for (const std::string& note : prepared->haptic.repaired) std::printf("  %s\n", note.c_str());
   for (const std::string& note : prepared->haptic.notes) std::printf("%s\n", dim(note).c_str());

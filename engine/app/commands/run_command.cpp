@@ -143,8 +143,8 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   const Result<scenario::VisualAssembly> visual = assemble_shown(prepared, attempt->world().desc(), options);
   if (visual) {
     const RunSink& sink = attempt->sink();
-    const Moment moment{sink.last(), sink.afterglow(), sink.task(), visual->desc.camera};
-    const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, moment, options,
+    const FrameInput input{sink.last(), sink.afterglow(), sink.task(), visual->desc.camera};
+    const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, input, options,
                                       attempt->folder() / record::kPictureName, &plan);
     drawn = static_cast<bool>(picture);
     if (!drawn) complain("there is no picture: " + picture.error().sentence);

@@ -36,9 +36,6 @@ std::string sensed_words(const SceneDesc& scene, const HoldingRecord& cues) {
   return {};
 }
 
-// As commands number them.
-constexpr std::array<std::string_view, 3> kMethods{"none", "arm", "acceleration"};
-
 // Those that do something: arm needs a device that renders torque, acceleration a gain.
 std::vector<std::string> methods_of(const SceneDesc& scene) {
   std::vector<std::string> methods{"none"};
@@ -79,8 +76,7 @@ std::optional<ui::HoldingPanel> holding_panel(const SceneDesc& scene, const Tick
   panel.limit = cues.limit;
   if (!record.inertia_compensation) return panel;
   const std::vector<std::string> methods = methods_of(scene);
-  const auto used =
-      std::ranges::find(methods, kMethods[static_cast<std::size_t>(record.inertia_compensation->method)]);
+  const auto used = std::ranges::find(methods, name_of(record.inertia_compensation->method));
   const std::size_t method = used == methods.end() ? 0 : static_cast<std::size_t>(used - methods.begin());
   if (scene.inertia_compensation->switchable) {
     panel.methods = methods;
@@ -105,9 +101,9 @@ std::vector<Command> holding_commands(const ui::HoldingPanel& shown, const ui::H
     case Part::method:
       if (shown.methods.size() < 2) return {};
       return {{Kind::compensation,
-               static_cast<double>(
-                   std::ranges::find(kMethods, shown.methods[static_cast<std::size_t>(press.value)]) -
-                   kMethods.begin())}};
+               static_cast<double>(std::ranges::find(names_of<InertiaMethod>,
+                                                     shown.methods[static_cast<std::size_t>(press.value)]) -
+                                   names_of<InertiaMethod>.begin())}};
   }
   return {};
 }

@@ -10,7 +10,7 @@
 namespace fulcrum::app {
 
 Result<std::filesystem::path> draw_picture(const Prepared& prepared, const SceneDesc& scene,
-                                           const scenario::VisualAssembly& visual, const Moment& moment,
+                                           const scenario::VisualAssembly& visual, const FrameInput& input,
                                            const RunOptions& options, const std::filesystem::path& file,
                                            render::RenderPlan* plan) {
   vulkan::InstanceOptions instance_options;
@@ -27,11 +27,11 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   if (!renderer) return renderer.error();
   if (plan != nullptr) *plan = (*renderer)->plan();
 
-  const ui::OverlayState shown = overlay_state(prepared, scene, moment.record, moment.afterglow, moment.task);
+  const ui::OverlayState shown = overlay_state(prepared, scene, input.record, input.afterglow, input.task);
   if (auto error = (*overlay)->prepare(shown, options.size)) return *error;
   FrameBridge bridge(visual.desc, prepared.scenario, scene);
   render::FrameState frame =
-      bridge.frame(moment.record, moment.afterglow, moment.task, moment.camera, shown.time_s);
+      bridge.frame(input.record, input.afterglow, input.task, input.camera, shown.time_s);
   frame.overlay = overlay->get();
   if (auto error = (*renderer)->frame(frame)) return *error;
   const auto picture = (*renderer)->read_back();

@@ -10,7 +10,7 @@
 
 namespace fulcrum::app {
 
-struct Moment {
+struct FrameInput {
   TickRecord record;
   Afterglow afterglow;
   scenario::TaskState task;
@@ -21,7 +21,7 @@ struct Moment {
 // file that cannot be written, what the
 // validation layers say if options ask for them.
 Result<std::filesystem::path> draw_picture(const Prepared& prepared, const SceneDesc& scene,
-                                           const scenario::VisualAssembly& visual, const Moment& moment,
+                                           const scenario::VisualAssembly& visual, const FrameInput& input,
                                            const RunOptions& options, const std::filesystem::path& file,
                                            render::RenderPlan* plan);
 

@@ -16,20 +16,20 @@ namespace {
 constexpr double kStretch = 20;  // s of the hand's motion
 constexpr std::size_t kSamplesWanted = 2000;
 
-struct Moment {
+struct TimePoint {
   BodyState tool;
   DeviceSample sample;
   Pose X_WH;
   Wrench coupling_F_T_W;
 };
 
-// us per call of f over all moments; the first pass warms the caches.
+// us per call of f over all time_points; the first pass warms the caches.
 template <class F>
-double mean_us(const std::vector<Moment>& moments, F&& f) {
-  for (const Moment& m : moments) f(m);
+double mean_us(const std::vector<TimePoint>& time_points, F&& f) {
+  for (const TimePoint& m : time_points) f(m);
   const std::int64_t before = thread_cpu_ns();
-  for (const Moment& m : moments) f(m);
-  return static_cast<double>(thread_cpu_ns() - before) * 1e-3 / static_cast<double>(moments.size());
+  for (const TimePoint& m : time_points) f(m);
+  return static_cast<double>(thread_cpu_ns() - before) * 1e-3 / static_cast<double>(time_points.size());
 }
 
 // us per call of f, tick after tick: what a query reads lies where the one before left off.
@@ -92,7 +92,7 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
   const auto ticks =
       static_cast<std::size_t>(std::min(kStretch, prepared.scenario.time_limit) / scene.tick_s);
   const std::size_t every = std::max<std::size_t>(1, ticks / kSamplesWanted);
-  std::vector<Moment> moments;
+  std::vector<TimePoint> time_points;
   struct Place {
     Pose X_WH, X_WT;
   };
@@ -114,10 +114,10 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
     seen.push_back(seen_by_effects(event, scene, input));
     if (impacts.back().speed > 0) seen.back().impacts = {&impacts.back(), 1};
     if (i % every == 0)
-      moments.push_back({{event.record.X_WT, event.record.V_WT},
-                         event.sample,
-                         event.record.X_WH,
-                         event.record.coupling_F_T_W});
+      time_points.push_back({{event.record.X_WT, event.record.V_WT},
+                             event.sample,
+                             event.record.X_WH,
+                             event.record.coupling_F_T_W});
   }
 
   const RigidBody body(scene.tool.mass, scene.tool.inertia_T);
@@ -131,7 +131,7 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
 
   std::map<std::string, double> us;
   us["tick"] = whole_us;
-  us["coupling"] = mean_us(moments, [&](const Moment& m) {
+  us["coupling"] = mean_us(time_points, [&](const TimePoint& m) {
     unused += coupling.pull(m.X_WH * scene.tool.X_HT, {}, m.tool).force.x();
   });
   const std::unique_ptr<ToolMotion> motion = build_motion(scene);
@@ -145,18 +145,19 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
   // response's.
   if (!massless(scene.contact.response)) {
     us["query"] = mean_over(way, [&](const Place& place) { query.run(place.X_WT, set); });
-    us["integrator"] = mean_us(moments, [&](const Moment& m) {
+    us["integrator"] = mean_us(time_points, [&](const TimePoint& m) {
       const Twist V = body.accelerate(m.tool, m.coupling_F_T_W, scene.tick_s);
       unused += RigidBody::advance(m.tool.X_WT, V, scene.tick_s).p.x();
     });
     us["response"] -= us["query"] + us["integrator"];
   }
-  us["estimator"] = mean_us(moments, [&](const Moment& m) { unused += velocity.update(m.X_WH).v.x(); });
-  us["allocation"] = mean_us(moments, [&](const Moment& m) {
+  us["estimator"] =
+      mean_us(time_points, [&](const TimePoint& m) { unused += velocity.update(m.X_WH).v.x(); });
+  us["allocation"] = mean_us(time_points, [&](const TimePoint& m) {
     motors.begin(m.sample.X_DH);
     unused += motors.wrench(m.coupling_F_T_W).force_share;
   });
-  us["safety"] = mean_us(moments, [&](const Moment& m) {
+  us["safety"] = mean_us(time_points, [&](const TimePoint& m) {
     std::uint32_t faults = guard.watch(m.sample, {});
     unused += guard.limit(m.coupling_F_T_W, faults).force.x();
   });
@@ -180,7 +181,7 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
     us["holding point"] = std::max(follow_us(scene, samples) - follow_us(without, samples), kMin_us);
   }
   const auto budget_us = [&](TransientSource source) {
-    return mean_us(moments, [&](const Moment& m) {
+    return mean_us(time_points, [&](const TimePoint& m) {
       std::uint32_t faults = 0;
       unused += guard.limit_transient(source, m.coupling_F_T_W * 0.01, {}, Vec6::Zero(), faults).force.x();
     });

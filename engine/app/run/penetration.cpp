@@ -8,7 +8,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::size_t kMoments = std::size_t{1} << 19;  // kept at most: 9 minutes at 1 kHz, 50 MB
+constexpr std::size_t kSamples = std::size_t{1} << 19;  // kept at most: 9 minutes at 1 kHz, 50 MB
 constexpr std::size_t kSeeds = 128;                     // measured first, spread over the run
 constexpr double kTolerance = 1e-6;                     // m
 // The work that is done at most: a few seconds.
@@ -25,47 +25,47 @@ double turn_between(const Quat& a, const Quat& b) {
 
 void PenetrationMeter::note(const TickRecord& record) {
   if (!record.X_WT.is_finite()) return;
-  Moment moment{record.tick, record.X_WT, record.depth_max, 0, 0};
-  if (!moments_.empty()) {
-    moment.moved = last_.moved + (record.X_WT.p - last_.X_WT.p).norm();
-    moment.turned = last_.turned + turn_between(last_.X_WT.q, record.X_WT.q);
+  Sample sample{record.tick, record.X_WT, record.depth_max, 0, 0};
+  if (!samples_.empty()) {
+    sample.moved = last_.moved + (record.X_WT.p - last_.X_WT.p).norm();
+    sample.turned = last_.turned + turn_between(last_.X_WT.q, record.X_WT.q);
   }
-  last_ = moment;
+  last_ = sample;
   // Of a thinned run each interval keeps the tick that was deepest as the tick saw it.
-  if (!moments_.empty() && record.tick / every_ticks_ == moments_.back().tick / every_ticks_) {
-    if (moment.field_depth > moments_.back().field_depth) moments_.back() = moment;
+  if (!samples_.empty() && record.tick / every_ticks_ == samples_.back().tick / every_ticks_) {
+    if (sample.field_depth > samples_.back().field_depth) samples_.back() = sample;
     return;
   }
-  moments_.push_back(moment);
-  if (moments_.size() >= kMoments) thin();
+  samples_.push_back(sample);
+  if (samples_.size() >= kSamples) thin();
 }
 
 void PenetrationMeter::thin() {
   every_ticks_ *= 2;
-  std::vector<Moment> kept;
-  kept.reserve(moments_.size() / 2 + 1);
-  for (const Moment& moment : moments_)
-    if (kept.empty() || moment.tick / every_ticks_ != kept.back().tick / every_ticks_)
-      kept.push_back(moment);
-    else if (moment.field_depth > kept.back().field_depth)
-      kept.back() = moment;
-  moments_ = std::move(kept);
+  std::vector<Sample> kept;
+  kept.reserve(samples_.size() / 2 + 1);
+  for (const Sample& sample : samples_)
+    if (kept.empty() || sample.tick / every_ticks_ != kept.back().tick / every_ticks_)
+      kept.push_back(sample);
+    else if (sample.field_depth > kept.back().field_depth)
+      kept.back() = sample;
+  samples_ = std::move(kept);
 }
 
 namespace {
 
 // The measured ticks of a run and the intervals between them.
-template <class Moment>
+template <class Sample>
 class DeepestTick {
 public:
-  DeepestTick(const std::vector<Moment>& moments, const OverlapDepth& overlap)
-      : moments_(moments), overlap_(overlap), bound_(moments.size(), kUnmeasured) {}
+  DeepestTick(const std::vector<Sample>& samples, const OverlapDepth& overlap)
+      : samples_(samples), overlap_(overlap), bound_(samples.size(), kUnmeasured) {}
 
   void run(bool every_tick) {
     every_tick_ = every_tick;
     for (const std::size_t seed : seeds()) measure(seed);
     std::optional<std::size_t> before;
-    for (std::size_t i = 0; i < moments_.size(); ++i) {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
       if (bound_[i] == kUnmeasured) continue;
       if (before) push(*before, i);
       before = i;
@@ -99,17 +99,17 @@ private:
 
   // Both ends, and of every part of the run the tick that was deepest by the field; the deepest first.
   std::vector<std::size_t> seeds() const {
-    std::vector<std::size_t> seeds{0, moments_.size() - 1};
-    const std::size_t part = moments_.size() / kSeeds + 1;
-    for (std::size_t begin = 0; begin < moments_.size(); begin += part) {
+    std::vector<std::size_t> seeds{0, samples_.size() - 1};
+    const std::size_t part = samples_.size() / kSeeds + 1;
+    for (std::size_t begin = 0; begin < samples_.size(); begin += part) {
       std::size_t deepest = begin;
-      for (std::size_t i = begin; i < std::min(begin + part, moments_.size()); ++i)
-        if (moments_[i].field_depth > moments_[deepest].field_depth) deepest = i;
+      for (std::size_t i = begin; i < std::min(begin + part, samples_.size()); ++i)
+        if (samples_[i].field_depth > samples_[deepest].field_depth) deepest = i;
       seeds.push_back(deepest);
     }
     std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
-      return moments_[a].field_depth != moments_[b].field_depth
-                 ? moments_[a].field_depth > moments_[b].field_depth
+      return samples_[a].field_depth != samples_[b].field_depth
+                 ? samples_[a].field_depth > samples_[b].field_depth
                  : a < b;
     });
     return seeds;
@@ -118,7 +118,7 @@ private:
   void measure(std::size_t i) {
     if (bound_[i] != kUnmeasured) return;
     const DeepestOverlap overlap = overlap_.at(
-        moments_[i].X_WT, {.above = found_.depth, .tolerance = kTolerance, .distances = kDistancesAPose});
+        samples_[i].X_WT, {.above = found_.depth, .tolerance = kTolerance, .distances = kDistancesAPose});
     ++poses_;
     distances_ += overlap.distances;
     bound_[i] = overlap.bound - overlap.clearance;
@@ -129,8 +129,8 @@ private:
   }
 
   double way(std::size_t from, std::size_t to) const {
-    return moments_[to].moved - moments_[from].moved +
-           overlap_.reach() * (moments_[to].turned - moments_[from].turned);
+    return samples_[to].moved - samples_[from].moved +
+           overlap_.reach() * (samples_[to].turned - samples_[from].turned);
   }
   void push(std::size_t from, std::size_t to) {
     const double bound = (bound_[from] + bound_[to] + way(from, to)) / 2;
@@ -153,7 +153,7 @@ private:
   }
   void left_over(double bound) { most_ = std::max(most_, bound); }
 
-  const std::vector<Moment>& moments_;
+  const std::vector<Sample>& samples_;
   const OverlapDepth& overlap_;
   std::vector<double> bound_;  // m, of the ticks that were measured: below 0 where the tool was clear
   std::priority_queue<Interval> waiting_;
@@ -168,13 +168,13 @@ private:
 
 Penetration PenetrationMeter::deepest(const Solid& scene_W, const Solid& tool_T,
                                       const DistanceField& field) const {
-  if (moments_.empty()) return {};
+  if (samples_.empty()) return {};
   const OverlapDepth overlap(scene_W, tool_T, field);
-  DeepestTick search(moments_, overlap);
+  DeepestTick search(samples_, overlap);
   search.run(every_ticks_ == 1);
   return {.depth = search.found().depth,
           .within = search.bound() - search.found().depth,
-          .at = static_cast<double>(moments_[search.place()].tick) * tick_s_,
+          .at = static_cast<double>(samples_[search.place()].tick) * tick_s_,
           .p_W = search.found().p_W};
 }
 

@@ -31,7 +31,7 @@ public:
   Penetration deepest(const Solid& scene_W, const Solid& tool_T, const DistanceField& field) const;
 
 private:
-  struct Moment {
+  struct Sample {
     std::int64_t tick;
     Pose X_WT;
     double field_depth;    // m, what the tick itself saw
@@ -40,9 +40,9 @@ private:
   void thin();
 
   double tick_s_;
-  std::vector<Moment> moments_;
+  std::vector<Sample> samples_;
   std::int64_t every_ticks_ = 1;  // more than one once a long run was thinned
-  Moment last_{};
+  Sample last_{};
 };
 
 }  // namespace fulcrum::app

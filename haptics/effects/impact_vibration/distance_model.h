@@ -19,9 +19,13 @@
 #include <array>
 #include <cstddef>
 
+#include "haptics/math/names_of.h"
+
 namespace fulcrum {
 
 enum class DistanceModel { beam, sinusoid };
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<DistanceModel>{"beam", "sinusoid"};
 
 struct VibrationModes {
   static constexpr std::size_t kMax = 3;

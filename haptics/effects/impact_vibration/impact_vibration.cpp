@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/signal/held_sine.h"
+
 namespace fulcrum {
 namespace {
 
-constexpr double kLargestAngle = 0.02;              // rad, of the hand
-constexpr double kLever = 0.12;                     // m
-constexpr double kShare = 0.5;                      // of a budget's peak, for one voice
-constexpr double kParallel = 0.087155742747658174;  // sine of 5 degrees
-constexpr double kSamples = 2.5;                    // a period
+constexpr double kLargestAngle = 0.02;  // rad, of the hand
+constexpr double kShare = 0.5;          // of a budget's peak, for one voice
 
 }  // namespace
 
@@ -64,7 +63,7 @@ Wrench ImpactVibration::capped(const Wrench& amplitude_D, const VibrationModes& 
   Wrench F = amplitude_D;
   if (around_.largest_force == 0) F.force.setZero();
   if (around_.largest_torque == 0) F.torque.setZero();
-  const double largest_force = std::min(torque / kLever, kShare * around_.largest_force);
+  const double largest_force = std::min(torque / kEqualLever, kShare * around_.largest_force);
   const double largest_torque = std::min(torque, kShare * around_.largest_torque);
   double part = 1;
   if (sum * F.force.norm() > largest_force) part = largest_force / (sum * F.force.norm());
@@ -77,7 +76,7 @@ void ImpactVibration::apply(const Command& command) noexcept {
 }
 
 double highest_vibration(double bandwidth_Hz, double tick_s) noexcept {
-  return std::min(bandwidth_Hz, 1 / (kSamples * tick_s));
+  return std::min(bandwidth_Hz, 1 / (kMinSamplesPerPeriod * tick_s));
 }
 
 }  // namespace fulcrum

@@ -28,13 +28,19 @@
 #include "haptics/effects/impact_vibration/impact_material.h"
 #include "haptics/effects/impact_vibration/impact_vibration_record.h"
 #include "haptics/effects/impact_vibration/impact_voices.h"
+#include "haptics/math/names_of.h"
 #include "haptics/math/pose.h"
 #include "haptics/signal/ramp.h"
 #include "haptics/tick/command.h"
 
 namespace fulcrum {
 
+// The sine of 5 degrees: a blow whose line passes the hand at less of their distance turns nothing.
+inline constexpr double kParallel = 0.087155742747658174;
+
 enum class ImpactRender { wrench, torque };
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<ImpactRender>{"wrench", "torque"};
 
 struct ImpactVibrationDesc {
   ImpactRender render = ImpactRender::wrench;

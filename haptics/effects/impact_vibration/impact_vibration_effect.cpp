@@ -8,7 +8,7 @@
 namespace fulcrum {
 namespace {
 
-ImpactSurroundings surroundings(const PlainScene& scene) {
+ImpactSurroundings impact_surroundings(const PlainScene& scene) {
   const Vec3 p_TH = scene.tool.X_HT.inverse().p;
   double reach = 0;
   for (const Vec3& p_T : scene.tool_shell->positions) reach = std::max(reach, (p_T - p_TH).norm());
@@ -95,7 +95,7 @@ std::vector<Knob> ImpactVibrationEffect::knobs(const Desc& desc, const PlainScen
 }
 
 ImpactVibrationEffect::ImpactVibrationEffect(const Desc& desc, const PlainScene& scene)
-    : desc_(desc), effect_(desc, surroundings(scene)) {}
+    : desc_(desc), effect_(desc, impact_surroundings(scene)) {}
 
 std::optional<Transient> ImpactVibrationEffect::strike(const EffectTick& tick) noexcept {
   const bool engaged = tick.handle.engaged && !tick.stopped;

@@ -8,7 +8,6 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLever = 0.12;       // m, at which a force is as strong as a torque
 constexpr double kNegligible = 1e-6;  // of a voice's energy
 
 }  // namespace
@@ -22,8 +21,9 @@ bool ImpactVoices::start(const Wrench& amplitude, const VibrationModes& modes, d
     voice.weights[n] = modes.modes[n].amplitude;
     squares += voice.weights[n] * voice.weights[n];
   }
-  voice.energy = (amplitude.force.squaredNorm() + amplitude.torque.squaredNorm() / (kLever * kLever)) *
-                 squares / (4 * decay);
+  voice.energy =
+      (amplitude.force.squaredNorm() + amplitude.torque.squaredNorm() / (kEqualLever * kEqualLever)) *
+      squares / (4 * decay);
   voice.kept = math::exp(-2 * decay * tick_s_);
   voice.least = kNegligible * voice.energy;
   if (count_ < limit_) {

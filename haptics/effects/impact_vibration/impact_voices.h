@@ -16,6 +16,8 @@
 
 namespace fulcrum {
 
+inline constexpr double kEqualLever = 0.12;  // m, l: at this distance a force counts as much as its moment
+
 class ImpactVoices {
 public:
   static constexpr std::size_t kMax = 16;

@@ -17,9 +17,9 @@ constexpr double kOldest = 25e-3;     // s, of a sample: an older one stops the 
 constexpr double kArmBudget = 20e-3;  // J, as much as a transient may give in a tenth of the time
 constexpr double kArmForgets = 1;     // s
 constexpr double kMaxCaughtUp = 100;  // ticks at once
-constexpr double kWay = 2e-3;         // m, over which an excess is taken back
-constexpr double kBrake = 0.05;       // of what would stop the handle within a tick, at most
-constexpr double kWindow = 10e-3;     // s, of damping: no stretch of it can have taken less than this says
+constexpr double kRecovery = 2e-3;  // m, of the handle's travel, over which an excess of energy is taken back
+constexpr double kBrake = 0.05;     // of what would stop the handle within a tick, at most
+constexpr double kWindow = 10e-3;   // s, of damping: no stretch of it can have taken less than this says
 
 }  // namespace
 
@@ -73,7 +73,7 @@ Vec3 InertiaCompensation::force() const noexcept {
     const double gives = f.dot(v);
     if (gives > 0) f -= gives / v.squaredNorm() * v;  // it takes, and gives no more
     const double excess = std::max(0.0, record_.energy - kFades * desc_.budget);
-    brake += std::min(excess / kWay / v.norm(), kBrake * figures_.mass / figures_.tick_s);
+    brake += std::min(excess / kRecovery / v.norm(), kBrake * figures_.mass / figures_.tick_s);
   }
   return clamp_norm(f, figures_.largest_force) - brake * v;
 }

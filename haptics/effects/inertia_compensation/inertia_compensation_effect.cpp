@@ -96,8 +96,7 @@ void InertiaCompensationEffect::record(EffectRecords& records) const noexcept {
 }
 
 BuiltPart InertiaCompensationEffect::part() const {
-  constexpr const char* methods[] = {"none", "arm", "acceleration"};
-  std::string what = methods[static_cast<int>(effect_.desc().method)];
+  std::string what(name_of(effect_.desc().method));
   if (effect_.desc().switchable) what += ", and can be switched";
   what += "; " + number_text(effect_.figures().mass * 1e3) + " g";
   if (const AccelerationEstimator* filter = effect_.filter())

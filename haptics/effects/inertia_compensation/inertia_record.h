@@ -4,11 +4,14 @@
 #include <cstdint>
 
 #include "haptics/math/linear.h"
+#include "haptics/math/names_of.h"
 #include "haptics/tick/quantity.h"
 
 namespace fulcrum {
 
 enum class InertiaMethod : std::int32_t { none, arm, acceleration };
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<InertiaMethod>{"none", "arm", "acceleration"};
 
 // What one tick leaves behind.
 struct InertiaRecord {

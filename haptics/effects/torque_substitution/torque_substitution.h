@@ -18,6 +18,7 @@
 #include "haptics/effects/torque_substitution/torque_limit.h"
 #include "haptics/effects/torque_substitution/torque_record.h"
 #include "haptics/effects/torque_substitution/vibration_cue.h"
+#include "haptics/math/names_of.h"
 #include "haptics/math/pose.h"
 #include "haptics/tick/command.h"
 
@@ -25,6 +26,8 @@ namespace fulcrum {
 
 // The variants of the paper's study: which cues are on at the start.
 enum class TorqueVariant { A, B, C };  // none; vibration; vibration and ghost
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<TorqueVariant>{"A", "B", "C"};
 
 // What is left out follows from the tool, the coupling and the device.
 struct TorqueSubstitutionDesc {

@@ -2,15 +2,15 @@
 
 #include "haptics/effects/effects.h"
 #include "haptics/math/number_text.h"
+#include "haptics/signal/held_sine.h"
 
 namespace fulcrum {
 namespace {
 
 // Slower, and its half waves would push the hand to and fro (safety/transient_budget.h).
 constexpr double kSlowest_Hz = 80;
-constexpr double kSamples = 2.5;  // a period; with fewer the held samples are mostly mirror tones
 
-TorqueSurroundings surroundings(const PlainScene& scene) {
+TorqueSurroundings torque_surroundings(const PlainScene& scene) {
   return {
       .tick_s = scene.tick_s,
       .tool_reach = scene.tool_shell->max_radius_m,
@@ -49,7 +49,7 @@ std::optional<Error> TorqueSubstitutionEffect::refuse(const Desc& desc, const Pl
     return Error{"In torque_substitution the ghost leaves below " + number_text(thresholds.ghost_below) +
                  " N m and appears above " + number_text(thresholds.ghost_above) +
                  " N m: lower ghost.below, or raise ghost.above (without it twice bad_above)."};
-  const double fastest_Hz = 1 / (kSamples * scene.tick_s);
+  const double fastest_Hz = 1 / (kMinSamplesPerPeriod * scene.tick_s);
   if (!(desc.frequency_Hz >= kSlowest_Hz && desc.frequency_Hz <= fastest_Hz))
     return Error{"torque_substitution.vibration.frequency_Hz is " + number_text(desc.frequency_Hz) +
                  "; at this tick rate it must be from " + number_text(kSlowest_Hz) + " to " +
@@ -106,7 +106,7 @@ std::vector<Knob> TorqueSubstitutionEffect::knobs(const Desc& desc, const PlainS
 }
 
 TorqueSubstitutionEffect::TorqueSubstitutionEffect(const Desc& desc, const PlainScene& scene)
-    : effect_(desc, surroundings(scene)),
+    : effect_(desc, torque_surroundings(scene)),
       tool_weight_(tool_weight(scene.tool)),
       q_DW_(scene.mapping.X_WD.q.conjugate()) {}
 

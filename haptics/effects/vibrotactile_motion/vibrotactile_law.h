@@ -15,10 +15,17 @@
 // over what is left of it. That needs SOA < T_s: T_s > 69.56 ms, or 0.144 m/s at most with 10 mm. On a faster
 // pass there would be nothing left of the window: both start together then.
 
+#include "haptics/math/names_of.h"
+
 namespace fulcrum {
 
 enum class MotionEnvelope { linear, logarithmic };
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<MotionEnvelope>{"linear", "logarithmic"};
+
 enum class MotionOnset { together, asynchronous };
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<MotionOnset>{"together", "asynchronous"};
 
 struct MotionLaw {
   MotionEnvelope envelope = MotionEnvelope::logarithmic;

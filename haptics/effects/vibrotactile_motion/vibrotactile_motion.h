@@ -25,12 +25,15 @@
 #include "haptics/effects/vibrotactile_motion/vibrotactile_law.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_record.h"
 #include "haptics/math/linear.h"
+#include "haptics/math/names_of.h"
 #include "haptics/signal/ramp.h"
 #include "haptics/tick/command.h"
 
 namespace fulcrum {
 
 enum class VibrotactileUse { sweep, fallback };
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<VibrotactileUse>{"sweep", "fallback"};
 
 struct VibrotactileMotionDesc {
   VibrotactileUse use = VibrotactileUse::sweep;

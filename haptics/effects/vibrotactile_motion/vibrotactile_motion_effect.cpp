@@ -5,11 +5,10 @@
 #include "haptics/actuation/vibrotactile_output.h"
 #include "haptics/effects/effects.h"
 #include "haptics/math/number_text.h"
+#include "haptics/signal/held_sine.h"
 
 namespace fulcrum {
 namespace {
-
-constexpr double kSamples = 2.5;  // a period; with fewer the held samples are mostly mirror tones
 
 // The device's channels, and what they can do at the carrier.
 std::string channels_text(const VibrotactileMotionDesc& desc, const VibrotactileDesc& vibrotactile) {
@@ -64,10 +63,10 @@ void VibrotactileMotionEffect::check(FigureCheck& figures, const Desc& motion) {
 std::optional<Error> VibrotactileMotionEffect::refuse(const Desc& desc, const PlainScene& scene) {
   if (!scene.device.vibrotactile) return std::nullopt;
   for (const ChannelDesc& channel : scene.device.vibrotactile->channels) {
-    if (channel.kind == ChannelKind::pcm && desc.carrier_Hz * kSamples > channel.rate_Hz)
+    if (channel.kind == ChannelKind::pcm && desc.carrier_Hz * kMinSamplesPerPeriod > channel.rate_Hz)
       return Error{"vibrotactile_motion.carrier_Hz is " + number_text(desc.carrier_Hz) + ", and channel '" +
                    channel.name + "' of the device '" + scene.device.name + "' renders up to " +
-                   number_text(channel.rate_Hz / kSamples) + " Hz: lower it."};
+                   number_text(channel.rate_Hz / kMinSamplesPerPeriod) + " Hz: lower it."};
   }
   return std::nullopt;
 }

@@ -22,8 +22,8 @@ void describe(V& values, const VibrotactileRecord& record) {
   const auto& [gain, command, shortfall, x, direction, force] = record;
   const auto& [level, glide, stopping] = command;
   values.number({"vibrotactile_motion/gain", "1", "", "What vibrotactile motion is set to; 0: off."}, gain);
-  values.each({"vibrotactile_motion", "m/s^2", "", "Amplitude that this channel is told to go to."}, level,
-              values.names().channels);
+  values.each({"vibrotactile_motion/level", "m/s^2", "", "Amplitude that this channel is told to go to."},
+              level, values.names().channels);
   values.number({"vibrotactile_motion/shortfall", "m/s^2", "",
                  "The most that a channel was asked for beyond what it can, in amplitude."},
                 shortfall);

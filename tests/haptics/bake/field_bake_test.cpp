@@ -12,12 +12,6 @@
 namespace fulcrum {
 namespace {
 
-Solid solid_of(const TriangleMesh& mesh) {
-  const auto solid = build_solid(mesh);
-  EXPECT_TRUE(solid) << solid.error().sentence;
-  return *solid;
-}
-
 // Two bars that cross, turned off the grid's axes, and a torus through them: edges, corners, creases, an
 // overlap.
 TriangleMesh cluster() {
@@ -29,7 +23,7 @@ TriangleMesh cluster() {
 
 // What the header promises, everywhere: inside, on edges, in and out of band, in and out of the grid.
 TEST(FieldBake, NeverOverestimatesByMoreThanItStates) {
-  const Solid solid = solid_of(cluster());
+  const Solid solid = shapes::solid_of(cluster());
   const auto field = bake_field(solid, {1.5e-3, 6e-3});
   ASSERT_TRUE(field) << field.error().sentence;
   const TriangleDistance exact(solid);
@@ -65,7 +59,7 @@ TEST(FieldBake, NeverOverestimatesByMoreThanItStates) {
 
 TEST(FieldBake, SphereErrorIsOfSecondOrder) {
   const double R = 0.02;
-  const Solid solid = solid_of(shapes::sphere(Vec3(0.001, 0.002, 0.003), R, 150));
+  const Solid solid = shapes::solid_of(shapes::sphere(Vec3(0.001, 0.002, 0.003), R, 150));
   std::vector<double> errors;
   for (const double h : {2e-3, 1e-3}) {
     const auto field = bake_field(solid, {h, 3.0 * h});
@@ -82,7 +76,7 @@ TEST(FieldBake, SphereErrorIsOfSecondOrder) {
 TEST(FieldBake, OverlappingBodiesAreOne) {
   TriangleMesh mesh = shapes::box(Vec3(-20, -10, -10) * 1e-3, Vec3(5, 10, 10) * 1e-3);
   shapes::append(mesh, shapes::box(Vec3(-5, -10, -10) * 1e-3, Vec3(20, 10, 10) * 1e-3));
-  const auto field = bake_field(solid_of(mesh), {1e-3, 4e-3});
+  const auto field = bake_field(shapes::solid_of(mesh), {1e-3, 4e-3});
   ASSERT_TRUE(field);
   for (double x = -0.019; x < 0.019; x += 1e-3) EXPECT_LT(field->distance(Vec3(x, 0, 0)), 0.0);
   EXPECT_NEAR(field->distance(Vec3(0, 0.012, 0)), 0.002, 1e-6);
@@ -90,7 +84,7 @@ TEST(FieldBake, OverlappingBodiesAreOne) {
 
 TEST(FieldBake, GradientPointsOutEvenDeepInside) {
   const auto field =
-      bake_field(solid_of(shapes::box(Vec3::Constant(-0.05), Vec3(0.05, 0.05, 0.05))), {1e-3, 3e-3});
+      bake_field(shapes::solid_of(shapes::box(Vec3::Constant(-0.05), Vec3(0.05, 0.05, 0.05))), {1e-3, 3e-3});
   ASSERT_TRUE(field);
   const FieldSample deep = field->sample(Vec3(0.03, 0.002, 0.001));
   EXPECT_FALSE(deep.in_band);
@@ -100,7 +94,7 @@ TEST(FieldBake, GradientPointsOutEvenDeepInside) {
 }
 
 TEST(FieldBake, SameBitsForAnyNumberOfThreads) {
-  const Solid solid = solid_of(cluster());
+  const Solid solid = shapes::solid_of(cluster());
   const auto one = bake_field(solid, {2e-3, 4e-3, FieldFormat::int16, 1});
   ASSERT_TRUE(one);
   for (const unsigned threads : {2u, 5u}) {
@@ -116,7 +110,7 @@ TEST(FieldBake, SameBitsForAnyNumberOfThreads) {
 
 TEST(FieldBake, ProgressRisesToOne) {
   double last = 0.0;
-  const auto field = bake_field(solid_of(cluster()), {2e-3, 4e-3}, [&](double fraction) {
+  const auto field = bake_field(shapes::solid_of(cluster()), {2e-3, 4e-3}, [&](double fraction) {
     EXPECT_GE(fraction, last);
     last = fraction;
   });
@@ -126,30 +120,30 @@ TEST(FieldBake, ProgressRisesToOne) {
 
 TEST(FieldBake, ThinWallsAreMeasuredAndRefused) {
   TriangleMesh plate = shapes::box(Vec3(0, 0, 0), Vec3(0.05, 0.0015, 0.04));
-  const auto refused = bake_field(solid_of(plate), {1e-3, 4e-3});
+  const auto refused = bake_field(shapes::solid_of(plate), {1e-3, 4e-3});
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence.find("is 1.5 mm thick"), std::string::npos) << refused.error().sentence;
   EXPECT_NE(refused.error().sentence.find("use a voxel of 0.5 mm"), std::string::npos)
       << refused.error().sentence;
-  const auto finer = bake_field(solid_of(plate), {0.5e-3, 2e-3});
+  const auto finer = bake_field(shapes::solid_of(plate), {0.5e-3, 2e-3});
   ASSERT_TRUE(finer) << finer.error().sentence;
   EXPECT_NEAR(finer->thinnest_feature_m(), 1.5e-3, 1e-9);
 
   // The same plate on a block is not thin.
   shapes::append(plate, shapes::box(Vec3(-0.01, -0.03, -0.01), Vec3(0.06, 0.0, 0.05)));
-  const auto backed = bake_field(solid_of(plate), {1e-3, 4e-3});
+  const auto backed = bake_field(shapes::solid_of(plate), {1e-3, 4e-3});
   EXPECT_TRUE(backed) << backed.error().sentence;
 }
 
 TEST(FieldBake, NonsenseIsRefused) {
-  const Solid solid = solid_of(shapes::box(Vec3::Zero(), Vec3::Ones()));
+  const Solid solid = shapes::solid_of(shapes::box(Vec3::Zero(), Vec3::Ones()));
   EXPECT_FALSE(bake_field(solid, {0.0, 1e-2}));
   EXPECT_FALSE(bake_field(solid, {-1e-3, 1e-2}));
   EXPECT_FALSE(bake_field(solid, {std::nan(""), 1e-2}));
   EXPECT_FALSE(bake_field(solid, {1e-2, 1e-2}));
   EXPECT_FALSE(bake_field(solid, {1e-6, 1e-2}));
-  const auto large =
-      bake_field(solid_of(shapes::box(Vec3::Zero(), Vec3::Constant(0.2))), {1e-3, 0.3, FieldFormat::float32});
+  const auto large = bake_field(shapes::solid_of(shapes::box(Vec3::Zero(), Vec3::Constant(0.2))),
+                                {1e-3, 0.3, FieldFormat::float32});
   ASSERT_FALSE(large);
   EXPECT_NE(large.error().sentence.find("GB: use a voxel of"), std::string::npos) << large.error().sentence;
 }

@@ -18,7 +18,7 @@
 namespace fulcrum::test {
 namespace {
 
-Quat turned(const Vec3& axis, double degrees) {
+Quat rotation_about(const Vec3& axis, double degrees) {
   return Quat(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis));
 }
 
@@ -32,9 +32,9 @@ TriangleMesh mesh_of(const std::vector<Box>& boxes) {
   return mesh;
 }
 
-class Scene {
+class OverlapScene {
 public:
-  Scene(const TriangleMesh& scene_W, const TriangleMesh& tool_T)
+  OverlapScene(const TriangleMesh& scene_W, const TriangleMesh& tool_T)
       : scene_W_(repaired(scene_W)),
         tool_T_(repaired(tool_T)),
         field_(*bake_field(scene_W_, {.voxel_m = 0.6e-3, .threads = 1})),
@@ -86,8 +86,9 @@ const Box kCube{Vec3::Constant(-0.01), Vec3::Constant(0.01)};
 // Two roofs, ridge across ridge. No corner of either is inside the other; the deepest points are the ridges',
 // where they cross: h below a ridge both of whose slopes are at 45 degrees.
 TEST(OverlapDepth, EdgeAgainstEdge) {
-  const Scene scene(shapes::rotated(shapes::box(kCube.low, kCube.high), turned(Vec3::UnitZ(), 45)),
-                    shapes::rotated(shapes::box(kCube.low, kCube.high), turned(Vec3::UnitX(), 45)));
+  const OverlapScene scene(
+      shapes::rotated(shapes::box(kCube.low, kCube.high), rotation_about(Vec3::UnitZ(), 45)),
+      shapes::rotated(shapes::box(kCube.low, kCube.high), rotation_about(Vec3::UnitX(), 45)));
   for (const double h : {1e-6, 1e-5, 4.4e-4, 3e-3}) {
     const Pose X_WT{Quat::Identity(), {1e-3, 2 * 0.01 * std::numbers::sqrt2 - h, 2e-3}};
     const DeepestOverlap overlap = scene->at(X_WT, {.tolerance = 1e-9});
@@ -99,7 +100,7 @@ TEST(OverlapDepth, EdgeAgainstEdge) {
 }
 
 TEST(OverlapDepth, WhatIsApartHasNone) {
-  const Scene scene(shapes::box(kCube.low, kCube.high), shapes::box(kCube.low, kCube.high));
+  const OverlapScene scene(shapes::box(kCube.low, kCube.high), shapes::box(kCube.low, kCube.high));
   for (const double gap : {1e-9, 1e-5, 1e-2, 1.0}) {
     for (const Vec3& p :
          {Vec3(0.02 + gap, 0, 0), Vec3(0.004, 0.02 + gap, -0.003), Vec3(0.02 + gap, 0.02, 0.02)}) {
@@ -110,7 +111,7 @@ TEST(OverlapDepth, WhatIsApartHasNone) {
 }
 
 TEST(OverlapDepth, FaceOnFaceIsAsDeepAsItIs) {
-  const Scene scene(shapes::box(kCube.low, kCube.high), shapes::grid_box(kCube.low, kCube.high, 12));
+  const OverlapScene scene(shapes::box(kCube.low, kCube.high), shapes::grid_box(kCube.low, kCube.high, 12));
   for (const double depth : {1e-8, 1e-6, 1e-4}) {
     const Pose X_WT{Quat::Identity(), {0.003, 0.02 - depth, -0.002}};
     EXPECT_NEAR(scene->at(X_WT, {.tolerance = 1e-9}).depth, depth, 1e-9);
@@ -122,12 +123,12 @@ TEST(OverlapDepth, FaceOnFaceIsAsDeepAsItIs) {
 
 // Its surface crosses nothing; the deepest points of a little cube are its corner's farthest from every face.
 TEST(OverlapDepth, WhatLiesInsideWholeIsFound) {
-  const Scene scene(shapes::box(kCube.low, kCube.high),
-                    shapes::box(Vec3::Constant(-0.001), Vec3::Constant(0.001)));
+  const OverlapScene scene(shapes::box(kCube.low, kCube.high),
+                           shapes::box(Vec3::Constant(-0.001), Vec3::Constant(0.001)));
   const DeepestOverlap overlap = scene->at({Quat::Identity(), {0.004, 0.0, 0.0}}, {.tolerance = 1e-9});
   EXPECT_NEAR(overlap.depth, 0.007, 1e-9);  // on its face at x = 3 mm
-  const Scene around(shapes::box(Vec3::Constant(-0.001), Vec3::Constant(0.001)),
-                     shapes::box(kCube.low, kCube.high));
+  const OverlapScene around(shapes::box(Vec3::Constant(-0.001), Vec3::Constant(0.001)),
+                            shapes::box(kCube.low, kCube.high));
   EXPECT_NEAR(around->at({Quat::Identity(), {0.004, 0.0, 0.0}}, {.tolerance = 1e-9}).depth, 0.007, 1e-9);
 }
 
@@ -136,14 +137,14 @@ TEST(OverlapDepth, AgreesWithAJudgeThatSamples) {
   const std::vector<Box> walls{{{-0.02, -0.01, -0.011}, {0.02, 0.01, -0.004}},
                                {{-0.02, -0.01, 0.004}, {0.02, 0.01, 0.011}}};
   const std::vector<Box> bar{{{-0.015, -0.003, -0.0038}, {0.015, 0.003, 0.0038}}};
-  const Scene scene(mesh_of(walls), mesh_of(bar));
+  const OverlapScene scene(mesh_of(walls), mesh_of(bar));
   std::mt19937_64 random(15);
   std::uniform_real_distribution<double> unit(-1, 1);
   int touching = 0;
   for (int i = 0; i < 40; ++i) {
     const Vec3 axis = Vec3(unit(random), unit(random), unit(random)).normalized();
     const double degrees = i % 3 == 0 ? 90 * unit(random) : 5 * unit(random);
-    const Pose X_WT{turned(axis, degrees),
+    const Pose X_WT{rotation_about(axis, degrees),
                     0.004 * Vec3(4 * unit(random), 3 * unit(random), 0.2 * unit(random))};
     const double truth = std::max(sampled(bar, walls, X_WT, 1e-4), sampled(walls, bar, X_WT.inverse(), 1e-4));
     const DeepestOverlap overlap = scene->at(X_WT, {.tolerance = 1e-7});
@@ -158,12 +159,13 @@ TEST(OverlapDepth, AgreesWithAJudgeThatSamples) {
 // What is asked for less is answered for less, and no answer promises what is not so.
 TEST(OverlapDepth, BoundsHoldWhateverTheLimits) {
   const std::vector<Box> bar{{{-0.015, -0.003, -0.003}, {0.015, 0.003, 0.003}}};
-  const Scene scene(mesh_of(bar), mesh_of(bar));
+  const OverlapScene scene(mesh_of(bar), mesh_of(bar));
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int i = 0; i < 200; ++i) {
     const Vec3 axis = Vec3(unit(random), unit(random), unit(random)).normalized();
-    const Pose X_WT{turned(axis, 180 * unit(random)), 0.006 * Vec3(unit(random), unit(random), unit(random))};
+    const Pose X_WT{rotation_about(axis, 180 * unit(random)),
+                    0.006 * Vec3(unit(random), unit(random), unit(random))};
     const double depth = scene->at(X_WT, {.tolerance = 1e-8}).depth;
     const DeepestOverlap short_of_work = scene->at(X_WT, {.tolerance = 1e-8, .distances = 40});
     EXPECT_LE(short_of_work.depth, depth + 1e-12);
@@ -189,14 +191,15 @@ double nearest_sampled(const std::vector<Box>& mine, const std::vector<Box>& the
 // Never more than it is, and not much less: a run is judged by few poses where it says how far the tool is.
 TEST(OverlapDepth, TheClearanceIsNoMoreThanItIs) {
   const std::vector<Box> bar{{{-0.015, -0.003, -0.003}, {0.015, 0.003, 0.003}}};
-  const Scene scene(mesh_of(bar), mesh_of(bar));
+  const OverlapScene scene(mesh_of(bar), mesh_of(bar));
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   int clear = 0;
   for (int i = 0; i < 300; ++i) {
     const Vec3 axis = Vec3(unit(random), unit(random), unit(random)).normalized();
     const double far = i % 2 == 0 ? 0.02 : 0.2;
-    const Pose X_WT{turned(axis, 180 * unit(random)), far * Vec3(unit(random), unit(random), unit(random))};
+    const Pose X_WT{rotation_about(axis, 180 * unit(random)),
+                    far * Vec3(unit(random), unit(random), unit(random))};
     const DeepestOverlap overlap = scene->at(X_WT, {});
     if (overlap.depth > 0) {
       EXPECT_EQ(overlap.clearance, 0.0) << i;

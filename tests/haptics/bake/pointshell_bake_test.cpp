@@ -12,12 +12,6 @@
 namespace fulcrum {
 namespace {
 
-Solid solid_of(const TriangleMesh& mesh) {
-  const auto solid = build_solid(mesh);
-  EXPECT_TRUE(solid) << solid.error().sentence;
-  return *solid;
-}
-
 double nearest(const Pointshell& shell, const Vec3& p) {
   double least = 1e9;
   for (const Vec3& q : shell.positions) least = std::min(least, (p - q).norm());
@@ -25,7 +19,7 @@ double nearest(const Pointshell& shell, const Vec3& p) {
 }
 
 TEST(PointshellBake, CoversTheSurfaceWithinWhatItStates) {
-  const Solid solid = solid_of(shapes::torus(0.03, 0.01, 60, 24));
+  const Solid solid = shapes::solid_of(shapes::torus(0.03, 0.01, 60, 24));
   const auto shell = bake_pointshell(solid, {2e-3});
   ASSERT_TRUE(shell) << shell.error().sentence;
   EXPECT_LT(shell->covering_radius_m, 2e-3);
@@ -37,7 +31,7 @@ TEST(PointshellBake, CoversTheSurfaceWithinWhatItStates) {
 }
 
 TEST(PointshellBake, WeightsSumToTheSurface) {
-  const Solid solid = solid_of(shapes::torus(0.03, 0.01, 60, 24));
+  const Solid solid = shapes::solid_of(shapes::torus(0.03, 0.01, 60, 24));
   const auto shell = bake_pointshell(solid, {2e-3});
   ASSERT_TRUE(shell);
   const double area = surface_area(solid.mesh);
@@ -49,7 +43,7 @@ TEST(PointshellBake, WeightsSumToTheSurface) {
 
 TEST(PointshellBake, KeepsCornersAndEdges) {
   const Vec3 size(0.02, 0.03, 0.011);
-  const auto shell = bake_pointshell(solid_of(shapes::box(Vec3::Zero(), size)), {2e-3});
+  const auto shell = bake_pointshell(shapes::solid_of(shapes::box(Vec3::Zero(), size)), {2e-3});
   ASSERT_TRUE(shell);
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner((i & 1) * size.x(), ((i >> 1) & 1) * size.y(), ((i >> 2) & 1) * size.z());
@@ -78,13 +72,14 @@ TEST(PointshellBake, ARimWithoutCornersIsSampledAllAround) {
   }
   disc.vertices.emplace_back(0.0, 0.0, 0.0);
   disc.vertices.emplace_back(0.0, 0.005, 0.0);
-  const auto shell = bake_pointshell(solid_of(disc), {1e-3});
+  const auto shell = bake_pointshell(shapes::solid_of(disc), {1e-3});
   ASSERT_TRUE(shell) << shell.error().sentence;
   for (std::uint32_t i = 0; i < 2 * kSides; ++i) EXPECT_LE(nearest(*shell, disc.vertices[i]), 0.51e-3);
 }
 
 TEST(PointshellBake, BothSidesOfAThinPlateHavePoints) {
-  const auto shell = bake_pointshell(solid_of(shapes::box(Vec3::Zero(), Vec3(0.04, 0.0004, 0.04))), {2e-3});
+  const auto shell =
+      bake_pointshell(shapes::solid_of(shapes::box(Vec3::Zero(), Vec3(0.04, 0.0004, 0.04))), {2e-3});
   ASSERT_TRUE(shell);
   int above = 0, below = 0;
   for (const Vec3& n : shell->normals) {
@@ -96,7 +91,7 @@ TEST(PointshellBake, BothSidesOfAThinPlateHavePoints) {
 }
 
 TEST(PointshellBake, SameSeedSameShell) {
-  const Solid solid = solid_of(shapes::torus(0.03, 0.01, 40, 16));
+  const Solid solid = shapes::solid_of(shapes::torus(0.03, 0.01, 40, 16));
   const auto first = bake_pointshell(solid, {3e-3}), again = bake_pointshell(solid, {3e-3});
   PointshellDesc other_desc{3e-3};
   other_desc.seed = 2;
@@ -108,7 +103,7 @@ TEST(PointshellBake, SameSeedSameShell) {
 }
 
 TEST(PointshellBake, NonsenseIsRefused) {
-  const Solid solid = solid_of(shapes::box(Vec3::Zero(), Vec3::Ones()));
+  const Solid solid = shapes::solid_of(shapes::box(Vec3::Zero(), Vec3::Ones()));
   EXPECT_FALSE(bake_pointshell(solid, {0.0}));
   EXPECT_FALSE(bake_pointshell(solid, {std::nan("")}));
   const auto fine = bake_pointshell(solid, {1e-4});

@@ -10,19 +10,19 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr double kHalf = 0.01;   // m, of a prism's height
-constexpr double kTube = 0.008;  // m, a tube's radius
+constexpr double kHalfHeight = 0.01;  // m, of a prism's height
+constexpr double kTube = 0.008;       // m, a tube's radius
 
 // A closed line drawn out along z. Caps are fans about the middle, so that they overlap as the line does.
 TriangleMesh prism(const std::vector<Vec2>& line) {
   TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(line.size());
   for (const Vec2& p : line) {
-    mesh.vertices.emplace_back(p.x(), p.y(), -kHalf);
-    mesh.vertices.emplace_back(p.x(), p.y(), kHalf);
+    mesh.vertices.emplace_back(p.x(), p.y(), -kHalfHeight);
+    mesh.vertices.emplace_back(p.x(), p.y(), kHalfHeight);
   }
-  mesh.vertices.emplace_back(0, 0, -kHalf);
-  mesh.vertices.emplace_back(0, 0, kHalf);
+  mesh.vertices.emplace_back(0, 0, -kHalfHeight);
+  mesh.vertices.emplace_back(0, 0, kHalfHeight);
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % n);
     mesh.triangles.insert(mesh.triangles.end(),
@@ -44,7 +44,7 @@ double prism_truth(const std::vector<Vec2>& polygon, const Vec3& p) {
         q.x() < a.x() + (q.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
       inside = !inside;
   }
-  const double beside = inside ? -nearest : nearest, above = std::abs(p.z()) - kHalf;
+  const double beside = inside ? -nearest : nearest, above = std::abs(p.z()) - kHalfHeight;
   return std::hypot(std::max(beside, 0.0), std::max(above, 0.0)) + std::min(std::max(beside, above), 0.0);
 }
 
@@ -73,7 +73,7 @@ TEST(SelfCrossing, AStarOfOneStrokeIsItsOutline) {
     const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
     area += 0.5 * (a.x() * b.y() - a.y() * b.x());
   }
-  EXPECT_NEAR(mass_properties(solid).volume_m3, area * 2.0 * kHalf, 1e-12);
+  EXPECT_NEAR(mass_properties(solid).volume_m3, area * 2.0 * kHalfHeight, 1e-12);
 
   const auto shell = bake_pointshell(solid, {.spacing_m = 2e-3});
   ASSERT_TRUE(shell) << shell.error().sentence;

@@ -1,6 +1,8 @@
 #pragma once
 // Closed meshes of known size, wound outwards.
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -102,6 +104,13 @@ inline TriangleMesh grid_box(const Vec3& low, const Vec3& high, std::uint32_t n)
     }
   }
   return mesh;
+}
+
+// What must be possible.
+inline Solid solid_of(const TriangleMesh& mesh) {
+  const auto solid = build_solid(mesh);
+  EXPECT_TRUE(solid) << solid.error().sentence;
+  return *solid;
 }
 
 inline TriangleMesh rotated(TriangleMesh mesh, const Quat& q) {

@@ -12,11 +12,11 @@
 #include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
 #include "tests/haptics/geometry/filled_field.h"
+#include "tests/haptics/tick_length.h"
 
 namespace fulcrum::test {
 namespace {
 
-constexpr double kTick = 1e-3;           // s
 constexpr double kRegionRadius = 12e-3;  // m
 constexpr double kRetreat = 3e-3;        // m
 const Vec3 kDown(0, -0.2, 0);            // m/s
@@ -27,9 +27,9 @@ struct Plane {
 };
 
 // Convex corners of planes that one is inside of: a floor, a floor with a wall.
-class Scene {
+class ImpactScene {
 public:
-  explicit Scene(std::vector<Plane> planes)
+  explicit ImpactScene(std::vector<Plane> planes)
       : planes_(std::move(planes)),
         field_(std::make_shared<const DistanceField>(filled_field(4, 6.25e-3, [this](const Vec3& p) {
           double least = std::numeric_limits<double>::infinity();
@@ -56,13 +56,13 @@ private:
   std::shared_ptr<const DistanceField> field_;
 };
 
-Scene floor() {
-  return Scene({{Vec3::UnitY(), 0.0}});
+ImpactScene floor() {
+  return ImpactScene({{Vec3::UnitY(), 0.0}});
 }
 
 class Led {
 public:
-  Led(Scene scene, std::vector<Vec3> points_T, const ImpactDetectorDesc& desc = {})
+  Led(ImpactScene scene, std::vector<Vec3> points_T, const ImpactDetectorDesc& desc = {})
       : scene_(std::move(scene)),
         points_(std::move(points_T)),
         tracker_(kRegionRadius),
@@ -108,7 +108,7 @@ public:
   std::size_t places() const { return detector_.places(); }
 
 private:
-  Scene scene_;
+  ImpactScene scene_;
   std::vector<Vec3> points_;
   RegionTracker tracker_;
   ImpactDetector detector_;
@@ -134,7 +134,7 @@ TEST(ImpactDetector, SaysWhereHowAndHowFast) {
 }
 
 TEST(ImpactDetector, SpeedIsTheHandsThoughTheToolStandsStill) {
-  const Scene scene = floor();
+  const ImpactScene scene = floor();
   const auto contacts = scene.touched_by({Vec3::Zero()}, {Quat::Identity(), {0, -1e-6, 0}});
   RegionTracker tracker(kRegionRadius);
   ImpactDetector detector({}, kRegionRadius, scene.field(), nullptr);
@@ -197,7 +197,7 @@ TEST(ImpactDetector, RestingSlidingAndPressingNeverRetrigger) {
 TEST(ImpactDetector, PlaceGoesAlongWithTheRegionOverTheTool) {
   std::vector<Vec3> shaft;
   for (int i = 0; i <= 160; ++i) shaft.emplace_back(1e-3 * i - 0.08, 0, 0);
-  const Scene scene = floor();
+  const ImpactScene scene = floor();
   RegionTracker tracker(kRegionRadius);
   ImpactDetector detector({}, kRegionRadius, scene.field(), nullptr);
   detector.process(ImpactDetector::Tick());
@@ -265,7 +265,7 @@ TEST(ImpactDetector, AnotherPartOfTheToolTriggersAtOnceAndManyDoTogether) {
 
 // The tip never leaves the floor, and strikes the wall as often as it comes back from beyond the retreat.
 TEST(ImpactDetector, SlidingIntoAWallIsAnImpactEachTime) {
-  Led led(Scene({{Vec3::UnitY(), 0.0}, {-Vec3::UnitX(), -0.05}}), {Vec3::Zero()});
+  Led led(ImpactScene({{Vec3::UnitY(), 0.0}, {-Vec3::UnitX(), -0.05}}), {Vec3::Zero()});
   led.start({Quat::Identity(), {0, 0.01, 0}});
   EXPECT_EQ(led.go(Vec3(0, -1e-4, 0), 0.05), 1u);
   for (int i = 0; i < 3; ++i) {

@@ -18,20 +18,20 @@ namespace fulcrum {
 namespace {
 
 // A ring on two crossing bars: concave, convex, thin and wide.
-struct Scene {
+struct QueryScene {
   Solid solid;
   std::shared_ptr<const DistanceField> field;
   TriangleDistance exact;
 
-  explicit Scene(const TriangleMesh& mesh)
+  explicit QueryScene(const TriangleMesh& mesh)
       : solid(test::expect(build_solid(mesh))),
         field(std::make_shared<DistanceField>(
             test::expect(bake_field(solid, {.voxel_m = 1.5e-3, .band_m = 3e-3})))),
         exact(solid) {}
 };
 
-const Scene& scene() {
-  static const Scene built([] {
+const QueryScene& scene() {
+  static const QueryScene built([] {
     TriangleMesh mesh = shapes::torus(0.03, 0.008, 60, 24);
     shapes::append(mesh, shapes::box(Vec3(-0.05, -0.004, -0.005), Vec3(0.05, 0.006, 0.005)));
     shapes::append(mesh, shapes::box(Vec3(-0.006, -0.005, -0.05), Vec3(0.006, 0.005, 0.05)));

@@ -1,14 +1,13 @@
 #include "haptics/device/holding_strip.h"
+#include "tests/haptics/tick_length.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
-
-constexpr double kTick = 1e-3;
 
 HoldingStripDesc exact() {
   HoldingStripDesc desc;
@@ -123,4 +122,4 @@ TEST(HoldingStrip, FiguresThatMakeNoStripAreRefused) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

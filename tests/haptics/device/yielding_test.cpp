@@ -9,11 +9,11 @@
 
 #include "haptics/device/simulated_device.h"
 #include "haptics/math/rotation.h"
+#include "tests/haptics/tick_length.h"
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
 
-constexpr double kTick = 1e-3;
 using Cues = DeviceCommand::Cues;
 
 // A handle that is turned wrongly by `wrong` (3) rad and told of it, as a held tool would.
@@ -176,4 +176,4 @@ TEST(YieldingDevice, TurnsTheHandleAboutItselfTowardsTheTool) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

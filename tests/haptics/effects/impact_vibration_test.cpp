@@ -12,11 +12,11 @@
 
 #include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
+#include "tests/haptics/tick_length.h"
 
 namespace fulcrum::test {
 namespace {
 
-constexpr double kTick = 1e-3;  // s
 constexpr double kDegree = std::numbers::pi / 180;
 const ImpactMaterial kSoft{"soft", 0.01, 5, 40};  // far below every cap
 

@@ -1,6 +1,7 @@
 // Compensation of a device's inertia, by the formulas it comes from and by what its account must say.
 
 #include "haptics/effects/inertia_compensation/inertia_compensation.h"
+#include "tests/haptics/tick_length.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +9,8 @@
 #include <limits>
 #include <numbers>
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
-
-constexpr double kTick = 1e-3;  // s
 
 Vec6 motion(const Vec3& moved) {
   Vec6 d;
@@ -203,4 +202,4 @@ TEST(InertiaCompensation, BuildsTheFilterOnlyWhereItCanBeNeeded) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

@@ -2,6 +2,7 @@
 // wrenches on the border, which must not chatter.
 
 #include "haptics/effects/torque_substitution/torque_classifier.h"
+#include "tests/haptics/tick_length.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +10,10 @@
 #include <limits>
 #include <random>
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
 
 constexpr TorqueBounds kBounds{.torque = 0.03, .radius = 0.02, .contact = 0.003};  // N m, m, N m
-constexpr double kTick = 1e-3;                                                     // s
 
 bool first_says(const Wrench& F_T_W, const TorqueBounds& bounds = kBounds) {
   return TorqueClassifier(bounds, kTick).update(-F_T_W.torque, F_T_W);
@@ -94,4 +94,4 @@ TEST(TorqueClassifier, ContactThatLetsGoForSingleTicksStaysBad) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

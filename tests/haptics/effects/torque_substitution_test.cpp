@@ -198,12 +198,6 @@ TEST(TorqueSubstitution, OffIsAsIfItWereNotThere) {
   }
 }
 
-std::vector<std::string> part_names(const SceneDesc& desc) {
-  std::vector<std::string> names;
-  for (const BuiltPart& part : expect(World::build(desc)).parts()) names.push_back(part.name);
-  return names;
-}
-
 TEST(TorqueSubstitution, IsNotBuiltWhereItHasNoUse) {
   const auto has = [](const SceneDesc& desc, const char* name) {
     return std::ranges::count(part_names(desc), name) == 1;

@@ -242,12 +242,12 @@ TEST(VibrotactileMotion, WhatAChannelCannotDoIsMissing) {
   desc.strength = 20;
   double shortfall = 0, most = 0;
   for (const Moment& m : swept(desc, 1e-3, 0.3, [](double t) { return 0.05 * t - 1e-3; })) {
-    shortfall = std::max(missing, m.cues.shortfall);
+    shortfall = std::max(shortfall, m.cues.shortfall);
     most = std::max(most, m.cues.command.level[1]);
   }
   const double reach = 12.84 / (std::numbers::pi * 233 / 48000 / std::sin(std::numbers::pi * 233 / 48000));
   EXPECT_NEAR(most, reach, 1e-9);
-  EXPECT_NEAR(missing + most, 20, 0.01 * 20);
+  EXPECT_NEAR(shortfall + most, 20, 0.01 * 20);
 }
 
 // Windows and speeds beyond all sense: levels stay within their bounds.

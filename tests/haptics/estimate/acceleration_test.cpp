@@ -12,11 +12,11 @@
 #include <numbers>
 
 #include "haptics/math/split_mix.h"
+#include "tests/haptics/tick_length.h"
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
 
-constexpr double kTick = 1e-3;
 constexpr AccelerationEstimatorKind kBoth[] = {AccelerationEstimatorKind::kalman,
                                                AccelerationEstimatorKind::adaptive};
 
@@ -211,4 +211,4 @@ TEST(Acceleration, WhatIsNotANumberStartsItAnew) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

@@ -1,14 +1,13 @@
 #include "haptics/estimate/holding_point.h"
+#include "tests/haptics/tick_length.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
-
-constexpr double kTick = 1e-3;
 
 HoldingStripDesc a_strip() {
   return {};  // 30 to 170 mm, 100 ohm to 10 kohm
@@ -24,7 +23,7 @@ HoldingPointDesc default_at(double place) {
   return desc;
 }
 
-void hold(HoldingPoint& point, double ohm, double seconds) {
+void read_for(HoldingPoint& point, double ohm, double seconds) {
   const int ticks = static_cast<int>(std::lround(seconds / kTick));
   for (int i = 0; i < ticks; ++i) point.update(ohm);
 }
@@ -32,10 +31,10 @@ void hold(HoldingPoint& point, double ohm, double seconds) {
 TEST(HoldingPoint, AReadingIsTrustedOnceItHasKeptStill) {
   HoldingPoint point(default_at(0.05), a_strip(), kTick);
   EXPECT_EQ(point.state(), HoldingState::lost);
-  hold(point, ohm_at(0.10), 0.020);
+  read_for(point, ohm_at(0.10), 0.020);
   EXPECT_EQ(point.state(), HoldingState::lost);
   EXPECT_EQ(point.place(), 0.05);
-  hold(point, ohm_at(0.10), 0.5);
+  read_for(point, ohm_at(0.10), 0.5);
   EXPECT_EQ(point.state(), HoldingState::measured);
   EXPECT_NEAR(point.place(), 0.10, 1e-9);
   EXPECT_NEAR((point.p_HG() - Vec3(0.10, 0, 0)).norm(), 0, 1e-9);
@@ -44,14 +43,14 @@ TEST(HoldingPoint, AReadingIsTrustedOnceItHasKeptStill) {
 TEST(HoldingPoint, WhatIsLostIsKeptThenFadesToWhatWasTold) {
   for (double lost : {kStripOpen, kNoStrip, 0.0, -50.0, 20e3, -std::numeric_limits<double>::infinity()}) {
     HoldingPoint point(default_at(0.05), a_strip(), kTick);
-    hold(point, ohm_at(0.12), 1);
-    hold(point, lost, 0.49);
+    read_for(point, ohm_at(0.12), 1);
+    read_for(point, lost, 0.49);
     EXPECT_EQ(point.state(), HoldingState::kept);
     EXPECT_NEAR(point.place(), 0.12, 1e-9);
-    hold(point, lost, 0.51);
+    read_for(point, lost, 0.51);
     EXPECT_EQ(point.state(), HoldingState::fading);
     EXPECT_NEAR(point.place(), 0.085, 1e-4) << "half way";
-    hold(point, lost, 0.55);
+    read_for(point, lost, 0.55);
     EXPECT_EQ(point.state(), HoldingState::lost);
     EXPECT_NEAR(point.place(), 0.05, 1e-12);
   }
@@ -74,7 +73,7 @@ TEST(HoldingPoint, NeverFasterThanItsSpeed) {
 
 TEST(HoldingPoint, AHandThatSlidesIsFollowed) {
   HoldingPoint point(default_at(0.05), a_strip(), kTick);
-  hold(point, ohm_at(0.05), 0.5);
+  read_for(point, ohm_at(0.05), 0.5);
   double place = 0.05;
   for (; place < 0.15; place += 0.1 * kTick) {
     point.update(ohm_at(place));
@@ -85,13 +84,13 @@ TEST(HoldingPoint, AHandThatSlidesIsFollowed) {
 
 TEST(HoldingPoint, AJumpIsNotBelievedAtOnce) {
   HoldingPoint point(default_at(0.05), a_strip(), kTick);
-  hold(point, ohm_at(0.10), 1);
+  read_for(point, ohm_at(0.10), 1);
   point.update(ohm_at(0.16));  // one bad reading
   EXPECT_EQ(point.state(), HoldingState::kept);
   EXPECT_NEAR(point.place(), 0.10, 1e-9);
-  hold(point, ohm_at(0.10), 0.03);
+  read_for(point, ohm_at(0.10), 0.03);
   EXPECT_EQ(point.state(), HoldingState::measured);
-  hold(point, ohm_at(0.16), 1);  // the hand went there
+  read_for(point, ohm_at(0.16), 1);  // the hand went there
   EXPECT_NEAR(point.place(), 0.16, 1e-9);
 }
 
@@ -99,22 +98,22 @@ TEST(HoldingPoint, ToldWinsWhileNothingIsMeasured) {
   HoldingPoint point(default_at(0.05), a_strip(), kTick);
   point.measure(false);
   point.tell(0.11);
-  hold(point, ohm_at(0.16), 1);
+  read_for(point, ohm_at(0.16), 1);
   EXPECT_EQ(point.state(), HoldingState::set);
   EXPECT_EQ(point.place(), 0.11);
   point.tell(std::numeric_limits<double>::quiet_NaN());
-  hold(point, ohm_at(0.16), 0.1);
+  read_for(point, ohm_at(0.16), 0.1);
   EXPECT_EQ(point.place(), 0.11);
   point.measure(true);
-  hold(point, ohm_at(0.16), 1);
+  read_for(point, ohm_at(0.16), 1);
   EXPECT_EQ(point.state(), HoldingState::measured);
   EXPECT_NEAR(point.place(), 0.16, 1e-9);
 }
 
 TEST(HoldingPoint, WithoutAStripItIsLostAtWhatWasTold) {
   HoldingPoint point(default_at(0.05), std::nullopt, kTick);
-  hold(point, kNoStrip, 1);
-  hold(point, ohm_at(0.1), 1);
+  read_for(point, kNoStrip, 1);
+  read_for(point, ohm_at(0.1), 1);
   EXPECT_EQ(point.state(), HoldingState::lost);
   EXPECT_EQ(point.place(), 0.05);
 }
@@ -123,13 +122,13 @@ TEST(HoldingPoint, NoTimeToKeepOrFadeIsAtOnce) {
   HoldingPointDesc desc = default_at(0.05);
   desc.keep = desc.fade = desc.settle = desc.smoothing = 0;
   HoldingPoint point(desc, a_strip(), kTick);
-  hold(point, ohm_at(0.10), 1);
+  read_for(point, ohm_at(0.10), 1);
   EXPECT_EQ(point.state(), HoldingState::measured);
   point.update(kStripOpen);
   EXPECT_EQ(point.state(), HoldingState::lost);
-  hold(point, kStripOpen, 1);
+  read_for(point, kStripOpen, 1);
   EXPECT_EQ(point.place(), 0.05);
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

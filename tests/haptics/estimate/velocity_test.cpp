@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "haptics/math/rotation.h"
+#include "tests/haptics/tick_length.h"
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
-
-constexpr double kTick = 1e-3;
 
 VelocityEstimatorDesc named(VelocityEstimatorKind kind) {
   VelocityEstimatorDesc desc;
@@ -64,4 +63,4 @@ TEST(Velocity, AdaptiveWindowIsQuietAtRest) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

@@ -19,7 +19,7 @@ double torus(const Vec3& p) {
 }
 
 // The largest interpolation error at cell centres within one voxel of the surface.
-double largest_error(const DistanceField& field, const Function& function) {
+double largest_error(const DistanceField& field, const FieldFunction& function) {
   double worst = 0.0;
   const double h = field.voxel_m();
   const int cells = field.data().bricks[0] * kBrickCells;

@@ -8,10 +8,10 @@
 
 namespace fulcrum {
 
-using Function = std::function<double(const Vec3&)>;
+using FieldFunction = std::function<double(const Vec3&)>;
 
 // A field of n^3 bricks about the origin, every brick stored, filled with a function.
-inline DistanceField filled_field(int n, double voxel, const Function& function) {
+inline DistanceField filled_field(int n, double voxel, const FieldFunction& function) {
   FieldData data;
   data.voxel_m = voxel;
   data.band_m = 1e9;

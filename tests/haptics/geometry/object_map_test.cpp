@@ -13,7 +13,7 @@
 namespace fulcrum::test {
 namespace {
 
-Vec3 somewhere(SplitMix& random) {
+Vec3 random_place(SplitMix& random) {
   return {random.uniform(), random.uniform(), random.uniform()};
 }
 
@@ -23,12 +23,12 @@ TEST(ObjectMap, AnswersAsASearchOfAllSamples) {
     std::vector<Vec3> samples;
     std::vector<std::int32_t> objects;
     for (std::size_t i = 0; i < count; ++i) {
-      samples.push_back(somewhere(random));
+      samples.push_back(random_place(random));
       objects.push_back(static_cast<std::int32_t>(i % 7));
     }
     const ObjectMap map(samples, objects);
     for (int i = 0; i < 500; ++i) {
-      const Vec3 p = 3 * somewhere(random) - Vec3::Ones();
+      const Vec3 p = 3 * random_place(random) - Vec3::Ones();
       double least = std::numeric_limits<double>::infinity();
       std::int32_t object = -1;
       for (std::size_t k = 0; k < count; ++k) {

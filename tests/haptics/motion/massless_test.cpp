@@ -12,7 +12,7 @@
 namespace fulcrum::test {
 namespace {
 
-Pose at_height(double y) {
+Pose above_floor(double y) {
   return {Quat::Identity(), Vec3(0, y, 0)};
 }
 
@@ -39,8 +39,8 @@ TEST(Constraint, AProbeStopsAtTheSurfaceAndFeelsTheCoupling) {
   SceneDesc desc = scene(ContactResponse::constraint, {Vec3::Zero()});
   desc.coupling = linear_coupling();
   World world = expect(World::build(desc));
-  held(world, at_height(0.02));
-  const StepResult result = held(world, at_height(-5e-3));
+  held(world, above_floor(0.02));
+  const StepResult result = held(world, above_floor(-5e-3));
   EXPECT_NEAR(result.record.X_WT.p.y(), 0, 2e-6);
   EXPECT_NEAR(result.record.contact_F_T_W.force.y(), 800 * 5e-3, 0.01 * 4);
   EXPECT_EQ(result.record.regions, 1);
@@ -62,7 +62,7 @@ TEST(Constraint, TheHandCarriesTheWeightAndNothingElse) {
     SceneDesc desc = scene(response, {Vec3::Zero()});
     desc.tool.weight = true;
     World world = expect(World::build(desc));
-    EXPECT_NEAR(held(world, at_height(0.05)).record.coupling_F_T_W.force.y(), 0.2 * 9.80665, 1e-6);
+    EXPECT_NEAR(held(world, above_floor(0.05)).record.coupling_F_T_W.force.y(), 0.2 * 9.80665, 1e-6);
   }
 }
 
@@ -71,7 +71,7 @@ TEST(Constraint, SlidesAlongASurface) {
   SceneDesc desc = scene(ContactResponse::constraint, {Vec3::Zero()});
   desc.coupling = linear_coupling();
   World world = expect(World::build(desc));
-  held(world, at_height(-3e-3));
+  held(world, above_floor(-3e-3));
   StepResult result;
   for (int i = 0; i < 200; ++i) result = step(world, at({Quat::Identity(), Vec3(2e-4 * i, -3e-3, 0)}), {});
   EXPECT_NEAR(result.record.X_WT.p.x(), 2e-4 * 199, 1e-4);
@@ -92,7 +92,7 @@ TEST(Constraint, FrictionHoldsAProbeUpToItsCone) {
     desc.contact.friction = coefficient;
     World world = expect(World::build(desc));
     const double depth = 3e-3, cone = coefficient * depth;  // m of the coupling's offset
-    held(world, at_height(-depth));
+    held(world, above_floor(-depth));
     const auto drag = [&](double x, double z) {
       return step(world, at({Quat::Identity(), Vec3(x, -depth, z)}), {}).record;
     };
@@ -124,7 +124,7 @@ TEST(Constraint, FrictionHoldsATwist) {
   desc.coupling.damping_ratio = 0;
   desc.contact.friction = coefficient;
   World world = expect(World::build(desc));
-  held(world, at_height(-depth));
+  held(world, above_floor(-depth));
   const double most = coefficient * 800 * depth * r;  // N m
   StepResult result;
   for (int i = 1; i <= 300; ++i) {
@@ -147,7 +147,7 @@ TEST(Constraint, FrictionStaysInItsConeWhileContactsComeAndGo) {
   desc.coupling.damping_ratio = 0;
   desc.contact.friction = 0.5;
   World world = expect(World::build(desc));
-  held(world, at_height(-1e-3));
+  held(world, above_floor(-1e-3));
   int rubbing = 0;
   for (int i = 0; i < 1200; ++i) {
     const double tip = 0.2 * std::sin(0.02 * i), y = -1e-3 + 2e-3 * std::sin(0.013 * i);
@@ -181,8 +181,8 @@ TEST(Constraint, RegionsKeepTheirIdentityUntilTheToolLeaves) {
   World world =
       expect(World::build(scene(ContactResponse::constraint,
                                 {Vec3(0.02, -0.01, 0.02), Vec3(-0.02, -0.01, 0.02), Vec3(0, -0.01, -0.02)})));
-  hold(world, at_height(0.02), 600);
-  hold(world, at_height(0.008), 10);
+  hold(world, above_floor(0.02), 600);
+  hold(world, above_floor(0.008), 10);
   const std::vector<std::uint32_t> first = ids_of(world);
   ASSERT_EQ(first.size(), 3u);
   for (int i = 1; i <= 300; ++i) {
@@ -191,9 +191,9 @@ TEST(Constraint, RegionsKeepTheirIdentityUntilTheToolLeaves) {
     ASSERT_EQ(ids_of(world), first) << i;
     for (const ContactRegion& region : world.regions()) ASSERT_GE(region.age_ticks, i);
   }
-  hold(world, at_height(0.02), 10);
+  hold(world, above_floor(0.02), 10);
   ASSERT_TRUE(world.regions().empty());
-  hold(world, at_height(0.008), 10);
+  hold(world, above_floor(0.008), 10);
   ASSERT_EQ(world.regions().size(), 3u);
   for (const ContactRegion& region : world.regions()) EXPECT_GT(region.id, first.back());
 }
@@ -203,7 +203,7 @@ TEST(Constraint, NearestPoseIsInTheMetricOfTheCoupling) {
   SceneDesc desc = scene(ContactResponse::constraint, {{a, 0, a}, {a, 0, -a}, {-a, 0, a}, {-a, 0, -a}});
   desc.coupling = linear_coupling();
   World world = expect(World::build(desc));
-  held(world, at_height(0.02));
+  held(world, above_floor(0.02));
   const StepResult result = held(world, {quaternion_exp(Vec3(0, 0, angle)), Vec3(0, -depth, 0)});
   // Both edges of the lower side touch if the torque of the lower one alone would turn it flat: with
   // stationarity k_T y = f, k_R t = f a cos, the lower edge alone needs t = y k_T a / k_R.
@@ -219,7 +219,7 @@ TEST(Constraint, ToolThatStartsShallowInsideIsPutOut) {
   SceneDesc desc = scene(ContactResponse::constraint, {Vec3::Zero()});
   desc.tool.X_WT_start.p.y() = -4e-3;
   World world = expect(World::build(desc));
-  const StepResult result = held(world, at_height(-4e-3));
+  const StepResult result = held(world, above_floor(-4e-3));
   EXPECT_EQ(result.record.faults & kStoppingFaults, 0u);
   EXPECT_NEAR(result.record.X_WT.p.y(), 0, 2e-6);
 }
@@ -259,9 +259,9 @@ TEST(Static, CouplingAndSurfaceAreSpringsInSeries) {
   desc.coupling = linear_coupling();
   desc.contact.stiffness = 4000;
   World world = expect(World::build(desc));
-  held(world, at_height(0.02));
+  held(world, above_floor(0.02));
   const double x = 3e-3, k_c = 800, k = 4000;
-  const StepResult result = held(world, at_height(-x));
+  const StepResult result = held(world, above_floor(-x));
   EXPECT_NEAR(result.record.contact_F_T_W.force.y(), k_c * k * x / (k_c + k), 0.01 * k_c * x);
   EXPECT_NEAR(result.record.depth_max, k_c * x / (k_c + k), 0.01 * x);
 }
@@ -271,9 +271,9 @@ TEST(Static, AnyContactStiffnessSettles) {
     SceneDesc desc = scene(ContactResponse::quasi_static, {{0.02, 0, 0}, {-0.02, 0, 0}, {0, 0, 0.02}});
     desc.contact.stiffness = k;
     World world = expect(World::build(desc));
-    held(world, at_height(0.01));
-    const Pose before = held(world, at_height(-4e-3)).record.X_WT;
-    const Pose after = hold(world, at_height(-4e-3), 1).record.X_WT;
+    held(world, above_floor(0.01));
+    const Pose before = held(world, above_floor(-4e-3)).record.X_WT;
+    const Pose after = hold(world, above_floor(-4e-3), 1).record.X_WT;
     // Distances are of single precision; at 1e8 N/m a few newtons are a depth of no more than that.
     EXPECT_LT((after.p - before.p).norm(), 1e-6) << k;
   }

@@ -79,22 +79,6 @@ inline TickRecord lead(World& world, const Pose& X_WG) {
   return step(world, at(desc.mapping.handle_in_device(X_WG * desc.tool.X_HT.inverse())), {}).record;
 }
 
-inline const char* name_of(ContactResponse response) {
-  switch (response) {
-    case ContactResponse::penalty:
-      return "penalty";
-    case ContactResponse::voxel:
-      return "voxel";
-    case ContactResponse::quasi_static:
-      return "quasi_static";
-    case ContactResponse::constraint:
-      return "constraint";
-    case ContactResponse::direct:
-      return "direct";
-  }
-  return "";
-}
-
 // Of .6 m by .6 m: wider than all that the tool does, so that a shell point beyond it has gone through.
 struct SweptWall {
   const char* name;
@@ -125,7 +109,7 @@ inline double reach_to_wall(const Pointshell& shell_T, const Quat& q_WT) {
 // Sweeps the scene's tool across each wall so often: no shell point gets to its middle.
 inline void sweep_walls(const std::string& tool, SceneDesc desc, ContactResponse response, int sweeps) {
   for (const SweptWall& wall : swept_walls()) {
-    SCOPED_TRACE(tool + ", " + wall.name + " wall, " + name_of(response));
+    SCOPED_TRACE(tool + ", " + wall.name + " wall, " + std::string(name_of(response)));
     desc.scene_field = wall.field;
     desc.tool.X_WT_start = {Quat::Identity(), Vec3(-0.2, 0, 0)};
     desc.tool.weight = false;  // which would draw it down the wall, sweep by sweep, and round its edge

@@ -2,6 +2,7 @@
 // limit in no less than 5 ms; what raises each fault; and what acknowledges a stop.
 
 #include "haptics/safety/guard.h"
+#include "tests/haptics/tick_length.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,6 @@
 namespace fulcrum::test {
 namespace {
 
-constexpr double kTick = 1e-3;
 const Command kAcknowledge{Command::Kind::acknowledge};
 
 class Held {

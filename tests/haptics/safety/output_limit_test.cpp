@@ -6,11 +6,10 @@
 #include <limits>
 
 #include "haptics/math/split_mix.h"
+#include "tests/haptics/tick_length.h"
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
-
-constexpr double kTick = 1e-3;
 
 DeviceDesc six_axes() {
   DeviceDesc device;
@@ -123,4 +122,4 @@ TEST(OutputLimit, ADeviceWithoutAnAxisGetsNothingOnIt) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

@@ -16,13 +16,13 @@
 #include "haptics/estimate/encoder_motion.h"
 #include "haptics/math/split_mix.h"
 #include "haptics/safety/passivity_controller.h"
+#include "tests/haptics/tick_length.h"
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
 
-constexpr double kTick = 1e-3;      // s
-constexpr double kCount = 28e-6;    // m
-constexpr double kStiffness = 800;  // N/m
+constexpr double kCount = 28e-6;  // m
+constexpr double kSpring = 800;   // N/m
 
 Vec6 along_x(double d) {
   Vec6 v = Vec6::Zero();
@@ -52,7 +52,7 @@ struct Books {
 using Path = std::function<double(double time)>;
 
 struct Loop {
-  double count = kCount, stiffness = kStiffness,
+  double count = kCount, stiffness = kSpring,
          damping = 0;  // m, N/m, N s/m; of the velocity in a low-pass of 60 Hz
 };
 
@@ -88,7 +88,7 @@ TEST(PassivityObserver, SeesWhatAHoldMakes) {
   const double v = 0.2, far = 0.02;
   const Books books =
       follow([&](double t) { return far - std::abs(far - v * t); }, 2 * far / v, {.count = 0});
-  EXPECT_NEAR(books.port, -kStiffness * v * kTick * far, 1e-12);
+  EXPECT_NEAR(books.port, -kSpring * v * kTick * far, 1e-12);
   EXPECT_LT(std::max(books.above, books.below), 1e-12);
 }
 
@@ -132,7 +132,7 @@ TEST(PassivityObserver, ReadsNoBetterThanTheTruthUnderATone) {
                                      {.count = count});
           EXPECT_LT(books.above, kBits)
               << amplitude << " counts of " << count << " m at " << frequency << " Hz";
-          EXPECT_LE(books.below, count * (books.changes + 3 * kStiffness * (A + 41 * count)));
+          EXPECT_LE(books.below, count * (books.changes + 3 * kSpring * (A + 41 * count)));
         }
       }
     }
@@ -292,4 +292,4 @@ TEST(PassivityController, PushesOnlyAgainstMotionAndOnlyWhereThereAreMotors) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

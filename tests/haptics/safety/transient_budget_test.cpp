@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "haptics/safety/guard.h"
+#include "tests/haptics/tick_length.h"
 
-namespace fulcrum {
+namespace fulcrum::test {
 namespace {
 
-constexpr double kTick = 1e-3;  // s
 constexpr TransientFigures kFigures = figures_of(TransientSource::torque_substitution);
 constexpr TransientSource kSource[] = {TransientSource::torque_substitution};
 const double kPeak = kFigures.peak * DeviceDesc{}.max_force;
@@ -216,4 +216,4 @@ TEST(TransientBudget, LetsNothingThroughThatTheDeviceHasNot) {
 }
 
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::test

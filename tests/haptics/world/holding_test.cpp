@@ -364,7 +364,8 @@ TEST(Holding, NamedButOffChangesNoBit) {
   }
   none.holding_point.reset();
   const Session unheld = run(none, hand, 0.1, 3000);
-  EXPECT_FALSE(unheld.last().holding || unheld.last().inertia || unheld.last().contact_stiffness);
+  EXPECT_FALSE(unheld.last().holding || unheld.last().inertia_compensation ||
+               unheld.last().contact_stiffness);
   for (std::size_t i = 0; i < unheld.records.size(); ++i)
     ASSERT_EQ(bytes_of(unheld.records[i]), bytes_of(without.records[i])) << i;
 }

@@ -14,7 +14,7 @@
 namespace fulcrum::test {
 namespace {
 
-constexpr double kLever = 0.12;  // m, from the handle to the tool's tip, along x
+constexpr double kTip = 0.12;  // m, from the handle to the tool's tip, along x
 
 DeviceDesc six_axis() {
   DeviceDesc device;
@@ -28,7 +28,7 @@ SceneDesc knock_scene(ContactResponse response) {
   SceneDesc desc = floor_scene({Vec3::Zero()}, 0.01);
   desc.contact.response = response;
   desc.integrator = Integrator::implicit_euler;
-  desc.tool.X_HT.p = Vec3(kLever, 0, 0);
+  desc.tool.X_HT.p = Vec3(kTip, 0, 0);
   desc.device = six_axis();
   desc.mapping.X_WD.q = quaternion_exp(Vec3(0.3, -0.8, 0.5));
   desc.impact_vibration.emplace();
@@ -59,7 +59,7 @@ TEST_P(Impacts, EachBlowIsFeltFromTheNextTickOn) {
     const Wrench& F = records[at + n].impact_vibration->F_H_D;
     const double g = amplitude * std::exp(-d * 1e-3 * static_cast<double>(n)) *
                      std::sin(w * 1e-3 * static_cast<double>(n));
-    ASSERT_NEAR(F.torque.norm(), kLever * std::abs(g), 0.01 * kLever * amplitude) << n;
+    ASSERT_NEAR(F.torque.norm(), kTip * std::abs(g), 0.01 * kTip * amplitude) << n;
     if (std::abs(g) > 1e-3 * amplitude)
       EXPECT_GT(std::abs(F.torque.normalized().dot(axis_D)), std::cos(std::numbers::pi / 180)) << n;
   }
@@ -96,7 +96,7 @@ TEST_P(Impacts, ContactOnTheFirstTickIsNone) {
 INSTANTIATE_TEST_SUITE_P(Each, Impacts,
                          testing::Values(ContactResponse::penalty, ContactResponse::quasi_static,
                                          ContactResponse::constraint),
-                         name_of);
+                         test_name_of);
 
 // A table's four feet strike in one tick, as four impacts.
 TEST(ImpactsInAWorld, ManyAtOnce) {
@@ -137,12 +137,6 @@ TEST(ImpactsInAWorld, HardBlowsStayWithinLimits) {
       ASSERT_LE(record.impact_vibration->F_H_D.torque.norm(), peak * desc.device.max_torque * (1 + 1e-12));
     }
   }
-}
-
-std::vector<std::string> part_names(const SceneDesc& desc) {
-  std::vector<std::string> names;
-  for (const BuiltPart& part : expect(World::build(desc)).parts()) names.push_back(part.name);
-  return names;
 }
 
 TEST(ImpactsInAWorld, AreNotBuiltWhereNothingAsks) {

@@ -62,7 +62,7 @@ inline std::string bytes_of(const TickRecord& record) {
 }
 
 // Of a test for each response.
-inline std::string name_of(const testing::TestParamInfo<ContactResponse>& given) {
+inline std::string test_name_of(const testing::TestParamInfo<ContactResponse>& given) {
   constexpr const char* names[] = {"Penalty", "Voxel", "Static", "Constraint", "Direct"};
   return names[static_cast<int>(given.param)];
 }

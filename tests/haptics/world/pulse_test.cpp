@@ -55,7 +55,7 @@ TEST_P(Pulse, ComesInTheTickOfContact) {
     EXPECT_TRUE(std::ranges::find(ticks, i) != ticks.end()) << i;
     EXPECT_EQ(records[i - 1].regions, 0);
     EXPECT_GT(records[i].regions, 0);
-    const PulseRecord& pulse = *records[i].pulse;
+    const PulseRecord& pulse = *records[i].braking_pulse;
     const double wanted = desc.braking_pulse->hand_mass * kSpeed / desc.tick_s;
     EXPECT_NEAR((pulse.wanted_F_H_D.force - wanted * Vec3::UnitY()).norm(), 0, 2e-3 * wanted);
     EXPECT_NEAR(pulse.F_H_D.force.normalized().y(), 1, 1e-9);
@@ -64,8 +64,8 @@ TEST_P(Pulse, ComesInTheTickOfContact) {
     EXPECT_EQ((records[i].faults & kTransientLimited), 0u);
   }
   EXPECT_EQ(pulsed, 3u);
-  EXPECT_LT(records.back().pulse->energy, 0);         // the hand was braked
-  EXPECT_EQ(records.back().pulse->moment_energy, 0);  // nothing was turned
+  EXPECT_LT(records.back().braking_pulse->energy, 0);         // the hand was braked
+  EXPECT_EQ(records.back().braking_pulse->moment_energy, 0);  // nothing was turned
 }
 
 TEST_P(Pulse, OffIsAsIfItWereNotThere) {
@@ -76,7 +76,7 @@ TEST_P(Pulse, OffIsAsIfItWereNotThere) {
   ASSERT_EQ(silent.size(), without.size());
   for (std::size_t i = 0; i < silent.size(); ++i) {
     ASSERT_EQ(bytes_of(silent[i]), bytes_of(without[i])) << i;
-    EXPECT_FALSE(without[i].impact || without[i].pulse);
+    EXPECT_FALSE(without[i].impact_vibration || without[i].braking_pulse);
     EXPECT_FALSE(pulses(silent[i]));
   }
 }
@@ -84,7 +84,7 @@ TEST_P(Pulse, OffIsAsIfItWereNotThere) {
 INSTANTIATE_TEST_SUITE_P(Each, Pulse,
                          testing::Values(ContactResponse::penalty, ContactResponse::quasi_static,
                                          ContactResponse::constraint),
-                         name_of);
+                         test_name_of);
 
 // Leads the tip through heights above the floor, one a tick, after the force has ramped in at the first.
 std::vector<TickRecord> lead(const SceneDesc& desc, const std::vector<double>& heights,
@@ -162,12 +162,12 @@ TEST(BrakingPulse, OneCommandTurnsTheMomentOffAndOneTheWhole) {
   const TickRecord both = strongest(lead(plate_scene(), heights));
   const TickRecord force = strongest(lead(plate_scene(), heights, {{Command::Kind::pulse_moment, 0}}));
   const TickRecord none = strongest(lead(plate_scene(), heights, {{Command::Kind::pulse_gain, 0}}));
-  EXPECT_GT(both.pulse->F_H_D.torque.norm(), 1e-3);
-  EXPECT_NEAR(force.pulse->F_H_D.torque.norm(), 0, 1e-9);
-  EXPECT_GT(force.pulse->F_H_D.force.norm(), 3);
-  EXPECT_TRUE(none.pulse->F_H_D.is_zero());
-  EXPECT_FALSE(force.pulse->moment);
-  EXPECT_EQ(none.pulse->gain, 0);
+  EXPECT_GT(both.braking_pulse->F_H_D.torque.norm(), 1e-3);
+  EXPECT_NEAR(force.braking_pulse->F_H_D.torque.norm(), 0, 1e-9);
+  EXPECT_GT(force.braking_pulse->F_H_D.force.norm(), 3);
+  EXPECT_TRUE(none.braking_pulse->F_H_D.is_zero());
+  EXPECT_FALSE(force.braking_pulse->moment);
+  EXPECT_EQ(none.braking_pulse->gain, 0);
 }
 
 // Stiff, fast, light, heavy, long, weak: whatever is asked for, motors keep their limits, the force brakes,
@@ -253,7 +253,7 @@ TEST(BrakingPulse, AStopEndsItAndLetsNoneBegin) {
 
   const auto records = stopped_at(first + 5);
   const auto size = [&records](int i) {
-    return records[static_cast<std::size_t>(i)].pulse->F_H_D.force.norm();
+    return records[static_cast<std::size_t>(i)].braking_pulse->F_H_D.force.norm();
   };
   EXPECT_GT(size(first + 4), 0.5);
   EXPECT_NEAR(size(first + 5), 0.5 * size(first + 4), 1e-9);
@@ -284,7 +284,7 @@ TEST(BrakingPulse, ADeviceThatPushesAloneBrakesByForce) {
   }
   desc.device.renders_force = false;
   desc.device.kinematics = Kinematics::none;
-  EXPECT_FALSE(knock(desc, 1).back().pulse);
+  EXPECT_FALSE(knock(desc, 1).back().braking_pulse);
 }
 
 TEST(BrakingPulse, RefusesWhatIsNoHand) {

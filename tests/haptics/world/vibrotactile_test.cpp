@@ -91,7 +91,7 @@ TEST(VibrotactileInAWorld, OffIsAsIfItWereNotThere) {
   for (std::size_t i = 0; i < without.size(); ++i) {
     ASSERT_EQ(bytes_of(silent[i]), bytes_of(without[i])) << i;
     ASSERT_EQ(bytes_of(with[i]), bytes_of(without[i])) << i;
-    EXPECT_FALSE(without[i].vibrotactile);
+    EXPECT_FALSE(without[i].vibrotactile_motion);
     EXPECT_EQ(told(silent[i]), 0);
     most = std::max(most, told(with[i]));
   }
@@ -105,7 +105,7 @@ TEST(VibrotactileInAWorld, AStopSilencesWithinTwoMilliseconds) {
   EXPECT_LE(told(records[stop]), 0.51 * told(records[stop - 1]));
   for (std::size_t i = stop + 1; i < records.size(); ++i) {
     EXPECT_EQ(told(records[i]), 0) << i;
-    EXPECT_TRUE(records[i].vibrotactile->command.stopping);
+    EXPECT_TRUE(records[i].vibrotactile_motion->command.stopping);
   }
 }
 
@@ -135,7 +135,7 @@ TEST(VibrotactileInAWorld, SwitchedByItsCommand) {
                               {880, {Command::Kind::impact_gain, 0}}});
   EXPECT_GT(told(records[839]), 12);
   for (int i = 840; i < 870; ++i) EXPECT_EQ(told(records[static_cast<std::size_t>(i)]), 0);
-  EXPECT_EQ(records[885].vibrotactile->gain, 0.5);
+  EXPECT_EQ(records[885].vibrotactile_motion->gain, 0.5);
   EXPECT_NEAR(told(records[870]), 0.5 * told(swept(finger_scene())[870]), 0.05);
 }
 
@@ -146,7 +146,7 @@ TEST(VibrotactileInAWorld, TheLateralForceIsSwitchedWithIt) {
   const auto records =
       swept(desc, 0.1, -0.2e-3,
             {{840, {Command::Kind::vibrotactile_gain, 0}}, {870, {Command::Kind::vibrotactile_gain, 1}}});
-  const auto force = [&](std::size_t i) { return records[i].vibrotactile->force; };
+  const auto force = [&](std::size_t i) { return records[i].vibrotactile_motion->force; };
   EXPECT_NEAR(force(839), -2, 1e-9);
   for (std::size_t i = 840; i < 885; ++i) EXPECT_LE(std::abs(force(i) - force(i - 1)), 0.2 + 1e-9) << i;
   for (std::size_t i = 851; i < 870; ++i) EXPECT_EQ(force(i), 0) << i;
@@ -164,7 +164,7 @@ TEST(VibrotactileInAWorld, TheLateralForceIsContinuousAndTakesEnergy) {
   for (std::size_t i = 0; i < with.size(); ++i) {
     const double force = with[i].device_F_H_D.force.x() - without[i].device_F_H_D.force.x();
     EXPECT_LE(std::abs(force - before), largest_step + 1e-12) << i;
-    EXPECT_LE(force * with[i].vibrotactile->direction, 1e-12) << i;
+    EXPECT_LE(force * with[i].vibrotactile_motion->direction, 1e-12) << i;
     EXPECT_GE(with[i].energy_port, kPortBound) << i;
     most = std::max(most, std::abs(force));
     before = force;

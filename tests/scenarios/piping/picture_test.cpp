@@ -10,14 +10,14 @@ namespace {
 
 TEST(Picture, Piping) {
   for (const char* view : {"overview", "slot", "behind", "above"})
-    expect_golden(piping(), moment_on_route(piping(), 14.0, 2), view, view);
+    expect_golden(piping(), input_on_route(piping(), 14.0, 2), view, view);
 }
 
 TEST(Picture, PipingWithGhost) {
-  app::Moment moment = moment_on_route(piping(), 14.0, 2);
-  turn_on(piping(), Vec3::UnitY(), 0.44, moment.record);
+  app::FrameInput input = input_on_route(piping(), 14.0, 2);
+  turn_on(piping(), Vec3::UnitY(), 0.44, input.record);
   for (const char* view : {"overview", "slot", "behind"})
-    expect_golden(piping(), moment, view, std::string(view) + "_ghost");
+    expect_golden(piping(), input, view, std::string(view) + "_ghost");
 }
 
 }  // namespace

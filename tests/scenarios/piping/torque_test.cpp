@@ -13,7 +13,7 @@
 namespace fulcrum::test {
 namespace {
 
-constexpr int kTicks = 30000;  // past the first time that the spanner jams
+constexpr int kMeasuredTicks = 30000;  // past the first time that the spanner jams
 
 // Bit for bit, by the text of the trace: named but off, against not named.
 TEST(Torque, OffLeavesEveryOtherColumnAsItIs) {
@@ -54,7 +54,7 @@ Depths clumsy_on_springs(const std::vector<std::string>& overrides) {
   const app::Prepared prepared = prepared_piping(all);
   PipingRun run("clumsy", prepared);
   Depths depths;
-  for (int i = 0; i < kTicks; ++i) {
+  for (int i = 0; i < kMeasuredTicks; ++i) {
     const TickRecord record = run.tick();
     double& deepest = record.torque_substitution->bad ? depths.bad : depths.good;
     deepest = std::max(deepest, record.depth_max);
@@ -78,7 +78,7 @@ TEST(Torque, TheClumsyHandIsTold) {
   double vibration = 0, ghost = 0, energy = 0;
   int bad = 0;
   std::uint32_t faults = 0;
-  for (int i = 0; i < kTicks; ++i) {
+  for (int i = 0; i < kMeasuredTicks; ++i) {
     const TickRecord record = run.tick();
     bad += record.torque_substitution->bad;
     vibration = std::max(vibration, record.torque_substitution->vibration);

@@ -75,7 +75,7 @@ TEST(Holding, PanelOffersOnlyMethodsThatDoSomething) {
   scene.inertia_compensation->gain = 0;
   EXPECT_EQ(next(), to_none);
   TickRecord off = record;
-  off.inertia->method = InertiaMethod::acceleration;
+  off.inertia_compensation->method = InertiaMethod::acceleration;
   const ui::HoldingPanel panel = *app::holding_panel(scene, off);
   EXPECT_EQ(panel.methods[panel.method], "none");
   scene.inertia_compensation->switchable = false;

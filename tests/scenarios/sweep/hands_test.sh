@@ -11,7 +11,7 @@ levels() {
     function off(level, wanted) { return (level - wanted) ^ 2 > 0.12838 ^ 2 }
     NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
     {
-      x = $at["vibrotactile_motion/x"]; l = $at["vibrotactile_motion/left"]; r = $at["vibrotactile_motion/right"]; d = $at["vibrotactile_motion/direction"]
+      x = $at["vibrotactile_motion/x"]; l = $at["vibrotactile_motion/level/left"]; r = $at["vibrotactile_motion/level/right"]; d = $at["vibrotactile_motion/direction"]
       if ($at["energy/port"] < -1e-4) wrong = "the port gives out energy"
       if ((l > 0 || r > 0) && $at["contact/regions"] == 0) wrong = "it vibrates off the glass"
       if (l < 0 || r < 0 || l > 12.839 || r > 12.839) wrong = "a level is out of range"

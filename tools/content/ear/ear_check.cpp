@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double most_fixed = -0.2;            // mm, of room for the best fixed roll
 constexpr double least_clearance = 0.25 * mm;  // of the needle on its way
-constexpr double handle_begins = 60.0 * mm;    // z: what is beyond never comes near
+constexpr double grip_begins = 60.0 * mm;      // z: what is beyond never comes near
 constexpr double stride = 0.4;                 // mm, along the way
 
 bool within(const char* what, double value, double least, double most) {
@@ -48,7 +48,7 @@ bool check_way(const std::vector<RoutePose>& route, const TriangleTree& scene, c
   std::vector<Vector3d> points;
   for (const Part& part : needle.parts) {
     for (const Vector3d& p : part.solid.points)
-      if (p.z() < handle_begins) points.push_back(p / mm);
+      if (p.z() < grip_begins) points.push_back(p / mm);
   }
   double least = 5 * mm;
   for (std::size_t i = 0; i + 1 < route.size(); ++i) {

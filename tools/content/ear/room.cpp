@@ -8,13 +8,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double cell = 0.4;       // mm
+constexpr double room_cell = 0.4;  // mm
 constexpr double free_room = 9.0;  // mm
 const Vector3d low(-30.0, -22.0, -29.0);
 const Vector3d high(22.0, 26.0, 24.0);
 
 std::size_t count(int axis) {
-  return static_cast<std::size_t>((high[axis] - low[axis]) / cell) + 1;
+  return static_cast<std::size_t>((high[axis] - low[axis]) / room_cell) + 1;
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ Room::Room(const Flesh& flesh) {
     for (std::size_t j = 0; j < count(1); ++j) {
       for (std::size_t i = 0; i < count(0); ++i) {
         const Vector3d at(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-        const Vector3d p = low + cell * at;
+        const Vector3d p = low + room_cell * at;
         values_.push_back(
             static_cast<float>(std::min(flesh.distance(p), flesh.to_membrane(p, Flesh::buried_rim))));
       }
@@ -33,7 +33,7 @@ Room::Room(const Flesh& flesh) {
 }
 
 double Room::at(const Vector3d& p_W) const {
-  const Vector3d u = (p_W - low) / cell;
+  const Vector3d u = (p_W - low) / room_cell;
   for (int axis = 0; axis < 3; ++axis)
     if (u[axis] < 0.0 || u[axis] >= static_cast<double>(count(axis) - 1)) return free_room;
   const auto i = static_cast<std::size_t>(u.x());

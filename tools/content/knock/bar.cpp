@@ -11,7 +11,7 @@ namespace fulcrum::content {
 namespace {
 
 constexpr double grip_half = 45.0 * mm;
-constexpr int columns = 64;
+constexpr int bar_columns = 64;
 
 Solid rod() {
   std::vector<RadiusHeight> profile;
@@ -42,7 +42,7 @@ Solid grip() {
     const double z = -grip_half + 2.0 * grip_half * k / pieces;
     profile.push_back({radius(z), z});
   }
-  return lathe(profile, columns);
+  return lathe(profile, bar_columns);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ Model make_bar() {
   constexpr RadiusHeight ferrule[] = {{4.6 * mm, -57.0 * mm}, {6.2 * mm, -56.4 * mm}, {6.6 * mm, -55.4 * mm},
                                       {7.4 * mm, -50.0 * mm}, {8.6 * mm, -48.0 * mm}, {8.6 * mm, -44.6 * mm},
                                       {8.0 * mm, -44.0 * mm}};
-  model.parts.push_back({.name = "ferrule", .material = 2, .solid = lathe(ferrule, columns)});
+  model.parts.push_back({.name = "ferrule", .material = 2, .solid = lathe(ferrule, bar_columns)});
   return model;
 }
 

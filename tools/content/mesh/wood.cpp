@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double board_bevel = 1.5 * mm;
 constexpr double across = 1.2 * mm;  // between points, where rings are crossed
-constexpr double along = 5.0 * mm;   // likewise, along the grain
+constexpr double along_grain = 5.0 * mm;   // likewise, along the grain
 
 // A ring begins light, grows darker and ends at once; trunks are not quite round and not quite straight.
 Vector3d colour_at(const Vector3d& p, const Wood& wood) {
@@ -68,7 +68,7 @@ Coat grained(const Solid& solid, const Wood& wood) {
 Part board(const std::string& name, const Vector3d& half, const Wood& wood) {
   std::vector<Section> sections{board_section(half, board_bevel, -half.z())};
   const double length = 2.0 * (half.z() - board_bevel);
-  const int pieces = static_cast<int>(std::ceil(length / along));
+  const int pieces = static_cast<int>(std::ceil(length / along_grain));
   for (int k = 0; k <= pieces; ++k)
     sections.push_back(board_section(half, 0.0, -half.z() + board_bevel + length * k / pieces));
   sections.push_back(board_section(half, board_bevel, half.z()));

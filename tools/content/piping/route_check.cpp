@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr double line_step = 2.0 * mm;
 constexpr double turn_step = 1.0 * degree;
-constexpr double far = 0.05;  // m: nobody asks for clearances beyond
+constexpr double farthest = 0.05;  // m: nobody asks for clearances beyond
 
 bool is_asked_for(const std::string& name, Near near) {
   switch (near) {
@@ -76,7 +76,7 @@ std::vector<Clearance> clearances(const Model& piping, const Model& spanner, Nea
   const std::vector<PlantPose> poses = route();
   std::vector<Clearance> result;
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-    Clearance nearest{far, 0.0, i, Vector3d::Zero()};
+    Clearance nearest{farthest, 0.0, i, Vector3d::Zero()};
     const int steps = steps_between(poses[i].X_WT, poses[i + 1].X_WT);
     for (int k = 0; k <= steps; ++k) {
       const double u = static_cast<double>(k) / steps;
@@ -105,7 +105,7 @@ LineGap narrowest_line_gap(const Model& piping) {
 
   // Pipes' edges are long: points along them stand for what lies between their ends.
   constexpr double spacing = 4.0 * mm;
-  LineGap narrowest{far, "", ""};
+  LineGap narrowest{farthest, "", ""};
   for (const auto& [name, line] : lines) {
     for (const Part* part : line.parts) {
       for (const Vector3d& p : edge_points(part->solid, spacing)) {

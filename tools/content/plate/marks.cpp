@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // Strokes in the unit of a figure's height, x to the right and y up.
-constexpr double height = 6.5 * mm;
+constexpr double letter_height = 6.5 * mm;
 constexpr double stroke = 0.55 * mm;  // half its width
 constexpr double advance = 0.78;      // from figure to figure
 constexpr double figure_width = 0.56;
@@ -74,7 +74,7 @@ Solid drawn(const Line& line, const Eigen::Isometry3d& X_WF) {
     const Vector2d& before = i > 0 ? line[i - 1] : closed ? line[last - 1] : line[0];
     const Vector2d along = (line[std::min(i + 1, last)] - before).normalized();
     const Vector3d across(along.y(), -along.x(), 0.0);
-    const Vector3d middle(height * line[i].x(), height * line[i].y(), -0.7 * stroke);
+    const Vector3d middle(letter_height * line[i].x(), letter_height * line[i].y(), -0.7 * stroke);
     Section& section = sections.emplace_back();
     for (int k = 0; k < corners; ++k) {
       const double angle = 2.0 * pi * (k + 0.5) / corners;
@@ -99,7 +99,7 @@ Model make_marks() {
     const std::string text = std::to_string(static_cast<int>(std::lround(face.tilt / degree))) + "*";
     Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
     X_WF.linear() << face.along_W(), face.nhat_W, Vector3d::UnitZ();
-    X_WF.translation() = face.centre_W - (plate_thickness + 0.5 * (frame_bar + height)) * face.nhat_W +
+    X_WF.translation() = face.centre_W - (plate_thickness + 0.5 * (frame_bar + letter_height)) * face.nhat_W +
                          frame_half_depth * Vector3d::UnitZ();
     // Centred without the sign for degrees.
     double x = -0.5 * (advance * static_cast<double>(text.size() - 2) + figure_width);

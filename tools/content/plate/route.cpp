@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double rest_lean = 45.0 * degree;  // of the stylus to the left, as the device holds it
-constexpr double height = 30.0 * mm;         // over the face, from where a tap begins
+constexpr double tap_height = 30.0 * mm;     // over the face, from where a tap begins
 constexpr double down = 0.32;                // s: the tip meets the face with 0.15 m/s
 constexpr double up = 0.5;                   // s
 constexpr double rest = 0.4;                 // s, before a tap
@@ -64,13 +64,13 @@ std::vector<RoutePose> make_route(const std::vector<Tap>& taps, double press) {
   for (const Tap& tap : taps) {
     double travel = 0.0;
     if (!route.empty()) {
-      const Vector3d over = tap.p_W + (stylus_tip_radius + height) * tap.nhat_W;
+      const Vector3d over = tap.p_W + (stylus_tip_radius + tap_height) * tap.nhat_W;
       travel = std::max(0.5, (over - route.back().X_WT.translation()).norm() / pace);
     }
-    go("over: " + tap.name, tap, height, travel, rest);
+    go("over: " + tap.name, tap, tap_height, travel, rest);
     go(tap.name, tap, -press, down, 0.0);
     route.back().presses = true;
-    go("", tap, height, up, 0.0);
+    go("", tap, tap_height, up, 0.0);
   }
   return route;
 }
@@ -82,7 +82,7 @@ std::string taps_yaml(const std::vector<Tap>& taps) {
   // A run ends with the last checkpoint: it is over the last plate, so that the last tap is felt to its end.
   const Tap& last = taps.back();
   return text +
-         checkpoint_yaml("off again", last.p_W + (stylus_tip_radius + height) * last.nhat_W, end_sphere);
+         checkpoint_yaml("off again", last.p_W + (stylus_tip_radius + tap_height) * last.nhat_W, end_sphere);
 }
 
 }  // namespace fulcrum::content

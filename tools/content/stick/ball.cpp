@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 const Vector3d middle(0.0, -ball_radius, 0.0);
 
 // Foam: a little lighter and darker from pore to pore.
-Vector3d colour_at(const Vector3d& p) {
+Vector3d ball_colour(const Vector3d& p) {
   const double pores = 0.5 + 0.5 * mottle(1.9 * p / mm + Vector3d(3.1, 0.7, 5.9));
   return mixed(Vector3d(0.022, 0.13, 0.22), Vector3d(0.032, 0.18, 0.29), pores);
 }
@@ -36,7 +36,7 @@ Model make_ball() {
   Part part{.name = "ball", .material = 0, .solid = lathe(profile, 192)};
   for (const Vector3d& p : part.solid.points) {
     part.coat.normals.push_back(p.normalized());
-    part.coat.colours.push_back(colour_at(p));
+    part.coat.colours.push_back(ball_colour(p));
   }
   part.solid = transformed(std::move(part.solid), Eigen::Isometry3d(Eigen::Translation3d(middle)));
   return {.name = "ball",

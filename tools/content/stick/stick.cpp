@@ -48,7 +48,7 @@ std::vector<RadiusHeight> stick_profile() {
   return profile;
 }
 
-Vector3d colour_at(const Vector3d& p) {
+Vector3d rod_colour(const Vector3d& p) {
   const double from_top = std::abs(math::atan2(p.z(), p.y()));
   if (p.x() < strip_from - 2.0 * mm || p.x() > strip_to + 2.0 * mm || from_top > strip_half) return carbon;
   const long mark = std::lround((p.x() - strip_from) / mark_step);
@@ -90,7 +90,7 @@ Model make_stick() {
       .parts = {}};
   Solid rod = along_x(stick_profile(), columns);
   Coat coat;
-  for (const Vector3d& p : rod.points) coat.colours.push_back(colour_at(p));
+  for (const Vector3d& p : rod.points) coat.colours.push_back(rod_colour(p));
   model.parts.push_back({.name = "rod",
                          .material = 0,
                          .solid = std::move(rod),

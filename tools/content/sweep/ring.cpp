@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double from = 10.4, to = 15.8;  // mm, of the ring along the finger
-constexpr double middle = 0.5 * (from + to);
+constexpr double ring_from = 10.4, ring_to = 15.8;  // mm, of the ring along the finger
+constexpr double ring_middle = 0.5 * (ring_from + ring_to);
 constexpr int around = 96;
 
 // A band about the finger, its section given by (s, off the skin), counter-clockwise.
@@ -51,7 +51,12 @@ void add_ring(const FingerShape& shape, const RingMaterials& materials, Model* m
     model->parts.push_back({.name = name, .material = material, .solid = std::move(solid)});
   };
   add("ring", materials.dark,
-      band(shape, {{from, -0.5}, {from, 0.9}, {from + 0.4, 1.3}, {to - 0.4, 1.3}, {to, 0.9}, {to, -0.5}}));
+      band(shape, {{ring_from, -0.5},
+                   {ring_from, 0.9},
+                   {ring_from + 0.4, 1.3},
+                   {ring_to - 0.4, 1.3},
+                   {ring_to, 0.9},
+                   {ring_to, -0.5}}));
   add("cuff", materials.cloth, cuff(shape));
   constexpr RadiusHeight coil[] = {{4.6, -1.0}, {4.6, 3.6}, {4.2, 4.0}, {3.2, 4.0}};
   constexpr RadiusHeight cap[] = {{3.3, 2.0}, {3.3, 4.2}, {3.0, 4.5}};
@@ -59,12 +64,12 @@ void add_ring(const FingerShape& shape, const RingMaterials& materials, Model* m
   for (const double side : {-1.0, 1.0}) {
     const std::string name = side < 0.0 ? "left" : "right";
     const Vector3d out = side * Vector3d::UnitX();
-    const Vector3d at = shape.surface(middle, side < 0.0 ? pi : 0.0, 0.6);
+    const Vector3d at = shape.surface(ring_middle, side < 0.0 ? pi : 0.0, 0.6);
     add(name + "/coil", materials.dark, turned(coil, at, out));
     add(name + "/cap", materials.bright, turned(cap, at, out));
     add(name + "/waist", materials.bright, turned(waist, at, out));
     const double high = side < 0.0 ? pi - 0.5 : 0.5;
-    Centreline cable{.corners = {at + 2.2 * out, at + 2.2 * out + 7.0 * shape.along(middle),
+    Centreline cable{.corners = {at + 2.2 * out, at + 2.2 * out + 7.0 * shape.along(ring_middle),
                                  shape.surface(24.0, high, 0.35), shape.surface(33.0, high, 0.35),
                                  shape.surface(40.0, high, -0.5)},
                      .bend_radius = 2.0};

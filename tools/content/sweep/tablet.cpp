@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double desk_top = -9.0 * mm;  // y
-const Vector2d middle(0.0, 6.0 * mm);   // of the tablet: x, z
+constexpr double desk_top = -9.0 * mm;        // y
+const Vector2d tablet_middle(0.0, 6.0 * mm);  // of the tablet: x, z
 
 // Level, `half` each way, from one height to another.
 Solid rounded_plate(const Vector2d& half, double corner, double low, double high, double bevel) {
@@ -32,7 +32,7 @@ Solid rounded_plate(const Vector2d& half, double corner, double low, double high
     }
   }
   // The drawing's y is towards -z.
-  Eigen::Isometry3d X(Eigen::Translation3d(middle.x(), 0.5 * (low + high), middle.y()));
+  Eigen::Isometry3d X(Eigen::Translation3d(tablet_middle.x(), 0.5 * (low + high), tablet_middle.y()));
   X.rotate(turn_by(-0.5 * pi, Vector3d::UnitX()));
   return transformed(bevelled_prism(outline, 0.5 * (high - low), bevel), X);
 }

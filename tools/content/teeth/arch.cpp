@@ -18,15 +18,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double width = 52.0;  // mm
-constexpr double depth = 46.0;  // mm
+constexpr double arch_width = 52.0;  // mm
+constexpr double arch_depth = 46.0;  // mm
 constexpr double bluntness = 0.6;
-constexpr double spacing = 0.1;  // mm, of points along the line
-constexpr double reach = 60.0;   // mm, along, to either side
+constexpr double spacing = 0.1;      // mm, of points along the line
+constexpr double arch_reach = 60.0;  // mm, along, to either side
 
 Vector2d form(double x) {
-  const double u = std::clamp(x / width, -0.4995, 0.4995);
-  return {u * width, depth * math::pow(1.0 - 4.0 * u * u, bluntness) - 0.5 * depth};
+  const double u = std::clamp(x / arch_width, -0.4995, 0.4995);
+  return {u * arch_width, arch_depth * math::pow(1.0 - 4.0 * u * u, bluntness) - 0.5 * arch_depth};
 }
 
 // Half of the line, from the middle to the jaw's left; where the form ends it goes straight on.
@@ -36,7 +36,7 @@ std::vector<Vector2d> half_line() {
   double rest = spacing;
   for (int i = 0; i < pieces; ++i) {
     // Finer towards the end, where the form runs parallel to z.
-    const auto x_at = [](int k) { return 0.4995 * width * math::sin(1.57079632679 * k / pieces); };
+    const auto x_at = [](int k) { return 0.4995 * arch_width * math::sin(1.57079632679 * k / pieces); };
     const Vector2d from = form(x_at(i));
     const Vector2d step = form(x_at(i + 1)) - from;
     double done = 0.0;
@@ -54,7 +54,7 @@ std::vector<Vector2d> half_line() {
 
 Arch::Arch() {
   std::vector<Vector2d> half = half_line();
-  const auto wanted = static_cast<std::size_t>(reach / spacing) + 1;
+  const auto wanted = static_cast<std::size_t>(arch_reach / spacing) + 1;
   // The form's last stretch runs inwards faster than any jaw does; from here on it is a tangent.
   const auto straight = std::min(half.size(), static_cast<std::size_t>(51.0 / spacing));
   half.resize(straight);
@@ -62,7 +62,7 @@ Arch::Arch() {
   while (half.size() < wanted) half.push_back(half.back() + spacing * onward);
   for (std::size_t i = half.size(); i-- > 1;) points_.emplace_back(-half[i].x(), half[i].y());
   points_.insert(points_.end(), half.begin(), half.end());
-  end_ = reach;
+  end_ = arch_reach;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     constexpr std::size_t few = 12;
     const std::size_t before = i > few ? i - few : 0;

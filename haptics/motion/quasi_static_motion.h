@@ -8,14 +8,14 @@
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
-#include "haptics/motion/quasi_static.h"
+#include "haptics/motion/quasi_static_tool.h"
 #include "haptics/motion/tool_motion.h"
 
 namespace fulcrum {
 
-class StaticMotion final : public ToolMotion {
+class QuasiStaticMotion final : public ToolMotion {
 public:
-  explicit StaticMotion(const PlainScene& desc);
+  explicit QuasiStaticMotion(const PlainScene& desc);
 
   ToolAnswer advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept override;
   void limit_torque(double limit) noexcept override { tool_.limit_torque(limit); }

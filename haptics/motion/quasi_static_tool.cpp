@@ -1,4 +1,4 @@
-#include "haptics/motion/quasi_static.h"
+#include "haptics/motion/quasi_static_tool.h"
 
 #include "haptics/math/functions.h"
 

@@ -1,4 +1,4 @@
-#include "haptics/motion/static_motion.h"
+#include "haptics/motion/quasi_static_motion.h"
 
 #include <Eigen/Cholesky>
 
@@ -13,8 +13,8 @@ namespace {
 
 // An even number: stiff contact is balanced within the rounding of a distance, and a step that begins just
 // outside goes in, the next one back out to the balance.
-constexpr int kRounds = 4;           // at most, in a tick
-constexpr double kSettled = 0.1e-6;  // m, a step that moves no point farther ends the tick
+constexpr int kMaxSteps = 4;             // at most, in a tick
+constexpr double kSettledStep = 0.1e-6;  // m, a step that moves no point farther ends the tick
 
 // Nothing moves by itself here, so contact has springs alone.
 ContactDesc springs_alone(ContactDesc contact) {
@@ -33,7 +33,7 @@ BodyState at_rest(const Pose& X_WT) {
 
 }  // namespace
 
-StaticMotion::StaticMotion(const PlainScene& desc)
+QuasiStaticMotion::QuasiStaticMotion(const PlainScene& desc)
     : coupling_(desc.coupling),
       tool_(desc),
       query_(desc.tool_shell, desc.scene_field),
@@ -43,11 +43,11 @@ StaticMotion::StaticMotion(const PlainScene& desc)
       allowance_(motion_allowance(*desc.scene_field)),
       tool_radius_(desc.tool_shell->max_radius_m) {}
 
-ToolAnswer StaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
+ToolAnswer QuasiStaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
   if (!looked_) outcome_ = query_.run(tool_.state().X_WT, contacts_);
   looked_ = true;
   bool limited = false;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMaxSteps; ++round) {
     const Vec6 step = newton_step(X_WG);
     const double travel = step.head<3>().norm(), turn = step.tail<3>().norm();
     const double fraction = query_.safe_fraction(travel, turn, allowance_);
@@ -57,7 +57,7 @@ ToolAnswer StaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint3
       break;
     }
     outcome_ = query_.run(tool_.state().X_WT, contacts_);
-    if (travel + turn * tool_radius_ < kSettled) break;
+    if (travel + turn * tool_radius_ < kSettledStep) break;
   }
   if (limited) faults |= kMotionLimited;
   if (!outcome_.complete) faults |= kContactsReduced;
@@ -75,7 +75,7 @@ ToolAnswer StaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint3
 
 // The coupling's springs saturate; their secants take the tool all the way through free space in one step and
 // converge to the balance from any side.
-Vec6 StaticMotion::newton_step(const Pose& X_WG) noexcept {
+Vec6 QuasiStaticMotion::newton_step(const Pose& X_WG) noexcept {
   const BodyState tool = at_rest(tool_.state().X_WT);
   const Wrench contact = response_.push(contacts_, tool).F_T_W;
   Linearisation around;
@@ -93,20 +93,20 @@ Vec6 StaticMotion::newton_step(const Pose& X_WG) noexcept {
   return around.K.ldlt().solve(force);
 }
 
-bool StaticMotion::stiffen(double stiffness) noexcept {
+bool QuasiStaticMotion::stiffen(double stiffness) noexcept {
   if (!contacts_.contacts().empty()) return false;
   response_.stiffen(stiffness);
   return true;
 }
 
-std::vector<BuiltPart> StaticMotion::parts() const {
+std::vector<BuiltPart> QuasiStaticMotion::parts() const {
   return {
       query_part(query_),
       {"response",
-       "static: at most " + std::to_string(kRounds) + " 6 x 6 steps a tick, " +
+       "static: at most " + std::to_string(kMaxSteps) + " 6 x 6 steps a tick, " +
            number_text(response_.stiffness()) + " N/m per region, at most " + std::to_string(kMaxContacts) +
            " points in " + std::to_string(kMaxRegions) + " regions",
-       sizeof(StaticMotion)},
+       sizeof(QuasiStaticMotion)},
   };
 }
 
