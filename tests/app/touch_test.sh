@@ -20,7 +20,7 @@ done
 expect 0 'bit for bit' "$FULCRUM" replay A/tape --out B
 for file in touch-left.wav touch-right.wav trace.csv; do cmp -s A/$file B/$file || fail "the replay's $file differs"; done
 expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --seconds 1 --out C
-head -1 C/trace.csv | grep -q touch/ && fail "a device that pushes has columns of its vibrators"
+head -1 C/trace.csv | grep -q vibrotactile_motion/ && fail "a device that pushes has columns of its vibrators"
 ls C | grep -q wav && fail "a device without vibrators left a WAV"
 
 # --- rumble motors get an amplitude a tick

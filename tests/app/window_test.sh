@@ -41,7 +41,7 @@ import -window "$window" "$work/pushed.png"
 xdotool mouseup 1
 
 # The mouse as a device has no motors, so the ghost is the one cue: by its key, then by its switch.
-ghost() { [ "$(newest cue/ghost_gain)" = "$1" ]; }
+ghost() { [ "$(newest torque_substitution/ghost_gain)" = "$1" ]; }
 xdotool key --window "$window" F1
 xdotool key --window "$window" g
 until_seen ghost 0 || fail "G does not switch the ghost off"
@@ -77,7 +77,7 @@ xdotool key --clearmodifiers alt+F4
 wait_for_end
 [ $code = 3 ] || fail "exit $code, not 3: $(cat "$work/said")"
 column "$work/W" contact/depth_max | awk '$1 > m { m = $1 } END { exit !(m > 0) }' || fail "the push touched nothing"
-column "$work/W" cue/ghost_gain | uniq | head -n 3 | tr '\n' ' ' | grep -q '^1 0 1 $' || fail "the ghost was not switched off and on"
+column "$work/W" torque_substitution/ghost_gain | uniq | head -n 3 | tr '\n' ' ' | grep -q '^1 0 1 $' || fail "the ghost was not switched off and on"
 [ -s "$work/W/frame.png" ] || fail "no frame.png"
 grep -q 'Picture, trace and summary lie in' "$work/said" || fail "it does not say where the results lie"
 
