@@ -33,7 +33,7 @@ private:
   double blowing_ = 0;
 };
 
-// The visitor of describe() (haptics/tick/quantity.h) that this program needs: a column by its name.
+// The visitor of describe() (haptics/signal/quantity.h) that this program needs: a column by its name.
 class Column {
 public:
   explicit Column(std::string_view name) : name_(name) {}

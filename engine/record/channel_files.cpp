@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/record/run_folder.h"
+
 namespace fulcrum::record {
 
 Result<ChannelFiles> ChannelFiles::create(const std::filesystem::path& folder, const ChannelRecording& what,
@@ -11,7 +13,7 @@ Result<ChannelFiles> ChannelFiles::create(const std::filesystem::path& folder, c
   std::vector<Channel> channels;
   for (const ChannelDesc& channel : what.channels.channels) {
     ChannelOutput output(channel, what.signal, tick_s);
-    Result<WavWriter> file = WavWriter::create(folder / ("touch-" + channel.name + ".wav"),
+    Result<WavWriter> file = WavWriter::create(folder / channel_file_name(channel.name),
                                                static_cast<std::uint32_t>(std::lround(output.rate_Hz())));
     if (!file) return file.error();
     channels.push_back({std::move(output), std::move(*file)});

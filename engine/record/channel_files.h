@@ -1,7 +1,7 @@
 #pragma once
-// What each vibrotactile channel of a run gets, as WAV files: touch-NAME.wav. Of pcm its samples, at its own
-// rate; of rumble its drive, a sample a tick. Full scale is the full drive. They follow from the tick's
-// records alone, so that a replay writes the same bytes.
+// What each vibrotactile channel of a run gets, as WAV files: vibrotactile_motion-NAME.wav. Of pcm its
+// samples, at its own rate; of rumble its drive, a sample a tick. Full scale is the full drive. They follow
+// from the tick's records alone, so that a replay writes the same bytes.
 
 #include <cstddef>
 #include <filesystem>

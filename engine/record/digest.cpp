@@ -7,13 +7,13 @@
 #include <concepts>
 #include <span>
 
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum::record {
 
 namespace {
 
-// The visitor of describe(), see haptics/tick/quantity.h: it takes the values and leaves out what they are
+// The visitor of describe(), see haptics/signal/quantity.h: it takes the values and leaves out what they are
 // called.
 class Digest {
 public:

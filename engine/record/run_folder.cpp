@@ -69,9 +69,14 @@ std::vector<std::string> present(const fs::path& folder, std::string_view name) 
 
 }  // namespace
 
+std::string channel_file_name(std::string_view channel) {
+  return std::string(kChannelNames).replace(kChannelNames.find('*'), 1, channel);
+}
+
 std::span<const std::string_view> result_file_names() {
-  static constexpr std::array names = {kTraceName,  kTraceJsonName, kTapeName,    kTimingName,
-                                       kFlightName, kSummaryName,   kPictureName, kChannelNames};
+  static constexpr std::array names = {kTraceName,   kTraceJsonName, kTapeName,
+                                       kTimingName,  kFlightName,    kSummaryName,
+                                       kPictureName, kChannelNames,  kOldChannelNames};
   return names;
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "haptics/math/result.h"
@@ -13,7 +14,11 @@ namespace fulcrum::record {
 inline constexpr std::string_view kTraceName = "trace.csv", kTraceJsonName = "trace.json", kTapeName = "tape",
                                   kTimingName = "timing.csv", kFlightName = "flight.csv",
                                   kSummaryName = "summary.json", kPictureName = "frame.png",
-                                  kChannelNames = "touch-*.wav";
+                                  kChannelNames = "vibrotactile_motion-*.wav",
+                                  kOldChannelNames = "touch-*.wav";  // until trace version 1
+
+// Of the channel of that name.
+std::string channel_file_name(std::string_view channel);
 
 // Every file that a run may write into its folder by itself; * stands for any characters.
 std::span<const std::string_view> result_file_names();

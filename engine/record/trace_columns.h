@@ -1,13 +1,13 @@
 #pragma once
 // The columns of a trace: the header line, the rows and trace.json are all written from the descriptions that
-// stand beside the structs of a record (haptics/tick/quantity.h).
+// stand beside the structs of a record (haptics/signal/quantity.h).
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::record {

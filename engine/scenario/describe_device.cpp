@@ -148,7 +148,7 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
         vibrators.find("left") && vibrators.find("right") && vibrators.channels.size() <= kMaxChannels,
         "must have 'left' and 'right', and two more at most");
     visitor.rule("channels", std::ranges::all_of(vibrators.channels, is_word, &ChannelDesc::name),
-                 "must have names of letters, digits, '_' and '-': each becomes the file touch-NAME.wav");
+                 "must have names of letters, digits, '_' and '-': each becomes a part of a file's name");
   }
   visitor.mapping(
       {"strip", "", "along the handle, that knows where the hand holds: a membrane potentiometer"},

@@ -13,7 +13,7 @@
 #include "haptics/effects/texture/texture_record.h"
 #include "haptics/effects/torque_substitution/torque_record.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_record.h"
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum {
 

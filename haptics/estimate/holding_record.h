@@ -3,7 +3,7 @@
 
 #include "haptics/device/holding_strip.h"
 #include "haptics/estimate/holding_point.h"
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum {
 

@@ -11,7 +11,7 @@
 #include "haptics/estimate/holding_record.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum {
 

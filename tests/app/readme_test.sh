@@ -31,7 +31,7 @@ while IFS= read -r line; do
     "fulcrum strip PRESSES.csv")
       printf '0.03,120\n0.1,4910\n0.17,9700\n' >PRESSES.csv
       expect 0 'low_ohm' "${word[@]}" ;;
-    "fulcrum compare "* | "fulcrum hardness "* | "fulcrum uniformity" | "fulcrum stability" | "fulcrum ambiguity "*)
+    "fulcrum compare "* | "fulcrum hardness "* | "fulcrum uniformity" | "fulcrum stability" | "fulcrum workprecision" | "fulcrum ambiguity "*)
       if [ -n "$long" ]; then
         expect 0 '.' "${word[@]}" --out "report_${word[1]}"
       else # app.compare, app.hardness and app.uniformity run them with fewer trials
@@ -41,7 +41,7 @@ while IFS= read -r line; do
     python3*) command -v python3 >/dev/null && expect 0 '^[0-9.e-]+$' bash -c "$command" ;;
     *) fail "README names '$command', and tests/app/readme_test.sh does not know what it is to do" ;;
   esac
-done < <(grep -E '^    [a-z]' "$readme")
+done < <(sed '/^```/,/^```/d' "$readme" | grep -E '^    [a-z]')
 [ "$seen" -ge 20 ] || fail "only $seen commands were found in $readme"
 
 # Commands within sentences are commands of the program.

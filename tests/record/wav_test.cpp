@@ -106,8 +106,8 @@ TEST(Wav, EachChannelHasAFileOfItsOwnRate) {
   for (int n = 0; n < 500; ++n) files->tick({.level = {5, 4, 0, 0}, .glide = 0.01});
   ASSERT_FALSE(files->flush());
   ASSERT_FALSE(files->close());
-  const std::string left = contents(folder / "touch-left.wav");
-  const std::string right = contents(folder / "touch-right.wav");
+  const std::string left = contents(folder / "vibrotactile_motion-left.wav");
+  const std::string right = contents(folder / "vibrotactile_motion-right.wav");
   expect_header(left, 8000, 4000);
   expect_header(right, 1000, 500);
   EXPECT_EQ(samples_of(right)[250], 16384);  // half of its drive

@@ -2,7 +2,7 @@
 // A braking pulse, as the trace, the panel and the renderer see it.
 
 #include "haptics/math/wrench.h"
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum {
 

@@ -5,7 +5,7 @@
 
 #include "haptics/math/linear.h"
 #include "haptics/math/names_of.h"
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum {
 

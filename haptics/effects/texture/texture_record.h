@@ -2,7 +2,7 @@
 // A texture, as the trace, the panel and the digest see it.
 
 #include "haptics/math/linear.h"
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum {
 

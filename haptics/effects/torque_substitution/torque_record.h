@@ -1,7 +1,7 @@
 #pragma once
 // Torque substitution, as the trace, the panel and the renderer see it.
 
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum {
 

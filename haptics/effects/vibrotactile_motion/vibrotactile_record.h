@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "haptics/device/vibrotactile_desc.h"
-#include "haptics/tick/quantity.h"
+#include "haptics/signal/quantity.h"
 
 namespace fulcrum {
 

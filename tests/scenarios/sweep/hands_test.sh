@@ -57,5 +57,5 @@ bursts() {
       if (wrong) { print "FAILED: " wrong; exit 1 }
     }'
 }
-bursts "$box/expert/touch-right.wav"
+bursts "$box/expert/vibrotactile_motion-right.wav"
 echo "all good"
