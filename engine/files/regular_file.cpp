@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <climits>
-#include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "engine/files/descriptor.h"
@@ -16,7 +16,7 @@ namespace fulcrum {
 namespace {
 
 Error why(int error_number) {
-  return {std::strerror(error_number)};
+  return {std::generic_category().message(error_number)};
 }
 
 // Empty for a file as it should be.

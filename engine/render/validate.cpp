@@ -5,7 +5,6 @@
 
 namespace fulcrum::render {
 using vulkan::Error;
-using vulkan::Result;
 
 namespace {
 

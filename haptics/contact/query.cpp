@@ -146,7 +146,7 @@ void walk_into(ShellWalk walk, Taker& taker) noexcept {
 
 }  // namespace
 
-ContactQuery::ContactQuery(std::shared_ptr<const Pointshell> shell_T,
+ContactQuery::ContactQuery(const std::shared_ptr<const Pointshell>& shell_T,
                            std::shared_ptr<const DistanceField> field_W, Normals normals)
     : ContactQuery(shell_T, std::move(field_W), normals, Points::of_tool, 0, shell_T->max_radius_m) {}
 

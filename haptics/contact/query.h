@@ -21,7 +21,7 @@ namespace fulcrum {
 
 class ContactQuery {
 public:
-  ContactQuery(std::shared_ptr<const Pointshell> shell_T, std::shared_ptr<const DistanceField> field_W,
+  ContactQuery(const std::shared_ptr<const Pointshell>& shell_T, std::shared_ptr<const DistanceField> field_W,
                Normals normals = Normals::across_cells);
   // Points of the scene, numbered from first_point on, for a tool that reaches tool_radius m from T.
   static ContactQuery of_scene(std::shared_ptr<const Pointshell> shell_W,

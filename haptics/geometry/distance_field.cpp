@@ -7,6 +7,7 @@
 namespace fulcrum {
 namespace {
 
+constexpr int kHalfBrick = kBrickCells / 2;
 constexpr int kStepY = kBrickSide;
 constexpr int kStepZ = kBrickSide * kBrickSide;
 constexpr double kNoDirection = 1e-6;  // a gradient shorter than this (it should be 1) points nowhere
@@ -70,7 +71,7 @@ DistanceField::Cell DistanceField::locate(const Vec3& p_W) const noexcept {
     cell.t[axis] = q[axis] - i;
     cell.brick[axis] = i / kBrickCells;
     within[axis] = i % kBrickCells;
-    cell.from_centre[axis] = q[axis] - (cell.brick[axis] * kBrickCells + kBrickCells / 2);
+    cell.from_centre[axis] = q[axis] - (cell.brick[axis] * kBrickCells + kHalfBrick);
   }
   cell.index = static_cast<std::size_t>(
       (cell.brick.z() * data_.bricks[1] + cell.brick.y()) * data_.bricks[0] + cell.brick.x());

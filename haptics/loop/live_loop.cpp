@@ -7,8 +7,8 @@
 #include <bit>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <ctime>
+#include <system_error>
 
 #include "haptics/loop/run_tick.h"
 
@@ -62,12 +62,12 @@ RealTimeGrant LiveLoop::ask_for_real_time() {
   priority.sched_priority = kPriority;
   if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority); error != 0)
     grant.scheduling =
-        "Real-time scheduling was refused (" + std::string(std::strerror(error)) +
+        "Real-time scheduling was refused (" + std::generic_category().message(error) +
         "), so other programs can delay a tick. To grant it, add to /etc/security/limits.conf: "
         "\"@users - rtprio " +
         std::to_string(kPriority) + "\" and log in anew.";
   if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
-    grant.memory = "Locked memory was refused (" + std::string(std::strerror(errno)) +
+    grant.memory = "Locked memory was refused (" + std::generic_category().message(errno) +
                    "), so swapping can delay a tick. To grant it, add to /etc/security/limits.conf: "
                    "\"@users - memlock unlimited\" and log in anew.";
   return grant;

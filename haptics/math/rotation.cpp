@@ -30,7 +30,7 @@ Quat quaternion_exp(const Vec3& rotation) {
 }
 
 Vec3 rotation_vector_near(const Quat& q, const Vec3& previous) {
-  const Vec3 shortest = rotation_vector(q);
+  Vec3 shortest = rotation_vector(q);
   const double angle = shortest.norm();
   if (angle < 1e-9) return shortest;
   const Vec3 longest = shortest * ((angle - 2.0 * std::numbers::pi) / angle);

@@ -11,7 +11,6 @@ using report::AxisDesc;
 using report::Line;
 using report::Marker;
 using report::Plot;
-using report::Point;
 using report::Scale;
 using report::Series;
 

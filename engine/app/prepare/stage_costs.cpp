@@ -13,7 +13,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr double kStretch = 20;  // s of the hand's motion
+constexpr double kLongest = 20;  // s of the hand's motion
 constexpr std::size_t kSamplesWanted = 2000;
 
 struct TimePoint {
@@ -80,6 +80,136 @@ double use(Effect& effect, const EffectTick& tick) {
   return sum;
 }
 
+struct Place {
+  Pose X_WH, X_WT;
+};
+
+// A stretch of the scenario's motion, as the parts of the tick see it.
+struct Stretch {
+  double tick_us = 0;            // of a whole tick
+  std::vector<TimePoint> times;  // every so many ticks
+  std::vector<Place> places;     // of every tick
+  std::vector<DeviceSample> samples;
+  std::vector<Impact> impacts;  // the hardest of each tick
+  std::vector<EffectTick>
+      effects;  // what each saw, as far as the tick's record tells; it points into impacts
+};
+
+Stretch run_stretch(World& world, SimulatedDevice& device, std::size_t ticks) {
+  const SceneDesc& scene = world.desc();
+  const std::size_t every = std::max<std::size_t>(1, ticks / kSamplesWanted);
+  Stretch stretch;
+  stretch.impacts.reserve(ticks);
+  HandleInput input(scene);
+  for (std::size_t i = 0; i < ticks; ++i) {
+    TickEvent event;
+    run_tick(world, device, {}, event);
+    const TickRecord& record = event.record;
+    stretch.tick_us += static_cast<double>(event.cpu_ns) * 1e-3 / static_cast<double>(ticks);
+    stretch.places.push_back({record.X_WH, record.X_WT});
+    stretch.samples.push_back(event.sample);
+    const Impact& impact = stretch.impacts.emplace_back(record.impact.value_or(ImpactTick()).hardest);
+    EffectTick& seen = stretch.effects.emplace_back(seen_by_effects(event, scene, input));
+    if (impact.speed > 0) seen.impacts = {&impact, 1};
+    if (i % every == 0)
+      stretch.times.push_back({{record.X_WT, record.V_WT}, event.sample, record.X_WH, record.coupling_F_T_W});
+  }
+  return stretch;
+}
+
+// Times each part of the tick over the stretch.
+class StageClock {
+public:
+  StageClock(const SceneDesc& scene, const Stretch& stretch) : scene_(scene), stretch_(stretch) {
+    us_["tick"] = stretch.tick_us;
+  }
+  void time_tool();
+  void time_handle();
+  void time_effects();
+  std::map<std::string, double> take() {
+    volatile double kept = unused_;
+    static_cast<void>(kept);
+    return std::move(us_);
+  }
+
+private:
+  const SceneDesc& scene_;
+  const Stretch& stretch_;
+  std::map<std::string, double> us_;
+  double unused_ = 0;       // summed up so that no call is optimised away
+  double response_us_ = 0;  // of the whole motion, coupling and query included
+};
+
+void StageClock::time_tool() {
+  const RigidBody body(scene_.tool.mass, scene_.tool.inertia_T);
+  VirtualCoupling coupling(scene_.coupling, body);
+  us_["coupling"] = mean_us(stretch_.times, [&](const TimePoint& m) {
+    unused_ += coupling.pull(m.X_WH * scene_.tool.X_HT, {}, m.tool).force.x();
+  });
+  const std::unique_ptr<ToolMotion> motion = build_motion(scene_);
+  response_us_ = mean_over(stretch_.places, [&](const Place& place) {
+    std::uint32_t faults = 0;
+    unused_ += motion->advance(place.X_WH * scene_.tool.X_HT, {}, faults).contact_F_T_W.force.x();
+  });
+  us_["response"] = response_us_;
+  if (coupled(scene_.contact.response)) us_["response"] -= us_["coupling"];
+  // A tool with mass queries once a tick. One without looks as often as it moves: its queries are its
+  // response's.
+  if (massless(scene_.contact.response)) return;
+  ContactQuery query(scene_.tool_shell, scene_.scene_field);
+  ContactSet set;
+  us_["query"] = mean_over(stretch_.places, [&](const Place& place) { query.run(place.X_WT, set); });
+  us_["integrator"] = mean_us(stretch_.times, [&](const TimePoint& m) {
+    const Twist V = body.accelerate(m.tool, m.coupling_F_T_W, scene_.tick_s);
+    unused_ += RigidBody::advance(m.tool.X_WT, V, scene_.tick_s).p.x();
+  });
+  us_["response"] -= us_["query"] + us_["integrator"];
+}
+
+void StageClock::time_handle() {
+  VelocityEstimator velocity(scene_.velocity, scene_.tick_s);
+  us_["estimator"] =
+      mean_us(stretch_.times, [&](const TimePoint& m) { unused_ += velocity.update(m.X_WH).v.x(); });
+  Allocator motors(scene_.device, scene_.allocation);
+  us_["allocation"] = mean_us(stretch_.times, [&](const TimePoint& m) {
+    motors.begin(m.sample.X_DH);
+    unused_ += motors.wrench(m.coupling_F_T_W).force_share;
+  });
+  Guard guard(scene_.device, scene_.tick_s, transient_sources(scene_, scene_));
+  us_["safety"] = mean_us(stretch_.times, [&](const TimePoint& m) {
+    std::uint32_t faults = guard.watch(m.sample, {});
+    unused_ += guard.limit(m.coupling_F_T_W, faults).force.x();
+  });
+  for (const TransientSource source : transient_sources(scene_, scene_))
+    us_[budget_name(source)] = mean_us(stretch_.times, [&](const TimePoint& m) {
+      std::uint32_t faults = 0;
+      unused_ += guard.limit_transient(source, m.coupling_F_T_W * 0.01, {}, Vec6::Zero(), faults).force.x();
+    });
+  if (scene_.holding_point) {
+    PlainScene without = scene_;
+    without.holding_point.reset();
+    us_["holding point"] =
+        std::max(follow_us(scene_, stretch_.samples) - follow_us(without, stretch_.samples), kMin_us);
+  }
+}
+
+void StageClock::time_effects() {
+  for (const auto& effect : build_effects(scene_, scene_))
+    us_[effect->part().name] =
+        mean_over(stretch_.effects, [&](const EffectTick& tick) { unused_ += use(*effect, tick); });
+  if (!detects_impacts(scene_)) return;
+  ImpactDetector detector(scene_.impact, scene_.contact.region_radius, scene_.scene_field,
+                          scene_.scene_objects);
+  const std::unique_ptr<ToolMotion> motion = build_motion(scene_);
+  const double both_us = mean_over(stretch_.places, [&](const Place& place) {
+    std::uint32_t faults = 0;
+    const Pose X_WG = place.X_WH * scene_.tool.X_HT;
+    unused_ += motion->advance(X_WG, {}, faults).contact_F_T_W.force.x();
+    detector.process({.X_WT = place.X_WT, .X_WG = X_WG, .V_WG = {}, .touching = motion->touching()});
+  });
+  us_["impacts"] = std::max(both_us - response_us_, kMin_us);
+}
+
 }  // namespace
 
 Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, const std::string& hand) {
@@ -88,109 +218,13 @@ Result<std::map<std::string, double>> measure_stages(const Prepared& prepared, c
   if (!world) return world.error();
   Result<std::unique_ptr<SimulatedDevice>> device = simulated_device(prepared, hand);
   if (!device) return device.error();
-
-  const auto ticks =
-      static_cast<std::size_t>(std::min(kStretch, prepared.scenario.time_limit) / scene.tick_s);
-  const std::size_t every = std::max<std::size_t>(1, ticks / kSamplesWanted);
-  std::vector<TimePoint> time_points;
-  struct Place {
-    Pose X_WH, X_WT;
-  };
-  std::vector<Place> way;        // of every tick
-  std::vector<EffectTick> seen;  // likewise, as far as its record tells
-  std::vector<Impact> impacts;   // the hardest of each
-  std::vector<DeviceSample> samples;
-  seen.reserve(ticks);
-  impacts.reserve(ticks);
-  HandleInput input(scene);
-  double whole_us = 0;
-  for (std::size_t i = 0; i < ticks; ++i) {
-    TickEvent event;
-    run_tick(*world, **device, {}, event);
-    whole_us += static_cast<double>(event.cpu_ns) * 1e-3 / static_cast<double>(ticks);
-    way.push_back({event.record.X_WH, event.record.X_WT});
-    samples.push_back(event.sample);
-    impacts.push_back(event.record.impact.value_or(ImpactTick()).hardest);
-    seen.push_back(seen_by_effects(event, scene, input));
-    if (impacts.back().speed > 0) seen.back().impacts = {&impacts.back(), 1};
-    if (i % every == 0)
-      time_points.push_back({{event.record.X_WT, event.record.V_WT},
-                             event.sample,
-                             event.record.X_WH,
-                             event.record.coupling_F_T_W});
-  }
-
-  const RigidBody body(scene.tool.mass, scene.tool.inertia_T);
-  ContactQuery query(scene.tool_shell, scene.scene_field);
-  VirtualCoupling coupling(scene.coupling, body);
-  VelocityEstimator velocity(scene.velocity, scene.tick_s);
-  Allocator motors(scene.device, scene.allocation);
-  Guard guard(scene.device, scene.tick_s, transient_sources(scene, scene));
-  ContactSet set;
-  double unused = 0;  // summed up so that no call is optimised away
-
-  std::map<std::string, double> us;
-  us["tick"] = whole_us;
-  us["coupling"] = mean_us(time_points, [&](const TimePoint& m) {
-    unused += coupling.pull(m.X_WH * scene.tool.X_HT, {}, m.tool).force.x();
-  });
-  const std::unique_ptr<ToolMotion> motion = build_motion(scene);
-  const double response_us = mean_over(way, [&](const Place& place) {
-    std::uint32_t faults = 0;
-    unused += motion->advance(place.X_WH * scene.tool.X_HT, {}, faults).contact_F_T_W.force.x();
-  });
-  us["response"] = response_us;
-  if (coupled(scene.contact.response)) us["response"] -= us["coupling"];
-  // A tool with mass queries once a tick. One without looks as often as it moves: its queries are its
-  // response's.
-  if (!massless(scene.contact.response)) {
-    us["query"] = mean_over(way, [&](const Place& place) { query.run(place.X_WT, set); });
-    us["integrator"] = mean_us(time_points, [&](const TimePoint& m) {
-      const Twist V = body.accelerate(m.tool, m.coupling_F_T_W, scene.tick_s);
-      unused += RigidBody::advance(m.tool.X_WT, V, scene.tick_s).p.x();
-    });
-    us["response"] -= us["query"] + us["integrator"];
-  }
-  us["estimator"] =
-      mean_us(time_points, [&](const TimePoint& m) { unused += velocity.update(m.X_WH).v.x(); });
-  us["allocation"] = mean_us(time_points, [&](const TimePoint& m) {
-    motors.begin(m.sample.X_DH);
-    unused += motors.wrench(m.coupling_F_T_W).force_share;
-  });
-  us["safety"] = mean_us(time_points, [&](const TimePoint& m) {
-    std::uint32_t faults = guard.watch(m.sample, {});
-    unused += guard.limit(m.coupling_F_T_W, faults).force.x();
-  });
-  for (const auto& effect : build_effects(scene, scene))
-    us[effect->part().name] = mean_over(seen, [&](const EffectTick& tick) { unused += use(*effect, tick); });
-  if (detects_impacts(scene)) {
-    ImpactDetector detector(scene.impact, scene.contact.region_radius, scene.scene_field,
-                            scene.scene_objects);
-    const std::unique_ptr<ToolMotion> again = build_motion(scene);
-    const double both_us = mean_over(way, [&](const Place& place) {
-      std::uint32_t faults = 0;
-      const Pose X_WG = place.X_WH * scene.tool.X_HT;
-      unused += again->advance(X_WG, {}, faults).contact_F_T_W.force.x();
-      detector.process({.X_WT = place.X_WT, .X_WG = X_WG, .V_WG = {}, .touching = again->touching()});
-    });
-    us["impacts"] = std::max(both_us - response_us, kMin_us);
-  }
-  if (scene.holding_point) {
-    PlainScene without = scene;
-    without.holding_point.reset();
-    us["holding point"] = std::max(follow_us(scene, samples) - follow_us(without, samples), kMin_us);
-  }
-  const auto budget_us = [&](TransientSource source) {
-    return mean_us(time_points, [&](const TimePoint& m) {
-      std::uint32_t faults = 0;
-      unused += guard.limit_transient(source, m.coupling_F_T_W * 0.01, {}, Vec6::Zero(), faults).force.x();
-    });
-  };
-  for (const TransientSource source : transient_sources(scene, scene))
-    us[budget_name(source)] = budget_us(source);
-  volatile double kept = unused;
-  static_cast<void>(kept);
-  return us;
+  const double seconds = std::min(kLongest, prepared.scenario.time_limit);
+  const Stretch stretch = run_stretch(*world, **device, static_cast<std::size_t>(seconds / scene.tick_s));
+  StageClock clock(scene, stretch);
+  clock.time_tool();
+  clock.time_handle();
+  clock.time_effects();
+  return clock.take();
 }
 
 }  // namespace fulcrum::app
