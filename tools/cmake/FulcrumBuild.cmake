@@ -36,7 +36,7 @@ if(FULCRUM_SANITIZE)
   endif()
 endif()
 
-# The presets compile a target's files in batches of ten (CMAKE_UNITY_BUILD), a third of the work of one by one, since most
+# The presets compile a target's files in batches of ten (CMAKE_UNITY_BUILD), about half the work of one by one, since most
 # of it is reading headers and instantiating Eigen. Names in unnamed namespaces therefore differ within a target. The
 # presets debug and tidy compile each file by itself.
 
