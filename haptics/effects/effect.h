@@ -23,7 +23,8 @@ struct EffectRecords;
 // What is to happen once a tick's wrench is known.
 struct Settled {
   // Of correct(), what was commanded: its energy is on an account of the effect's own, and the passivity
-  // observer leaves it out.
+  // observer leaves it out. Not of an effect from outside haptics/effects: the observer counts all that it
+  // does.
   Wrench correction_F_H_D;
   std::optional<double> torque_limit{};  // N m, of the coupling from the next tick on
   std::uint32_t faults = 0;              // bits of limits that the effect has applied

@@ -33,6 +33,7 @@ World::World(SceneDesc desc)
       stiffness_(build_levels(desc_.contact)),
       impacts_(build_impact_detector(desc_)),
       effects_(build_effects(desc_, desc_)),
+      listed_(effects_.size()),
       output_(desc_) {}
 
 StepResult step(World& w, const DeviceSample& sample, std::span<const Command> commands) noexcept {
@@ -106,9 +107,9 @@ void World::find_impacts(EffectTick& tick) noexcept {
 
 Wrench World::settle(const EffectTick& tick, std::uint32_t& faults) noexcept {
   Wrench correction_F_H_D;
-  for (const auto& effect : effects_) {
-    const Settled settled = effect->settle(tick, output_.rendered());
-    add(correction_F_H_D, settled.correction_F_H_D);
+  for (std::size_t i = 0; i < effects_.size(); ++i) {
+    const Settled settled = effects_[i]->settle(tick, output_.rendered());
+    if (i < listed_) add(correction_F_H_D, settled.correction_F_H_D);
     if (settled.torque_limit) motion_->limit_torque(*settled.torque_limit);
     faults |= settled.faults;
   }

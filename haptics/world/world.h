@@ -71,7 +71,8 @@ private:
   std::unique_ptr<ToolMotion> motion_;
   std::optional<StiffnessLevels> stiffness_;
   std::optional<ImpactDetector> impacts_;
-  std::vector<std::unique_ptr<Effect>> effects_;
+  std::vector<std::unique_ptr<Effect>> effects_;  // first those of the scene, then those from outside
+  std::size_t listed_;                            // how many are of the scene
   HandleOutput output_;
   std::int64_t tick_ = 0;
 };

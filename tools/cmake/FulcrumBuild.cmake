@@ -30,8 +30,8 @@ if(FULCRUM_SANITIZE)
   add_compile_options(-fsanitize=${FULCRUM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${FULCRUM_SANITIZE})
   if(FULCRUM_SANITIZE MATCHES undefined)
-    # vptr: glslang is built without RTTI. The others look at every access through a pointer, which the address sanitizer
-    # and the processor watch already, and with Eigen they make the tests take 1.8 times as long.
+    # vptr: glslang is built without RTTI. The others look at every use of a pointer: most of what they find, the address
+    # sanitizer finds too, and with Eigen they make the tests take 1.8 times as long.
     add_compile_options(-fno-sanitize=vptr,null,alignment,object-size,pointer-overflow)
   endif()
 endif()

@@ -17,9 +17,8 @@ struct FrameInput {
   render::Camera camera;
 };
 
-// Draws one moment into a PNG. `plan`, if given, receives what was built. Errors: no Vulkan, no such GPU, a
-// file that cannot be written, what the
-// validation layers say if options ask for them.
+// Draws one frame into a PNG. `plan`, if given, receives what was built. Errors: no Vulkan, no such GPU, a
+// file that cannot be written, what the validation layers say if options ask for them.
 Result<std::filesystem::path> draw_picture(const Prepared& prepared, const SceneDesc& scene,
                                            const scenario::VisualAssembly& visual, const FrameInput& input,
                                            const RunOptions& options, const std::filesystem::path& file,
