@@ -7,13 +7,11 @@
 namespace fulcrum {
 namespace {
 
-using Square = JointChain::Jacobian;
-
 // J^-T, with singular values no smaller than kMinLever.
-Square inverse_transposed(const Square& J) noexcept {
-  const Square inverse = J.partialPivLu().inverse();
+JointChain::Jacobian inverse_transposed(const JointChain::Jacobian& J) noexcept {
+  const JointChain::Jacobian inverse = J.partialPivLu().inverse();
   if (inverse.norm() * Mechanism::kMinLever < 1) return inverse.transpose();  // false for what is no number
-  const Eigen::JacobiSVD<Square> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<JointChain::Jacobian> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return svd.matrixU() * svd.singularValues().cwiseMax(Mechanism::kMinLever).cwiseInverse().asDiagonal() *
          svd.matrixV().transpose();
 }
@@ -111,11 +109,11 @@ void Mechanism::follow(const Pose& X_DH) noexcept {
 
 void Mechanism::write_columns(const Arm& arm, const Pose& X_DH, int first) noexcept {
   const int joints = arm.chain.joints();
-  Square J = arm.chain.jacobian(arm.chain.place(arm.angles));
+  JointChain::Jacobian J = arm.chain.jacobian(arm.chain.place(arm.angles));
   for (int j = joints - 1; j > 0; --j)  // the last one first: the next goes by what it has become
     if (arm.chain.through_parallelogram(j)) J.col(j - 1) -= J.col(j);
   if (joints == 3) {
-    const Square pushes = inverse_transposed(J);
+    const JointChain::Jacobian pushes = inverse_transposed(J);
     const Vec3 lever = X_DH.q * arm.X_HE.p;
     for (int j = 0; j < 3; ++j) {
       const Vec3 force = pushes.col(j);
@@ -125,7 +123,7 @@ void Mechanism::write_columns(const Arm& arm, const Pose& X_DH, int first) noexc
   }
   twists_.leftCols<6>() = J;
   J.bottomRows<3>() *= JointChain::kLever;
-  const Square pushes = inverse_transposed(J);
+  const JointChain::Jacobian pushes = inverse_transposed(J);
   // The end of the only arm is H's origin.
   wrenches_.topLeftCorner<3, 6>() = pushes.topRows<3>();
   wrenches_.bottomLeftCorner<3, 6>() = JointChain::kLever * pushes.bottomRows<3>();
@@ -133,7 +131,7 @@ void Mechanism::write_columns(const Arm& arm, const Pose& X_DH, int first) noexc
 
 WrenchMatrix Mechanism::jacobian(const Vec3& p_HG) const noexcept {
   WrenchMatrix J;
-  const Mat3 R_HD = q_DH_.conjugate().toRotationMatrix();
+  const JointChain::Jacobian R_HD = q_DH_.conjugate().toRotationMatrix();
   for (Eigen::Index motor = 0; motor < J.cols(); ++motor) {
     const Vec3 w = R_HD * twists_.col(motor).tail<3>();
     J.col(motor) << R_HD * twists_.col(motor).head<3>() + w.cross(p_HG), w;

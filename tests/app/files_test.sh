@@ -8,7 +8,11 @@ cd "$work" || exit 1
 content=$(dirname "$FULCRUM")/content
 cp -r "$content/scenarios/sweep" own
 mkdir own/devices
-scenario() { sed "s/model: fingertip/model: $1/" "$content/scenarios/sweep/scenario.yaml" >own/scenario.yaml; }
+# With wide cells and spacings: it is baked again and again.
+scenario() {
+  sed "s/model: fingertip/model: $1/; s/^field:.*/field: {voxel: 0.004}/; s/^shell:.*/shell: {spacing: 0.006}/" \
+    "$content/scenarios/sweep/scenario.yaml" >own/scenario.yaml
+}
 strong() { sed 's/^name:.*/name: Strong arm/; s/^max_force:.*/max_force: 20/' "$content/devices/fingertip.yaml"; }
 
 # --- a device of the scenario's own is named as such, and replaces none that is installed

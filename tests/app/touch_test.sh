@@ -5,6 +5,7 @@ set -uo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
+export VK_ICD_FILENAMES=/nothing VK_DRIVER_FILES=/nothing # no picture is wanted
 
 # --- a device that cannot push vibrates in its place; one that can is as it was without
 expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --seconds 5 --device simulated:two_channel --out A

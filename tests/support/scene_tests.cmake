@@ -17,6 +17,8 @@ function(fulcrum_scene_tests name)
     set_tests_properties(${name}.${test} PROPERTIES TIMEOUT ${FULCRUM_TEST_LIMIT} ENVIRONMENT
       "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/tests/cache;FULCRUM_CONTENT=${CMAKE_BINARY_DIR}/content;MESA_SHADER_CACHE_DISABLE=true;MAKE=$<TARGET_FILE:make_${name}>;FULCRUM=$<TARGET_FILE:fulcrum>;SCENARIO=${CMAKE_SOURCE_DIR}/content/scenarios/${name}")
   endforeach()
+  # Under a sanitizer the build has run this program already, to make the models, and --check does that again.
+  set_tests_properties(${name}.Models PROPERTIES LABELS "no-asan;no-tsan")
   set_tests_properties(${name}.Bake PROPERTIES FIXTURES_SETUP ${name}_baked FAIL_REGULAR_EXPRESSION "Repaired")
   set_tests_properties(${name}.Hands ${name}.Picture PROPERTIES FIXTURES_REQUIRED ${name}_baked)
 endfunction()

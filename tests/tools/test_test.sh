@@ -24,8 +24,10 @@ on "$test" -LE gpu
 expect "one more label to leave out" "$out" "*-LE gpu|^long\$ | *"
 on "$test" --sanitize tsan
 expect "--sanitize tsan" "$code:$out:$(cat "$box/log")" "0:ctest --preset tsan *-LE ^no-tsan\$|^long\$*:*cmake --build --preset tsan*"
+: >"$box/log"
 on "$test" --all --sanitize asan
 expect "--all --sanitize asan" "$out" "ctest --preset asan *-LE ^no-asan\$ | *"
+expect "its compiler is installed" "$(cat "$box/log")" "*install *clang*"
 on "$test" --sanitize speed
 expect "an unknown sanitizer" "$code:$err" "2:*asan or tsan*"
 fake ctest <<<'exit 8'

@@ -174,11 +174,12 @@ TEST(Allocator, NoPairOfSharesOnAGridIsBetterThanExact) {
   int beyond_device = 0;
   for (int i = 0; i < 120; ++i) {
     const DeviceDesc device = i % 3 == 0 ? w6d::device(0.255, 0.145) : w6d::device(2, 1);
-    const auto [X_DH, f_D, p_HG_D] = random_case(random);
+    const Case drawn = random_case(random);
+    const Vec3 &f_D = drawn.f_D, &p_HG_D = drawn.p_HG_D;
     const Wrench first =
         i % 3 == 2 ? Wrench{arms::random_vector(random), 0.15 * arms::random_vector(random)} : Wrench{};
     Allocator motors(device);
-    motors.begin(X_DH);
+    motors.begin(drawn.X_DH);
     const Allocation taken = motors.wrench(first);
     motors.reserve(taken);
     const Allocation exact = motors.pulse({f_D, Vec3::Zero()}, p_HG_D, p_HG_D.norm());

@@ -19,7 +19,7 @@ awk -F, '
     if (across > 0.0175 || across < -0.0175) wrong = "an axis is not at right angles to the blow"
     if ($at["impact_vibration/frequency_Hz"] < 12 || $at["impact_vibration/frequency_Hz"] > 40) wrong = "a frequency is out of range"
   }
-  { dropped = $at["impact_vibration/dropped"]; energy = $at["impact_vibration/energy"]; if ($at["energy/port"] < -1e-4) wrong = "the port gives out energy" }
+  { dropped = $at["impact_vibration/dropped"]; energy = $at["impact_vibration/energy"] }
   END {
     print blows " blows, at most " most " voices, " dropped " dropped, " energy " J to the hand"
     if (blows != 17 || most != 5 || dropped != 0) wrong = "those are not the expert'"'"'s blows"
@@ -29,4 +29,4 @@ run_hand knock clumsy 3 8
 touches clumsy | awk '
   { if ($2 > fastest) fastest = $2 }
   END { print NR " touches, the fastest with " fastest " m/s"; if (NR < 10 || fastest < 0.5) { print "FAILED: not clumsy"; exit 1 } }'
-echo "all good"
+all_hands_ran

@@ -10,7 +10,6 @@ pulses() {
     NR == 1 { for (i = 1; i <= NF; ++i) { at[$i] = i; if ($i ~ /^actuator\/load\//) motor[++motors] = i } next }
     {
       for (m = 1; m <= motors; ++m) if ($motor[m] > 1 || $motor[m] < -1) wrong = "a motor is beyond its limit"
-      if ($at["energy/port"] < -1e-4) wrong = "the port gives out energy"
       along = 0; size = 0
       for (i = 1; i <= 3; ++i) {
         axis = substr("xyz", i, 1)
@@ -41,4 +40,4 @@ touches clumsy | awk '
   { if ($2 > fastest) fastest = $2 }
   END { print NR " touches, the fastest with " fastest " m/s"; if (NR < 10 || fastest < 0.5) { print "FAILED: not clumsy"; exit 1 } }'
 pulses clumsy
-echo "all good"
+all_hands_ran

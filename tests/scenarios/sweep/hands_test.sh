@@ -12,7 +12,6 @@ levels() {
     NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
     {
       x = $at["vibrotactile_motion/x"]; l = $at["vibrotactile_motion/level/left"]; r = $at["vibrotactile_motion/level/right"]; d = $at["vibrotactile_motion/direction"]
-      if ($at["energy/port"] < -1e-4) wrong = "the port gives out energy"
       if ((l > 0 || r > 0) && $at["contact/regions"] == 0) wrong = "it vibrates off the glass"
       if (l < 0 || r < 0 || l > 12.839 || r > 12.839) wrong = "a level is out of range"
       # In the first half second all that the device does comes in slowly.
@@ -58,4 +57,4 @@ bursts() {
     }'
 }
 bursts "$box/expert/vibrotactile_motion-right.wav"
-echo "all good"
+all_hands_ran

@@ -16,7 +16,7 @@
 namespace fulcrum::content {
 namespace {
 
-constexpr double press = 3.0 * mm;
+constexpr double press_depth = 3.0 * mm;
 constexpr double stride = 1.0 * mm;
 constexpr double widest_gap = 0.15 * mm;      // to the pegs that a knock meets
 constexpr double least_clearance = 2.0 * mm;  // to all else, then and on the way
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   };
   const auto route = [] {
     return route_yaml("each peg once, the last five at once, and back before the next", "make_knock",
-                      make_route(make_knocks(), press));
+                      make_route(make_knocks(), press_depth));
   };
   const auto checkpoints = [] { return knocks_yaml(make_knocks()); };
   return run_maker({"make_knock", models, route, checkpoints, check}, argc, argv);

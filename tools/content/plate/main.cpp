@@ -21,7 +21,7 @@ namespace {
 constexpr double least_clearance = 1.0 * mm;
 constexpr double tip_region = 4.0 * mm;  // of the stylus, which may touch what it taps
 constexpr double stride = 1.0 * mm;
-constexpr double press = 5.0 * mm;
+constexpr double press_depth = 5.0 * mm;
 
 bool check_taps(const TriangleTree& scene, const Model& stylus) {
   std::vector<Eigen::Vector3d> all;
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
   };
   const auto route = [] {
     return route_yaml("over each place, straight onto it, and off again at once", "make_plate",
-                      make_route(make_taps(), press));
+                      make_route(make_taps(), press_depth));
   };
   const auto checkpoints = [] { return taps_yaml(make_taps()); };
   return run_maker({"make_plate", models, route, checkpoints, check}, argc, argv);

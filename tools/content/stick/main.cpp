@@ -15,7 +15,7 @@
 namespace fulcrum::content {
 namespace {
 
-constexpr double depth = 9.0 * mm;  // a hand of 400 N/m gets to 5 mm against 300 N/m
+constexpr double press_depth = 9.0 * mm;  // a hand of 400 N/m gets to 5 mm against 300 N/m
 constexpr double stride = 1.0 * mm;
 constexpr double least_clearance = 5.0 * mm;
 
@@ -28,7 +28,7 @@ bool check_way() {
         part.solid.points.begin(), part.solid.points.end(), std::back_inserter(stage),
         [](const Eigen::Vector3d& p) { return p.x() < 25.0 * mm; });
   }
-  const double least = clearance_on_way(make_route(depth), tree_of(scene), stage, stage, stride);
+  const double least = clearance_on_way(make_route(press_depth), tree_of(scene), stage, stage, stride);
   const bool fits = least >= least_clearance;
   std::printf("clearance of the stage: %.2f mm or more%s\n", least / mm, fits ? "" : ": TOO LITTLE");
   return fits;
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   const auto models = [] { return std::vector{make_ball(), make_stand(), make_table(), make_stick()}; };
   const auto route = [] {
     return route_yaml("the ball touched at three places of the stick, and the hand moved along it meanwhile",
-                      "make_stick", make_route(depth));
+                      "make_stick", make_route(press_depth));
   };
   return run_maker({"make_stick", models, route, touches_yaml, check}, argc, argv);
 }

@@ -13,7 +13,7 @@
 namespace fulcrum::content {
 namespace {
 
-constexpr double press = 2.5 * mm;
+constexpr double press_depth = 2.5 * mm;
 constexpr double stride = 1.0 * mm;
 constexpr double least_clearance = 1.5 * mm;
 
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   };
   const auto route = [] {
     return route_yaml("to the right and to the left over the window, beside the target", "make_sweep",
-                      make_route(press));
+                      make_route(press_depth));
   };
   return run_maker({"make_sweep", models, route, sweeps_yaml, check}, argc, argv);
 }

@@ -59,14 +59,14 @@ void add_ring(const FingerShape& shape, const RingMaterials& materials, Model* m
                    {ring_to, -0.5}}));
   add("cuff", materials.cloth, cuff(shape));
   constexpr RadiusHeight coil[] = {{4.6, -1.0}, {4.6, 3.6}, {4.2, 4.0}, {3.2, 4.0}};
-  constexpr RadiusHeight cap[] = {{3.3, 2.0}, {3.3, 4.2}, {3.0, 4.5}};
+  constexpr RadiusHeight lid[] = {{3.3, 2.0}, {3.3, 4.2}, {3.0, 4.5}};
   constexpr RadiusHeight waist[] = {{4.75, 0.9}, {4.9, 1.1}, {4.9, 1.9}, {4.75, 2.1}};
   for (const double side : {-1.0, 1.0}) {
     const std::string name = side < 0.0 ? "left" : "right";
     const Vector3d out = side * Vector3d::UnitX();
     const Vector3d at = shape.surface(ring_middle, side < 0.0 ? pi : 0.0, 0.6);
     add(name + "/coil", materials.dark, turned(coil, at, out));
-    add(name + "/cap", materials.bright, turned(cap, at, out));
+    add(name + "/cap", materials.bright, turned(lid, at, out));
     add(name + "/waist", materials.bright, turned(waist, at, out));
     const double high = side < 0.0 ? pi - 0.5 : 0.5;
     Centreline cable{.corners = {at + 2.2 * out, at + 2.2 * out + 7.0 * shape.along(ring_middle),
