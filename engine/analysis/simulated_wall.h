@@ -36,7 +36,7 @@ private:
 struct Swing {
   double growth = 0;  // 1/s, over the last half: of the root mean square of x
   double early = 0;   // m, from its least to its largest x in the first third
-  double late = 0;    // m, likewise in the last third; infinite if it was broken off
+  double late = 0;    // m, the same in the last third; infinite if it was broken off
 };
 Swing swing(const WallLoop& loop, const Wall& wall, double v0);
 

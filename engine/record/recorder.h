@@ -32,7 +32,7 @@ struct RecordedTick {
   std::span<const Command> commands;           // given in this tick
   std::int64_t lost_before = 0;                // ticks lost to an overrun before this one
   std::int32_t task_step = 0;                  // after this tick
-  std::optional<std::int64_t> hard_touches{};  // likewise; none: the task does not count them
+  std::optional<std::int64_t> hard_touches{};  // after this tick; none: the task does not count them
   std::int64_t cpu_ns = 0;                     // processor time of the tick
   std::int64_t wake_late_ns = 0;               // how long after its due time it began; 0 offline
 };

@@ -37,7 +37,7 @@ private:
   BlockFile file_;
   std::uint32_t rate_Hz_;
   std::uint32_t samples_ = 0;   // in the file
-  std::uint32_t previous_ = 0;  // likewise, before the last block
+  std::uint32_t previous_ = 0;  // in the file before the last block
   std::string pending_;
 };
 

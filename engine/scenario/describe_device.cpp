@@ -17,7 +17,7 @@ void describe_joint(KeyVisitor& visitor, JointDesc& joint, std::string_view name
   visitor.vector({"point", "m", "on its axis, all angles 0", true}, joint.point_K, kPosition);
   visitor.number({"home", "rad", "its angle where the handle is at the device's origin"}, joint.home, kAngle);
   visitor.number({"low", "rad", "its stop on one side"}, joint.low, kAngle);
-  visitor.number({"high", "rad", "likewise, on the other"}, joint.high, kAngle);
+  visitor.number({"high", "rad", "its stop on the other side"}, joint.high, kAngle);
   visitor.number({"max_torque", "N m", "of its motor, at the joint", true}, joint.max_torque,
                  from_to(0, 1000));
   visitor.boolean({"through_parallelogram", "", "its motor sits before the joint in front of it"},
@@ -72,7 +72,7 @@ void describe_strip(KeyVisitor& visitor, HoldingStripDesc& strip) {
                  strip.low_place, kPosition);
   visitor.number({"high_place", "m", "where it ends", true}, strip.high_place, kPosition);
   visitor.number({"low_ohm", "ohm", "where it begins, as calibrated"}, strip.low_ohm, kResistance);
-  visitor.number({"high_ohm", "ohm", "where it ends, likewise"}, strip.high_ohm, kResistance);
+  visitor.number({"high_ohm", "ohm", "where it ends, as calibrated"}, strip.high_ohm, kResistance);
   visitor.number({"closing_force", "N", "a press from which on it is closed"}, strip.closing_force,
                  from_to(0, 100));
   visitor.number({"opening_force", "N", "a press below which it is open again"}, strip.opening_force,
@@ -80,11 +80,12 @@ void describe_strip(KeyVisitor& visitor, HoldingStripDesc& strip) {
   visitor.number({"noise_ohm", "rms", "of the simulated strip"}, strip.noise_ohm, kResistance);
   visitor.number({"dropout_rate", "1/s", "of the simulated strip: how often contact is lost"},
                  strip.dropout_rate, from_to(0, 1000));
-  visitor.number({"dropout_length", "s", "likewise: how long, in the mean"}, strip.dropout_length,
-                 from_to(0, 100));
-  visitor.number({"tolerance", "",
-                  "likewise: by how much of its length its true ends differ at most from the calibration"},
-                 strip.tolerance, from_to(0, 1));
+  visitor.number({"dropout_length", "s", "of the simulated strip: how long contact is lost, in the mean"},
+                 strip.dropout_length, from_to(0, 100));
+  visitor.number(
+      {"tolerance", "",
+       "of the simulated strip: by how much of its length its true ends differ at most from the calibration"},
+      strip.tolerance, from_to(0, 1));
 }
 
 }  // namespace
@@ -108,8 +109,8 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
   visitor.number({"bandwidth_Hz", "", "of the forces and torques that it renders"}, device.bandwidth_Hz,
                  above_to(0, 20000));
   visitor.number({"damping", "N s/m", "of the mechanism"}, device.damping, from_to(0, 1000));
-  visitor.each_axis({"angular_damping", "N m s/rad", "of the mechanism, likewise"}, device.angular_damping,
-                    from_to(0, 100));
+  visitor.each_axis({"angular_damping", "N m s/rad", "of the mechanism, about each axis"},
+                    device.angular_damping, from_to(0, 100));
   visitor.number({"friction", "N", "Coulomb, on each axis"}, device.friction, from_to(0, 100));
   visitor.number({"angular_friction", "N m", "Coulomb, on each axis"}, device.angular_friction,
                  from_to(0, 10));

@@ -145,8 +145,11 @@ void describe_holding_point(KeyVisitor& visitor, HoldingPointDesc& holding) {
                   "where the hand holds, along the stick from the handle's origin, unless more "
                   "is known"},
                  holding.place, kAlong);
-  visitor.number({"low", "m", "likewise, one end of where it can be held"}, holding.low, kAlong);
-  visitor.number({"high", "m", "likewise, the other end"}, holding.high, kAlong);
+  visitor.number({"low", "m", "along the stick from the handle's origin, one end of where it can be held"},
+                 holding.low, kAlong);
+  visitor.number(
+      {"high", "m", "along the stick from the handle's origin, the other end of where it can be held"},
+      holding.high, kAlong);
   visitor.rule("place", holding.low <= holding.place && holding.place <= holding.high,
                "must be from 'low' to 'high'");
   visitor.boolean({"measured", "", "at the start, by the device's strip"}, holding.measured);

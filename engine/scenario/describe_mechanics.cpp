@@ -21,14 +21,18 @@ void describe_coupling(KeyVisitor& visitor, CouplingGains& coupling) {
   visitor.optional_number(
       {"stiffness", "N/m", "of the spring between hand and tool; without it, what suits the device"},
       coupling.stiffness, above_to(0, 1e5));
-  visitor.optional_number({"angular_stiffness", "N m/rad", "likewise, in rotation"},
-                          coupling.angular_stiffness, above_to(0, 1e3));
+  visitor.optional_number(
+      {"angular_stiffness", "N m/rad",
+       "of the spring between hand and tool in rotation; without it, what suits the device"},
+      coupling.angular_stiffness, above_to(0, 1e3));
   visitor.number({"damping_ratio", "", "of critical damping"}, coupling.damping_ratio, from_to(0, 10));
   visitor.optional_number(
       {"max_force", "N", "at which the spring saturates; without it, just below the device's limit"},
       coupling.max_force, above_to(0, 1000));
-  visitor.optional_number({"max_torque", "N m", "likewise, in rotation"}, coupling.max_torque,
-                          above_to(0, 100));
+  visitor.optional_number(
+      {"max_torque", "N m",
+       "at which the spring saturates in rotation; without it, just below the device's limit"},
+      coupling.max_torque, above_to(0, 100));
 }
 
 void describe_velocity_estimator(KeyVisitor& visitor, VelocityEstimatorDesc& velocity) {
@@ -38,16 +42,17 @@ void describe_velocity_estimator(KeyVisitor& visitor, VelocityEstimatorDesc& vel
       "low_pass", "the difference through a first-order low-pass", [&](KeyVisitor& each) {
         each.number({"cutoff_Hz", "", "of the low-pass"}, velocity.cutoff_Hz, above_to(0, 10000));
       }};
-  const Form adaptive{
-      "adaptive_window", "the longest window over which the motion is a straight line within the noise",
-      [&](KeyVisitor& each) {
-        std::int64_t window = velocity.window;
-        each.integer({"window", "ticks", "most ticks looked back"}, window, 1, 1000);
-        velocity.window = static_cast<int>(window);
-        each.number({"noise", "m", "in the world; largest deviation that counts as noise"}, velocity.noise,
-                    above_to(0, 0.1));
-        each.number({"noise_rad", "", "likewise, in rotation"}, velocity.noise_rad, above_to(0, 1));
-      }};
+  const Form adaptive{"adaptive_window",
+                      "the longest window over which the motion is a straight line within the noise",
+                      [&](KeyVisitor& each) {
+                        std::int64_t window = velocity.window;
+                        each.integer({"window", "ticks", "most ticks looked back"}, window, 1, 1000);
+                        velocity.window = static_cast<int>(window);
+                        each.number({"noise", "m", "in the world; largest deviation that counts as noise"},
+                                    velocity.noise, above_to(0, 0.1));
+                        each.number({"noise_rad", "", "in the world; largest turn that counts as noise"},
+                                    velocity.noise_rad, above_to(0, 1));
+                      }};
   auto kind = static_cast<std::size_t>(velocity.kind);
   visitor.forms({"velocity_estimator", "", "how velocity is made of sampled positions"},
                 {"name", "", "which estimator; the other keys are its own"}, kind,
@@ -98,10 +103,10 @@ void describe_tool(KeyVisitor& visitor, ToolEntry& tool) {
   visitor.mapping(
       {"grasp", "", "the model in the handle, when nothing touches it"},
       [&](KeyVisitor& inner) {
-        describe_pose(inner, tool.X_HM, "in the handle's frame", "likewise [w, x, y, z]");
+        describe_pose(inner, tool.X_HM, "in the handle's frame", "in the handle's frame [w, x, y, z]");
       });
   visitor.mapping({"start", "", "the model in the world, at the beginning", true}, [&](KeyVisitor& inner) {
-    describe_pose(inner, tool.X_WM_start, "in the world", "likewise [w, x, y, z]");
+    describe_pose(inner, tool.X_WM_start, "in the world", "in the world [w, x, y, z]");
   });
   visitor.vector({"touch_point", "m", "in the model's frame; what has to reach the checkpoints"},
                  tool.touch_point, kPosition);

@@ -102,13 +102,13 @@ void describe_hands(KeyVisitor& visitor, std::vector<HandEntry>& hands) {
         HandDesc& hand = entry.desc;
         each.file({"path", "", "a file of waypoints in the scenario's folder", true}, entry.path);
         each.number({"stiffness", "N/m", "of the hand about its path"}, hand.stiffness, above_to(0, 1e5));
-        each.number({"damping", "N s/m", "likewise"}, hand.damping, from_to(0, 1e4));
+        each.number({"damping", "N s/m", "of the hand about its path"}, hand.damping, from_to(0, 1e4));
         each.number({"mass", "kg", "of the hand that moves with the handle, where it holds it"}, hand.mass,
                     from_to(0, 10));
-        each.number({"angular_stiffness", "N m/rad", "likewise, in rotation"}, hand.angular_stiffness,
-                    above_to(0, 1e3));
-        each.number({"angular_damping", "N m s/rad", "likewise, in rotation"}, hand.angular_damping,
-                    from_to(0, 1e2));
+        each.number({"angular_stiffness", "N m/rad", "of the hand about its path, in rotation"},
+                    hand.angular_stiffness, above_to(0, 1e3));
+        each.number({"angular_damping", "N m s/rad", "of the hand about its path, in rotation"},
+                    hand.angular_damping, from_to(0, 1e2));
         each.number({"tremor", "m", "rms on each axis"}, hand.tremor, from_to(0, 0.05));
         each.number({"tremor_rad", "", "rms on each axis"}, hand.tremor_rad, from_to(0, 0.5));
         each.number({"tremor_low_Hz", "", "lower edge of the tremor's band"}, hand.tremor_low_Hz,
@@ -151,7 +151,8 @@ void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints) {
   visitor.list(
       {"waypoints", "", "where the hand wants the tool's model, in order", true}, 1, [&](KeyVisitor& each) {
         Waypoint& waypoint = waypoints.emplace_back();
-        describe_pose(each, waypoint.X_WT, "of the tool's model in the world", "likewise [w, x, y, z]");
+        describe_pose(each, waypoint.X_WT, "of the tool's model in the world",
+                      "of the tool's model in the world [w, x, y, z]");
         each.number({"travel", "s", "from the waypoint before; the first has none"}, waypoint.travel,
                     above_to(0, 3600));
         each.number({"dwell", "s", "how long the hand rests here"}, waypoint.dwell, from_to(0, 3600));
@@ -161,8 +162,10 @@ void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints) {
              "on the way there it slides. Without it as at the waypoint before, and at the "
              "handle's origin to begin with"},
             waypoint.hold, from_to(-1, 1));
-        each.optional_number({"press", "N", "on the stick's strip, likewise; to begin with 2 N"},
-                             waypoint.press, from_to(0, 100));
+        each.optional_number(
+            {"press", "N",
+             "on the stick's strip. Without it as at the waypoint before, and 2 N to begin with"},
+            waypoint.press, from_to(0, 100));
       });
 }
 

@@ -16,7 +16,7 @@ namespace fulcrum::scenario {
 namespace {
 
 constexpr float kHeight = 0.03F;    // m, of a bar at its strongest
-constexpr float kRadius = 0.0026F;  // m, likewise
+constexpr float kRadius = 0.0026F;  // m, of every bar
 constexpr float kAside = 0.024F;    // m, from the finger's middle
 constexpr float kFoot = 0.0018F;    // m, over what is touched
 constexpr float kMin = 1e-5F;       // m: a transform must not flatten

@@ -17,7 +17,7 @@ float overlay_scale(std::uint32_t height);
 
 struct PanelPoint {
   float width = 0.0F;        // theme units, of the picture
-  float x = 0.0F, y = 0.0F;  // likewise, from its top left
+  float x = 0.0F, y = 0.0F;  // theme units, from the top left of the picture
 };
 
 // (x, y) in fractions of the picture's height, from its top left.

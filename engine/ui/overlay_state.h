@@ -89,7 +89,7 @@ struct OverlayState {
   std::optional<std::int64_t> hard_touches;  // below them; none: the task does not count them
   std::vector<CueLine> cues;                 // empty: no panel
   std::string variant;                       // of the study that the switches amount to; read with the cues
-  bool torque_bad = false;                   // no force tells of it; likewise
+  bool torque_bad = false;                   // no force tells of it; read with the cues
   bool tells_torque = true;                  // some of the cues do
   std::string cue_title = "Impacts";         // of the cues, where none does
   std::optional<HoldingPanel> holding;       // none: no panel

@@ -17,7 +17,7 @@ ImU32 load_colour(float fraction);
 
 // Theme units, of the panel at the top right.
 float health_height(const OverlayState& state);
-// Likewise, of the panel below it; 0: there is none.
+// Theme units, of the panel below it; 0: there is none.
 float cues_height(const OverlayState& state);
 // Theme units from the top of the picture to the lower edge of the panel below that; 0: there is none.
 float holding_bottom(const OverlayState& state);

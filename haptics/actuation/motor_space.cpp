@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kRankThreshold = 1e-9;  // of the largest pivot
 constexpr double kForceFirst = 1e4;      // what force counts beside torque, where both cannot be
-constexpr double kRidge = 1e-14;         // of the trace, likewise
+constexpr double kRidge = 1e-14;         // of the trace, where a force or torque cannot be had
 constexpr double kOwn = 0.5;             // of a spare direction: what live motors must have of it
 
 }  // namespace

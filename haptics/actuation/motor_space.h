@@ -35,7 +35,7 @@ private:
   int rows_;
   Effort live_;                                   // 1 for a motor that has a limit, else 0
   WrenchMatrix wrenches_;                         // rows that the motors cannot set are zero
-  Eigen::Matrix<double, kMaxMotors, 6> inverse_;  // columns likewise
+  Eigen::Matrix<double, kMaxMotors, 6> inverse_;  // columns that the motors cannot set are zero
   Spare spare_;
   bool complete_ = false;
 };

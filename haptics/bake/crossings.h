@@ -16,7 +16,7 @@ enum class Meeting : unsigned char {
   apart,
   touching,  // within `depth` of each other in a point, or in an area of one plane
   abutting,  // along a line longer than `depth`, where one of them ends
-  crossing,  // likewise, and both reach more than `depth` beyond it on either side
+  crossing,  // along a line longer than `depth`, and both reach more than `depth` beyond it on either side
 };
 
 // T. Moller, "A fast triangle-triangle intersection test" (Journal of Graphics Tools 2(2), 1997).

@@ -51,7 +51,7 @@ struct ContactRegion {
   std::uint32_t id = 0;
   std::int64_t age_ticks = 0;   // 0 in the tick in which it appears
   Vec3 p_W = Vec3::Zero();      // (3) m, centre of pressure
-  Vec3 nhat_W = Vec3::Zero();   // (3) unit, weighted likewise
+  Vec3 nhat_W = Vec3::Zero();   // (3) unit, mean of the normals, weighted as the centre of pressure
   Vec3 force_W = Vec3::Zero();  // (3) N on the tool
   double depth_max = 0;         // m
   double approach_speed = 0;    // m/s of the tool into the scene at p_W, < 0 when leaving

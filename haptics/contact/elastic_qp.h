@@ -67,7 +67,7 @@ private:
   Vec6 per_root_metric_;
   double per_root_slack_;
   std::array<Vec7, kMaxRows> c_;      // rows over the root of the metric, unit
-  std::array<double, kMaxRows> b_{};  // likewise
+  std::array<double, kMaxRows> b_{};  // their right sides, scaled alike
   std::array<double, kMaxRows> scale_{};
   std::array<Active, kDimension> active_{};
   int active_count_ = 0;

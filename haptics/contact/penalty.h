@@ -65,7 +65,8 @@ private:
   std::array<Vec3, kMaxContacts> pressed_W_{};  // (3) m, of each contact at the last push
   std::array<double, kMaxContacts> share_{};
   std::array<double, kMaxContacts> stiffness_{};  // N/m, of each contact at the last push
-  std::array<double, kMaxContacts> damping_{};    // N s/m, likewise; 0 where the damper had let go
+  std::array<double, kMaxContacts>
+      damping_{};  // N s/m, of each contact at the last push; 0 where the damper had let go
   std::array<Vec3, kMaxContacts> force_{};
 };
 

@@ -66,7 +66,7 @@ struct DeviceDesc {
   double handle_weight = 0.3;  // N, what the mechanism leaves uncompensated; the tick holds it up
   double bandwidth_Hz = 500;   // of forces and torques that it renders
   double damping = 0.005;      // N s/m
-  Vec3 angular_damping = Vec3::Constant(2.0e-5);   // (3) N m s, likewise
+  Vec3 angular_damping = Vec3::Constant(2.0e-5);   // (3) N m s, about each axis
   double friction = 0.038;                         // N, Coulomb, each axis
   double angular_friction = 2.0e-4;                // N m, Coulomb, each axis
   double encoder_step = 28e-6;                     // m

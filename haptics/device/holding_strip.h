@@ -20,7 +20,7 @@ struct HoldingStripDesc {
   double low_place = 0.03;     // m along the stick from C, where the strip begins
   double high_place = 0.17;    // m, where it ends; above low_place
   double low_ohm = 100;        // ohm at low_place, as calibrated
-  double high_ohm = 10000;     // ohm at high_place, likewise; not the same as low_ohm
+  double high_ohm = 10000;     // ohm at high_place, as calibrated; not the same as low_ohm
   double closing_force = 1.8;  // N, a press from which on it is closed
   double opening_force = 0.5;  // N, a press below which it is open again
 

@@ -37,7 +37,7 @@ struct MappingDesc {
   // Of the device, as the scene feels it: kg; kg m^2.
   double mass_in_world(double mass) const { return mass / (position_scale * force_scale); }
   double inertia_in_world(double inertia) const { return inertia / energy_scale(); }
-  // J at the device for one in the scene; N m likewise.
+  // J at the device for one J in the scene, and N m for one N m.
   double energy_scale() const { return force_scale / position_scale; }
   Wrench wrench_in_world(const Wrench& F_H_D) const {
     return {X_WD.q * F_H_D.force / force_scale, X_WD.q * F_H_D.torque / energy_scale()};

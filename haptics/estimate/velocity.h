@@ -19,7 +19,7 @@ struct VelocityEstimatorDesc {
   double cutoff_Hz = 60;    // low_pass: first order
   int window = 15;          // adaptive_window: most ticks looked back
   double noise = 60e-6;     // m in W, adaptive_window: largest deviation that counts as noise
-  double noise_rad = 4e-4;  // rad, likewise
+  double noise_rad = 4e-4;  // rad, adaptive_window: the same in rotation
 };
 
 class VelocityEstimator {

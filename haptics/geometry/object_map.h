@@ -30,7 +30,7 @@ private:
   void search(std::size_t level, std::size_t node, const Vec3& p_W, Best& best) const noexcept;
 
   std::vector<Vec3> samples_;          // in kd order
-  std::vector<std::int32_t> objects_;  // likewise
+  std::vector<std::int32_t> objects_;  // of each sample
   // Boxes of 16 samples each, then of 16 boxes each, up to one.
   std::vector<std::vector<Box3>> levels_;
 };

@@ -15,7 +15,7 @@ constexpr int kMaxRounds = 6;            // at most, in a tick
 constexpr int kPasses = 3;               // in which normal forces and friction find each other
 constexpr double kSettledTravel = 1e-6;  // m, a round that moves no point farther ends the tick
 constexpr double kTouching = 50e-6;      // m, a point nearer than this belongs to a region
-constexpr double kSettledTurn = 1e-6;    // rad, likewise
+constexpr double kSettledTurn = 1e-6;    // rad, the same of a turn
 constexpr double kSoftestShare = 1e-4;   // of the coupling's stiffness, however far the hand is away
 // Over the coupling's stiffness: conflicting rows share their depth at forces that are never felt, and
 // compatible ones give way by a ten thousandth of the coupling's own offset.

@@ -19,7 +19,8 @@ public:
 
   // (6) m and rad in W, about T: the motion that takes the tool to where the hand wants it.
   Vec6 to_hand(const Pose& X_WG) noexcept;
-  // Likewise, to where coupling and weight alone would have it.
+  // (6) m and rad in W, about T: the motion that takes the tool to where coupling and weight alone would have
+  // it.
   Vec6 to_goal(const Pose& X_WG) noexcept;
   // Moves the tool by d (6). False, and nothing is moved: the result is not finite.
   bool move(const Vec6& d) noexcept;

@@ -74,7 +74,7 @@ private:
   double gain_ = 0;
   double fall_ = 0;  // part of the fall that is left, 1 to 0
   Wrench falling_;   // what was commanded when the stop came
-  std::array<Wrench, kTransientSources> falling_transients_{}, last_transients_{};  // likewise
+  std::array<Wrench, kTransientSources> falling_transients_{}, last_transients_{};  // by source
   Wrench last_;
   std::array<std::optional<TransientBudget>, kTransientSources> budgets_;
 };

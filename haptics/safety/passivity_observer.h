@@ -41,7 +41,7 @@ public:
   struct Port {
     Wrench F_H_D;        // on the handle about H, from now on; what an axis would render if it could
     double weight = 0;   // J, potential energy of the tool now, at the device
-    double springs = 0;  // J, energy in the coupling and in the tool's motion now, likewise
+    double springs = 0;  // J, energy in the coupling and in the tool's motion now, at the device
     bool open = false;   // the force is there in full
   };
   // d_D (6): what was counted of the handle since the last call, m and rad.

@@ -19,7 +19,7 @@ struct Rendered {
   };
   std::array<Source, kTransientSources> sources{};
   double force_part = 1;   // of the wanted continuous force, what was commanded of it, 0 to 1
-  double torque_part = 1;  // likewise
+  double torque_part = 1;  // the same of the torque
 
   const Source& of(TransientSource source) const { return sources[static_cast<std::size_t>(source)]; }
 };

@@ -12,9 +12,9 @@ struct Command {
     acknowledge = 2,         // ends a stop: the force ramps in again
     watchdog = 3,            // the live loop lost ticks to a stall
     vibration_gain = 4,      // of the vibration that tells of torque: value 0 (off) to 1
-    ghost_gain = 5,          // of the ghost, likewise
-    impact_gain = 6,         // of the vibration at impacts, likewise
-    pulse_gain = 7,          // of the braking pulse, likewise
+    ghost_gain = 5,          // of the ghost: 0 (off) to 1
+    impact_gain = 6,         // of the vibration at impacts: 0 (off) to 1
+    pulse_gain = 7,          // of the braking pulse: 0 (off) to 1
     pulse_moment = 8,        // whether its moment makes up for missing force: 0 or 1
     vibrotactile_gain = 9,   // of the vibrotactile motion, 0 (off) to 1
     hold_at = 10,            // where the hand holds the stick: m from the handle's origin along it

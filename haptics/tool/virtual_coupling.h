@@ -17,7 +17,7 @@ struct CouplingDesc {
   double angular_stiffness = 1.5;  // N m/rad
   double damping_ratio = 1;        // of critical, both
   double max_force = 6;            // N, the saturation F_s of the spring
-  double max_torque = 0.3;         // N m, likewise
+  double max_torque = 0.3;         // N m, at which it saturates in rotation
 };
 
 class VirtualCoupling {
@@ -61,12 +61,12 @@ private:
   double angular_damping_;  // 2 zeta sqrt(k_R): times the root of the inertia
   RigidBody tool_;
   bool held_at_T_ = true;
-  Vec3 p_TG_ = Vec3::Zero();                                       // (3) m, in T
-  Vec3 lever_W_ = Vec3::Zero();                                    // (3) m, the same in W, at the last pull
-  Vec3 moment_ = Vec3::Zero();                                     // (3) N m, of the force there about T
-  Vec3 offset_ = Vec3::Zero();                                     // (3) m, of the last pull
-  Vec3 rotation_ = Vec3::Zero();                                   // (3) rad, likewise, as a rotation vector
-  Vec3 full_torque_ = Vec3::Zero();                                // (3) N m, likewise
+  Vec3 p_TG_ = Vec3::Zero();         // (3) m, in T
+  Vec3 lever_W_ = Vec3::Zero();      // (3) m, the same in W, at the last pull
+  Vec3 moment_ = Vec3::Zero();       // (3) N m, of the force there about T
+  Vec3 offset_ = Vec3::Zero();       // (3) m, of the last pull
+  Vec3 rotation_ = Vec3::Zero();     // (3) rad, of the last pull, as a rotation vector
+  Vec3 full_torque_ = Vec3::Zero();  // (3) N m, of the last pull, before torque_limit_
   double torque_limit_ = std::numeric_limits<double>::infinity();  // N m
 };
 

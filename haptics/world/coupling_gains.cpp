@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kMinStiffness = 1e-6;    // N/m or N m/rad
-constexpr double kStiffest = 1e9;         // likewise; where the search ends
+constexpr double kStiffest = 1e9;         // N/m or N m/rad, where the search ends
 constexpr double kLimitPrecision = 1e-4;  // of a limit
 constexpr double kNeutral = 1e-6;         // 1/s, of handle and tool that fly on together
 constexpr double kMargin = 0.5;           // of a limit: a factor of two is left to what the model leaves out

@@ -65,7 +65,7 @@ public:
   void leave(DeviceCommand& command, TickRecord& record) const noexcept;
 
   const Wrench& continuous_F_H_D() const { return guard_.last(); }  // on the handle in D, of the last tick
-  const Wrench& resistance_F_H_D() const { return resistance_F_H_D_; }  // likewise
+  const Wrench& resistance_F_H_D() const { return resistance_F_H_D_; }  // of passivity control
   const Allocator& motors() const { return motors_; }
   const TransientBudget* budget(TransientSource source) const { return guard_.budget(source); }
 

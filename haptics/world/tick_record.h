@@ -66,7 +66,8 @@ void describe(V& values, const PlainRecord& record) {
                    "Of all that was wanted on the handle, what the motors had not."},
                   shortfall.force);
     values.length({"actuator/shortfall/torque", "N m", "",
-                   "Likewise; beside a pulse, what compensates for its force too."},
+                   "Of all that was wanted on the handle, what the motors had not; beside a pulse, what "
+                   "compensates for its force too."},
                   shortfall.torque);
   }
   values.number({"energy/port", "J", "",

@@ -48,7 +48,7 @@ public:
   }
   // On the handle in D, of the last tick: what was commanded without the transients.
   const Wrench& continuous_F_H_D() const { return output_.continuous_F_H_D(); }
-  // Likewise: what passivity control wanted beside all else.
+  // On the handle in D, of the last tick: what passivity control wanted beside all else.
   const Wrench& resistance_F_H_D() const { return output_.resistance_F_H_D(); }
 
 private:

@@ -14,7 +14,7 @@ struct TickCost {
   double near_points;  // mean: shell points that the constraint has to keep out
   std::size_t shell_points;
   double field_MB;    // of the whole plant
-  double bake_cpu_s;  // likewise
+  double bake_cpu_s;  // of the whole plant
 };
 
 // The scene is built here from the models that the scenario loads and with the settings that its file gives,

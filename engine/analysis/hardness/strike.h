@@ -38,7 +38,7 @@ enum class PulseMethod {
   algorithm1,        // the paper's, corrected
   exact,             // share_program.h
   nearest_wrench,    // to be shown, not used: whatever felt wrench is nearest
-  free_moment        // likewise: a force in its direction, and whatever moment is nearest
+  free_moment        // to be shown, not used: a force in its direction, and whatever moment is nearest
 };
 // What a device can be told to do; the others are for a section of the page.
 inline constexpr std::array kUsableMethods{PulseMethod::none, PulseMethod::force_only,

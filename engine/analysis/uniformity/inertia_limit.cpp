@@ -14,7 +14,7 @@ namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kPrecision = 1e-4;  // of a limit
 constexpr double kMinJerk = 1e-3;    // of a filter whose unit of noise is 1 um: a second of lag
-constexpr double kMaxJerk = 1e6;     // likewise: a tick
+constexpr double kMaxJerk = 1e6;     // of the same filter: a tick of lag
 constexpr double kUnit = 1e-6;       // m, of the filter's states; no eigenvalue knows it
 constexpr int kMaxTicks = 200;
 

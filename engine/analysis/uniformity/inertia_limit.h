@@ -26,14 +26,14 @@ struct InertiaLoop {
 
 // 1/s; below 0 the loop is stable. filter: at tick_s.
 double growth(const InertiaLoop& loop, const SteadyFilter& filter);
-// Likewise, of the true acceleration of `ticks` ticks ago, 1 and more.
+// 1/s, the same for a loop that has the true acceleration of `ticks` ticks ago, 1 and more.
 double growth(const InertiaLoop& loop, int ticks);
 
 // s, by the formula above.
 double first_order_lag(const InertiaLoop& loop);
 
-// s, of a filter of three states the lag up to which the loop is stable, and what it is at; of a true
-// acceleration that is late likewise, in whole ticks. Infinite where no lag is too long.
+// s, of a filter of three states the lag up to which the loop is stable, and what it is at; and the same of a
+// true acceleration that is late, in whole ticks. Infinite where no lag is too long.
 double largest_filter_lag(const InertiaLoop& loop);
 double largest_delay(const InertiaLoop& loop);
 

@@ -40,8 +40,8 @@ struct UniformityRow {
   // Of what is felt against the formulas, for the force that the contact gave, largest over the strikes: of
   // the force over the predicted one, of the torque over the predicted one, or kTorqueLeast if that is more.
   double formula_error = 0;
-  double depth_error = 0;  // m, of the depth that the contact found, likewise
-  double resistance = 0;   // N, of the passivity control, likewise
+  double depth_error = 0;  // m, of the depth that the contact found, largest over the strikes
+  double resistance = 0;   // N, of passivity control, largest over the strikes
   int limited = 0;         // strikes in which the device could not give all
 };
 

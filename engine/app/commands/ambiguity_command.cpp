@@ -13,7 +13,7 @@ namespace fulcrum::app {
 namespace {
 
 constexpr std::size_t kSites = 600;       // about, of the tool's surface
-constexpr std::size_t kCandidates = 150;  // likewise
+constexpr std::size_t kCandidates = 150;  // about, of the tool's surface
 
 // Every so many points of a shell, which lie evenly and neighbours together.
 std::vector<std::size_t> some_of(const Pointshell& shell, std::size_t count) {

@@ -29,7 +29,7 @@ public:
   };
   const std::array<Peaks, kMaxMotors>& motors() const { return motors_; }
 
-  // Likewise, 0 to 1: how strong a brief effect was, by the command that sets its knob.
+  // 0 to 1: how strong a brief effect was in the last moments, by the command that sets its knob.
   double peak(Command::Kind kind) const;
 
   // The newest impact that was felt.

@@ -13,7 +13,7 @@ struct PulseRecord {
   Wrench wanted_F_H_D;       // that would stop the hand, about H
   Wrench F_H_D;              // what was commanded of it
   double force_share = 0;    // gamma: of the wanted force; 0 where none was wanted
-  double moment_share = 0;   // of the moment that the hand would feel by the whole force, likewise
+  double moment_share = 0;   // mu: of the moment that the hand would feel by the whole force
   double energy = 0;         // J, that its force has given to the hand; below 0: taken
   double moment_energy = 0;  // J, that its torque has
 };
@@ -35,9 +35,9 @@ void describe(V& values, const PulseRecord& record) {
   values.number({"braking_pulse/energy", "J", "",
                  "What the force of braking pulses has given to the hand; below zero: taken."},
                 energy);
-  values.number(
-      {"braking_pulse/moment_energy", "J", "", "What their torque has given to the hand, likewise."},
-      moment_energy);
+  values.number({"braking_pulse/moment_energy", "J", "",
+                 "What the torque of braking pulses has given to the hand; below zero: taken."},
+                moment_energy);
 }
 
 }  // namespace fulcrum

@@ -57,7 +57,7 @@ struct ImpactSurroundings {
   double reach;           // m, of the tool from the handle
   MappingDesc mapping;    // of the device
   double largest_force;   // N, of the device, that a transient may have; 0: it does not push
-  double largest_torque;  // N m, likewise
+  double largest_torque;  // N m, of the device, that a transient may have; 0: it renders none
   double highest_Hz;      // that device and tick can render
 };
 

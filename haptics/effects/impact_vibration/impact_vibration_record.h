@@ -14,9 +14,9 @@ struct ImpactVibrationRecord {
   std::int32_t voices = 0;     // that sound
   std::int64_t dropped = 0;    // voices, since the start
   double frequency_Hz = 0;     // of the newest voice, its first mode; 0: there was none yet
-  double radius = 0;           // m, likewise, from the handle to the impact
-  Vec3 axis_W = Vec3::Zero();  // (3) unit, likewise: about which it turns; zero where it pushes alone
-  Wrench amplitude_D;          // likewise, on the handle, at gain 1
+  double radius = 0;           // m, of the newest voice: from the handle to the impact
+  Vec3 axis_W = Vec3::Zero();  // (3) unit, about which the newest voice turns; zero where it pushes alone
+  Wrench amplitude_D;          // of the newest voice, on the handle, at gain 1
   Wrench F_H_D;                // what was commanded on the handle in this tick, about H
   double energy = 0;           // J, that the vibration has given to the hand
 };

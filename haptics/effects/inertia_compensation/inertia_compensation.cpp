@@ -9,7 +9,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double kFades = 0.5;        // of the budget: the rest is for what fading takes
-constexpr double kReturns = 0.25;     // likewise
+constexpr double kReturns = 0.25;     // of the budget, below which compensation returns
 constexpr double kFall = 20e-3;       // s, from the whole gain to none
 constexpr double kRise = 0.5;         // s, back
 constexpr double kSwitch = 20e-3;     // s, of the arm's torque, in and out

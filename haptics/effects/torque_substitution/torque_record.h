@@ -13,7 +13,7 @@ struct TorqueRecord {
   double vibration = 0;       // N, amplitude of the tone
   double ghost = 0;           // opacity, 0 to 1
   double vibration_gain = 0;  // 0: switched off
-  double ghost_gain = 0;      // likewise
+  double ghost_gain = 0;      // 0: switched off
   double energy = 0;          // J, that the vibration has given to the hand
 };
 

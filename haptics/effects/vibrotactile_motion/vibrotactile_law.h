@@ -4,7 +4,7 @@
 // 0 to d_max, towards one side. On the side that it goes to the vibrator is `leading`, the other one
 // `trailing`: the phantom goes from the first to the second, against the sweep.
 //     linear        trailing  x / d_max                                    leading  the same of d_max - x
-//     logarithmic   trailing  log(1 + x/x_ref) / log(1 + d_max/x_ref)      likewise
+//     logarithmic   trailing  log(1 + x/x_ref) / log(1 + d_max/x_ref)      the same of d_max - x
 // in shares of I_max. The paper's log(x + 1) has an x_ref of one unit of length, and it matters: half way the
 // level is .747 with 1 mm, .585 with 1 cm, .501 with 1 m.
 //

@@ -63,9 +63,9 @@ public:
 
   struct Tick {
     Vec3 p_WH, v_WH;   // (3) m; m/s, of the handle, which the finger is in
-    double moved = 0;  // m, the handle's way in this tick along D's x
-    double speed = 0;  // m/s, likewise
-    double felt = 0;   // N, likewise, of the force that the handle should feel
+    double moved = 0;  // m, the handle's displacement in this tick along D's x
+    double speed = 0;  // m/s, the handle's along D's x
+    double felt = 0;   // N along D's x, of the force that the handle should feel
     bool touching = false;
     bool engaged = true;   // the hand holds the tool; false while clutched
     bool stopped = false;  // no force may be: levels stay what they were, and safety takes them down

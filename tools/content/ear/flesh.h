@@ -23,7 +23,8 @@ public:
   double above_head(const Eigen::Vector3d& p_W) const;
   double to_cavity(
       const Eigen::Vector3d& p_W) const;  // about the distance (mm) to the tympanic cavity's wall
-  // Likewise to the surfaces of the drum as a membrane, which ends this far (mm) beyond its annulus.
+  // About the distance (mm) to the surfaces of the drum as a membrane, which ends this far (mm) beyond its
+  // annulus.
   double to_membrane(const Eigen::Vector3d& p_W, double rim) const;
 
   static constexpr double buried_rim = 1.6;  // mm, of the membrane: in the flesh all around

@@ -16,7 +16,7 @@ struct RoutePose {
   double dwell = 0.0;             // s
   bool presses = false;           // it aims a little into what it touches
   std::optional<double> hold{};   // m, where along the tool the hand holds it; none: as before
-  std::optional<double> press{};  // N, how firmly; likewise
+  std::optional<double> press{};  // N, how firmly; none: as before
 };
 
 // The hand's file as YAML. `how`: what someone who knows how does; `program` is named as its author.

@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double board_bevel = 1.5 * mm;
-constexpr double across = 1.2 * mm;  // between points, where rings are crossed
-constexpr double along_grain = 5.0 * mm;   // likewise, along the grain
+constexpr double across = 1.2 * mm;       // between points across the grain, where rings are crossed
+constexpr double along_grain = 5.0 * mm;  // between points along the grain
 
 // A ring begins light, grows darker and ends at once; trunks are not quite round and not quite straight.
 Vector3d colour_at(const Vector3d& p, const Wood& wood) {

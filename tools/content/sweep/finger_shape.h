@@ -25,8 +25,8 @@ public:
   Eigen::Vector3d surface(double s, double angle, double off) const;
 
   double bare(const Eigen::Vector3d& p) const;       // about the distance (mm) to the plain surface
-  double skin(const Eigen::Vector3d& p) const;       // likewise, with folds
-  double nail(const Eigen::Vector3d& p) const;       // likewise, of the nail
+  double skin(const Eigen::Vector3d& p) const;       // about the distance (mm) to the surface with its folds
+  double nail(const Eigen::Vector3d& p) const;       // about the distance (mm) to the nail
   double from_nail(const Eigen::Vector3d& p) const;  // about how far (mm) outside the nail's outline
   double lowest() const { return lowest_; }          // mm, s of what touches a level plane first
 

@@ -12,6 +12,6 @@ inline constexpr double target_z = -24.0 * mm;    // beyond the fingertip
 // The middle of the window, on the glass, is the origin of W.
 Model make_tablet();
 Model make_window_marks();  // to be seen only
-Model make_desk();          // likewise
+Model make_desk();          // to be seen only
 
 }  // namespace fulcrum::content
