@@ -12,15 +12,41 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr float kWidth = 214.0F;
-constexpr float kHead = 36.0F;
+constexpr float kHead = 36.0F;      // above the first row
+constexpr float kNextHead = 28.0F;  // of an effect that follows another
+constexpr float kNote = 16.0F;
 constexpr float kRow = 44.0F;
 constexpr float kGap = 10.0F;     // to the panel above
 constexpr float kBarTop = 24.0F;  // in a row
 constexpr float kBarHeight = 6.0F;
 constexpr float kBarReach = 5.0F;  // a press this near counts as on the bar
+constexpr float kAbove = 4.0F;     // a press so little above a row counts as on its switch
 
 ImVec2 panel_at(const OverlayState& state, float width) {
   return {width - theme::kMargin - kWidth, theme::kMargin + health_height(state) + kGap};
+}
+
+bool begins_effect(const OverlayState& state, std::size_t cue) {
+  return cue == 0 || state.cues[cue].effect != state.cues[cue - 1].effect;
+}
+
+// From the panel's top to the top of a cue's row; that of the one after the last is the panel's height.
+float row_top(const OverlayState& state, std::size_t cue) {
+  float top = kHead + (state.tells_torque ? kNote : 0.0F) + static_cast<float>(cue) * kRow;
+  for (std::size_t i = 1; i <= cue && i < state.cues.size(); ++i)
+    if (begins_effect(state, i)) top += kNextHead;
+  return top;
+}
+
+void draw_head(const Canvas& canvas, ImVec2 at, const OverlayState& state, std::size_t cue) {
+  const bool tells = cue == 0 && state.tells_torque, bad = tells && state.torque_bad;
+  canvas.disc({at.x + 4.0F, at.y + 9.0F}, 4.0F, bad ? theme::kWarn : theme::kFaint);
+  canvas.text(canvas.fonts().strong, {at.x + 16.0F, at.y}, theme::kText, state.cues[cue].effect);
+  if (!tells) return;
+  std::string note = bad ? "bad torque" : "";
+  if (!state.variant.empty()) note += (note.empty() ? "" : ", ") + state.variant;
+  canvas.text(canvas.fonts().small, {at.x + 16.0F, at.y + 19.0F}, bad ? theme::kWarn : theme::kSecondary,
+              note);
 }
 
 void draw_row(const Canvas& canvas, ImVec2 at, const CueLine& cue) {
@@ -48,7 +74,7 @@ float overlay_scale(std::uint32_t height) {
 }
 
 float cues_height(const OverlayState& state) {
-  return state.cues.empty() ? 0.0F : kHead + static_cast<float>(state.cues.size()) * kRow + 2.0F;
+  return state.cues.empty() ? 0.0F : row_top(state, state.cues.size()) + 2.0F;
 }
 
 PanelPoint panel_point(render::Extent picture, double x, double y) {
@@ -61,18 +87,12 @@ void draw_cues(const Canvas& canvas, const OverlayState& state) {
   if (state.cues.empty()) return;
   const ImVec2 at = panel_at(state, canvas.width());
   canvas.card(at, {kWidth, cues_height(state)});
-  canvas.disc({at.x + theme::kPadding + 4.0F, at.y + 18.0F}, 4.0F,
-              state.torque_bad ? theme::kWarn : theme::kFaint);
-  canvas.text(canvas.fonts().strong, {at.x + theme::kPadding + 16.0F, at.y + 9.0F}, theme::kText,
-              !state.tells_torque ? state.cue_title
-              : state.torque_bad  ? std::string("Bad torque")
-                                  : std::string("Torque"));
-  canvas.text(canvas.fonts().body, {at.x + kWidth - theme::kPadding, at.y + 9.0F}, theme::kSecondary,
-              state.variant, Align::right);
-  float y = at.y + kHead;
-  for (const CueLine& cue : state.cues) {
-    draw_row(canvas, {at.x + theme::kPadding, y}, cue);
-    y += kRow;
+  const float left = at.x + theme::kPadding;
+  for (std::size_t cue = 0; cue < state.cues.size(); ++cue) {
+    const float top = at.y + row_top(state, cue);
+    if (begins_effect(state, cue))
+      draw_head(canvas, {left, cue == 0 ? at.y + 9.0F : top - kNextHead + 1.0F}, state, cue);
+    draw_row(canvas, {left, top}, state.cues[cue]);
   }
 }
 
@@ -81,11 +101,11 @@ std::optional<CuePress> pressed_cue(const OverlayState& state, const std::vector
   if (state.cues.empty()) return std::nullopt;
   const ImVec2 at = panel_at(state, width);
   const float left = at.x + theme::kPadding, length = kWidth - 2.0F * theme::kPadding;
-  const float down = y - (at.y + kHead);
-  if (x < left || x > left + length || down < -4.0F) return std::nullopt;
-  const auto cue = static_cast<std::size_t>(std::max(down, 0.0F) / kRow);
-  if (cue >= state.cues.size()) return std::nullopt;
-  const float in_row = down - static_cast<float>(cue) * kRow;
+  if (x < left || x > left + length) return std::nullopt;
+  std::size_t cue = state.cues.size();
+  while (cue > 0 && y < at.y + row_top(state, cue - 1) - kAbove) --cue;
+  if (cue == 0) return std::nullopt;
+  const float in_row = y - at.y - row_top(state, --cue);
   if (in_row > kBarTop + kBarHeight + kBarReach) return std::nullopt;
   if (in_row >= kBarTop - kBarReach)
     return CuePress{cue, std::clamp(static_cast<double>((x - left) / length), 0.05, 1.0)};

@@ -35,8 +35,9 @@ struct KeyLine {
   std::string meaning;  // "stop all force"
 };
 
-// Something that tells of torque or of impacts: a switch, a gain and how strongly it tells now.
+// What a person can set of an effect: a switch, a gain and how strong it is now.
 struct CueLine {
+  std::string effect;  // "Torque substitution": the heading of those that follow each other
   std::string name;    // "Vibration"
   std::string key;     // that switches it
   double gain = 0.0;   // 0: off
@@ -90,8 +91,7 @@ struct OverlayState {
   std::vector<CueLine> cues;                 // empty: no panel
   std::string variant;                       // of the study that the switches amount to; read with the cues
   bool torque_bad = false;                   // no force tells of it; read with the cues
-  bool tells_torque = true;                  // some of the cues do
-  std::string cue_title = "Impacts";         // of the cues, where none does
+  bool tells_torque = true;                  // the first of the cues do: a line below their heading says how
   std::optional<HoldingPanel> holding;       // none: no panel
   std::vector<MotorBar> motors;              // empty: no panel
   TickHealth ticks;

@@ -81,8 +81,10 @@ std::vector<Knob> effect_knobs(const PlainScene& scene, const EffectDescs& descs
                                const EffectRecords& records) {
   std::vector<Knob> knobs;
   for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc& desc) {
-    const std::vector<Knob> own = T::knobs(desc, scene, records);
-    knobs.insert(knobs.end(), own.begin(), own.end());
+    for (Knob& knob : T::knobs(desc, scene, records)) {
+      knob.effect = T::kName;
+      knobs.push_back(knob);
+    }
   });
   return knobs;
 }

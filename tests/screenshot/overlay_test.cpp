@@ -115,7 +115,8 @@ TEST_F(OverlayTest, APressMeansWhatIsDrawnThere) {
   OverlayState state = full_state();
   state.keys_visible = false;
   state.message.clear();
-  state.cues = {{"Vibration", "V", 1.0, 0.0}, {"Ghost", "G", 0.0, 0.0}};
+  state.cues = {{"Torque substitution", "Vibration", "V", 1.0, 0.0},
+                {"Torque substitution", "Ghost", "G", 0.0, 0.0}};
   const std::vector<double> gains{1.0, 0.6};
   const render::Picture picture = draw(state);
   const float unit = overlay_scale(picture.height);
@@ -233,7 +234,8 @@ TEST(HoldingPanel, WithoutAStiffnessTheMethodsMoveUp) {
 
 TEST(CuePanel, SwitchesOnAtTheGainOfBeforeAndTheBarSetsIt) {
   OverlayState state;
-  state.cues = {{"Vibration", "V", 0.0, 0.0}, {"Ghost", "G", 1.0, 0.0}};
+  state.cues = {{"Torque substitution", "Vibration", "V", 0.0, 0.0},
+                {"Torque substitution", "Ghost", "G", 1.0, 0.0}};
   const std::vector<double> gains{0.7, 0.6};
   std::vector<double> set;  // by presses down the middle of the panel, first cue only
   for (float y = 0; y < 300.0F; y += 1.0F)

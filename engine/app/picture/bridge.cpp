@@ -30,9 +30,12 @@ render::MarkerState marker_state(const scenario::TaskState& task, std::size_t i)
 std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record,
                                    const Afterglow& afterglow) {
   std::vector<ui::CueLine> lines;
-  for (const Knob& knob : effect_knobs(scene, scene, record))
-    lines.push_back({knob.name, std::string(1, knob.key), knob.gain,
+  for (const Knob& knob : effect_knobs(scene, scene, record)) {
+    std::string effect = knob.effect;
+    effect.front() = static_cast<char>(effect.front() - 'a' + 'A');
+    lines.push_back({std::move(effect), knob.name, std::string(1, knob.key), knob.gain,
                      knob.brief ? afterglow.peak(knob.kind) : knob.level});
+  }
   return lines;
 }
 
@@ -159,7 +162,6 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
   state.cues = cue_lines(scene, record, afterglow);
-  if (!detects_impacts(scene)) state.cue_title = "Fingertip";
   state.tells_torque = is_built<TorqueSubstitutionEffect>(scene, scene.torque_substitution) &&
                        (scene.device.renders_force || scene.device.senses_rotation);
   const TorqueRecord torque = record.torque_substitution.value_or(TorqueRecord());

@@ -59,7 +59,7 @@ std::vector<ui::KeyLine> key_lines(const ui::OverlayState& state, bool circle) {
       {"1 to 9", "go to a view"},     {"Home", "back to this view's start"}, {"F1", "show or hide this list"},
   };
   for (const ui::CueLine& cue : state.cues)
-    lines.insert(lines.end() - 1, {cue.key, "switch the " + lower(cue.name)});
+    lines.insert(lines.end() - 1, {cue.key, "switch " + lower(cue.effect) + ": " + lower(cue.name)});
   if (state.holding) {
     const std::vector<ui::KeyLine> keys = holding_keys();
     lines.insert(lines.end() - 1, keys.begin(), keys.end());

@@ -86,7 +86,7 @@ std::vector<Knob> ImpactVibrationEffect::knobs(const Desc& desc, const PlainScen
     return largest > 0 ? v.norm() / (0.5 * peak * largest) : 0.0;
   };
   return {{.kind = Command::Kind::impact_gain,
-           .name = "Impacts",
+           .name = "Vibration",
            .key = 'I',
            .gain = record.gain,
            .on = desc.gain > 0 ? desc.gain : 1,

@@ -24,7 +24,7 @@ std::vector<Knob> TextureEffect::knobs(const Desc& desc, const PlainScene& scene
   const TextureRecord record = records.texture.value_or(TextureRecord());
   const double largest = scene.device.max_force;
   return {{.kind = Command::Kind::texture_gain,
-           .name = "Texture",
+           .name = "Ridges",
            .key = 'X',
            .gain = record.gain,
            .on = desc.gain > 0 ? desc.gain : 1,

@@ -88,7 +88,7 @@ std::vector<Knob> VibrotactileMotionEffect::knobs(const Desc& desc, const PlainS
   if (!scene.device.vibrotactile) return {};
   const VibrotactileRecord record = records.vibrotactile_motion.value_or(VibrotactileRecord());
   return {{.kind = Command::Kind::vibrotactile_gain,
-           .name = "Touch",
+           .name = "Vibration",
            .key = 'T',
            .gain = record.gain,
            .on = desc.gain > 0 ? desc.gain : 1,
