@@ -46,7 +46,7 @@ xdotool key --window "$window" F1
 xdotool key --window "$window" g
 until_seen ghost 0 || fail "G does not switch the ghost off"
 # The switch listens once the panel shows that it is off.
-switched() { xdotool mousemove --window "$window" 488 149 click 1 && runs "$work/W" 300 && ghost 1; }
+switched() { xdotool mousemove --window "$window" 488 161 click 1 && runs "$work/W" 300 && ghost 1; }
 until_seen switched || fail "the ghost's switch does not switch it on"
 
 # size_is W H: the window's, as its manager has it.
