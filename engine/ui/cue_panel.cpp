@@ -43,8 +43,8 @@ void draw_head(const Canvas& canvas, ImVec2 at, const OverlayState& state, std::
   canvas.disc({at.x + 4.0F, at.y + 9.0F}, 4.0F, bad ? theme::kWarn : theme::kFaint);
   canvas.text(canvas.fonts().strong, {at.x + 16.0F, at.y}, theme::kText, state.cues[cue].effect);
   if (!tells) return;
-  std::string note = bad ? "bad torque" : "";
-  if (!state.variant.empty()) note += (note.empty() ? "" : ", ") + state.variant;
+  std::string note = bad ? "bad torque" : "no bad torque";
+  if (!state.variant.empty()) note += ", " + state.variant;
   canvas.text(canvas.fonts().small, {at.x + 16.0F, at.y + 19.0F}, bad ? theme::kWarn : theme::kSecondary,
               note);
 }
