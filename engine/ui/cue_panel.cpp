@@ -14,7 +14,7 @@ namespace {
 constexpr float kWidth = 214.0F;
 constexpr float kHead = 36.0F;      // above the first row
 constexpr float kNextHead = 28.0F;  // of an effect that follows another
-constexpr float kNote = 16.0F;
+constexpr float kNote = 16.0F;      // the line below the first heading
 constexpr float kRow = 44.0F;
 constexpr float kGap = 10.0F;     // to the panel above
 constexpr float kBarTop = 24.0F;  // in a row

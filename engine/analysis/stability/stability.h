@@ -80,7 +80,8 @@ struct StabilityStudy {
   std::vector<EnergyRun> energies;  // of the reference
 };
 
-// The reference, and each of `models` with its linear twin before it. Some seconds of processor time.
+// The reference, and each of `models` with its linear twin before it: about ten seconds of a processor for
+// each.
 using StudyProgress = std::function<void(std::string_view what, double fraction)>;
 StabilityStudy study_stability(const std::vector<NamedAxis>& models, const StudyProgress& progress);
 
