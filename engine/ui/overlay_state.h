@@ -91,7 +91,7 @@ struct OverlayState {
   std::vector<CueLine> cues;                 // empty: no panel
   std::string variant;                       // of the study that the switches amount to; read with the cues
   bool torque_bad = false;                   // no force tells of it; read with the cues
-  bool tells_torque = true;                  // the first of the cues do: a line below their heading says how
+  bool tells_torque = true;                  // the first cues do, in a line below their heading
   std::optional<HoldingPanel> holding;       // none: no panel
   std::vector<MotorBar> motors;              // empty: no panel
   TickHealth ticks;

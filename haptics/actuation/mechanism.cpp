@@ -131,7 +131,7 @@ void Mechanism::write_columns(const Arm& arm, const Pose& X_DH, int first) noexc
 
 WrenchMatrix Mechanism::jacobian(const Vec3& p_HG) const noexcept {
   WrenchMatrix J;
-  const JointChain::Jacobian R_HD = q_DH_.conjugate().toRotationMatrix();
+  const Mat3 R_HD = q_DH_.conjugate().toRotationMatrix();
   for (Eigen::Index motor = 0; motor < J.cols(); ++motor) {
     const Vec3 w = R_HD * twists_.col(motor).tail<3>();
     J.col(motor) << R_HD * twists_.col(motor).head<3>() + w.cross(p_HG), w;
