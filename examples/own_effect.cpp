@@ -1,6 +1,7 @@
 // An effect of one's own, outside the tree: a breeze along x that blows while nothing is touched. It is built
-// into a World beside those that the scene names; its value has a name, a unit and a meaning like any other,
-// and every limit of the device is between it and the motors.
+// into a World beside those that the scene names, by a program of one's own: `fulcrum run` does not load it.
+// Its value stands in the tick's record with a name, a unit and a meaning, for describe() to find, and every
+// limit of the device is between it and the motors.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -20,15 +21,11 @@ public:
     blowing_ = tick.regions.empty() ? force_ : 0;
     return {Vec3(blowing_, 0, 0), Vec3::Zero()};
   }
-  void record(EffectRecords& records) const noexcept override {
-    OwnRecord& own = records.own.emplace();
-    own.what = kWhat;
-    own.value[0] = blowing_;
-  }
+  void record(EffectRecords& records) const noexcept override { records.own.add(kForce, blowing_); }
   BuiltPart part() const override { return {"breeze", "pushes until something is touched", sizeof *this}; }
 
 private:
-  static constexpr Quantity kWhat[] = {{"breeze/force", "N", "D", "Of the breeze on the handle."}};
+  static constexpr Quantity kForce{"breeze/force", "N", "D", "Of the breeze on the handle."};
   double force_;
   double blowing_ = 0;
 };

@@ -17,17 +17,35 @@
 
 namespace fulcrum {
 
-// What an effect from outside haptics/effects leaves behind.
-struct OwnRecord {
+// What the effects from outside haptics/effects leave behind, all of them together.
+class OwnRecord {
+public:
   static constexpr std::size_t kMaxValues = 8;
-  std::span<const Quantity> what{};  // of the values, kMaxValues at most; it outlives the record
-  std::array<double, kMaxValues> value{};
+  struct Value {
+    const Quantity* what = nullptr;
+    double value = 0;
+  };
+
+  // An effect adds the same values in the same order in every tick. what: outlives the record. Its name
+  // begins with the effect's, which no other column does. World::build() refuses other names, and more values
+  // than kMaxValues.
+  void add(const Quantity& what, double value) noexcept {
+    if (size_ < kMaxValues) values_[size_] = {&what, value};
+    ++size_;
+  }
+  void add(const Quantity&& what, double value) = delete;
+
+  std::span<const Value> values() const { return std::span(values_).first(std::min(size_, kMaxValues)); }
+  bool fits() const { return size_ <= kMaxValues; }
+
+private:
+  std::array<Value, kMaxValues> values_{};
+  std::size_t size_ = 0;
 };
 
 template <class V>
 void describe(V& values, const OwnRecord& record) {
-  const auto& [what, value] = record;
-  for (std::size_t i = 0; i < std::min(what.size(), value.size()); ++i) values.number(what[i], value[i]);
+  for (const auto& [what, value] : record.values()) values.number(*what, value);
 }
 
 // Of those that are built.
@@ -38,7 +56,7 @@ struct EffectRecords {
   std::optional<VibrotactileRecord> vibrotactile_motion{};
   std::optional<InertiaRecord> inertia_compensation{};
   std::optional<TextureRecord> texture{};
-  std::optional<OwnRecord> own{};
+  OwnRecord own{};
 };
 
 template <class V>
@@ -54,7 +72,7 @@ void describe(V& values, const EffectRecords& records) {
   describe_built(vibrotactile_motion);
   describe_built(inertia_compensation);
   describe_built(texture);
-  describe_built(own);
+  describe(values, own);
 }
 
 }  // namespace fulcrum

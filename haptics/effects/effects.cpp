@@ -3,6 +3,7 @@
 #include "haptics/effects/braking_pulse/braking_pulse_effect.h"
 #include "haptics/effects/impact_vibration/impact_vibration_effect.h"
 #include "haptics/effects/inertia_compensation/inertia_compensation_effect.h"
+#include "haptics/effects/listed_effect.h"
 #include "haptics/effects/texture/texture_effect.h"
 #include "haptics/effects/torque_substitution/torque_substitution_effect.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_motion_effect.h"
@@ -11,7 +12,7 @@ namespace fulcrum {
 namespace {
 
 // Calls f(list entry, its Desc or null) for each effect; the list entry is the type of the effect.
-template <class T>
+template <ListedEffect T>
 struct Entry {
   using Type = T;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// The list of effects. One more is a line in EffectDescs, one in effect_records.h, and one in effects.cpp.
-// Its order there is the order in which effects are asked at each stage of a tick, and that of sums.
+// The list of effects. One more is named in EffectDescs, in effect_records.h, and in effects.cpp, whose order
+// is the order in which effects are asked at each stage of a tick, and that of sums.
 
 #include <memory>
 #include <optional>

@@ -21,38 +21,33 @@
 namespace fulcrum {
 
 struct TransientFigures {
-  double peak;    // of the device's largest force and torque
-  double push;    // s, at the peak, to one side
-  double length;  // s, at the peak, to any
-  double energy;  // J
+  const char* name;  // of the budget, as `fulcrum explain` calls it
+  double peak;       // of the device's largest force and torque
+  double push;       // s, at the peak, to one side
+  double length;     // s, at the peak, to any
+  double energy;     // J
 };
 
-inline constexpr std::array<TransientFigures, kTransientSources> kTransientFigures{{
+inline constexpr auto kTransientFigures = std::to_array<TransientFigures>({
     // A pulse that stops a hand wants all that the motors have, for as long as it takes: 10 ms of a device's
     // largest force stop a hand of 0.45 kg at 0.15 m/s with 6.7 N. It goes against the hand's way and takes
     // energy; the bound is for what a moment, or a hand that has been stopped and is pushed on, gets.
-    {.peak = 1, .push = 10e-3, .length = 20e-3, .energy = 20e-3},
+    {.name = "pulse budget", .peak = 1, .push = 10e-3, .length = 20e-3, .energy = 20e-3},
     // A tone of 80 Hz or more, for as long as torque is bad. The peak is the part that a coupling which suits
     // the device leaves free (coupling_gains.h). A half wave at the peak pushes for 4 ms; a tone at it has a
     // length of 64 ms. The energy is what a handle of 70 g has at 0.38 m/s.
-    {.peak = 0.1, .push = 5e-3, .length = 70e-3, .energy = 5e-3},
+    {.name = "transient budget", .peak = 0.1, .push = 5e-3, .length = 70e-3, .energy = 5e-3},
     // Tones of 12 to 40 Hz that die away within a second, several at once. Twice the peak, which a blow
     // mostly finds free: the coupling has only begun to press. At 12 Hz a half wave lasts 42 ms, and no sum
     // of such tones pushes to one side for longer. The energy is what a hand of 0.4 kg has at 0.32 m/s, less
     // than it brings to a hard blow. A voice at its strongest (impact_vibration.h) gives 0.4 mJ to a hand of
     // 400 N/m and 4 N s/m that resonates with it; 12 Hz at the peak would give 31 mJ: the bound is for that.
-    {.peak = 0.2, .push = 42e-3, .length = 70e-3, .energy = 20e-3},
-}};
+    {.name = "impact budget", .peak = 0.2, .push = 42e-3, .length = 70e-3, .energy = 20e-3},
+});
+static_assert(kTransientFigures.size() == kTransientSources);
 
 constexpr const TransientFigures& figures_of(TransientSource source) {
   return kTransientFigures[static_cast<std::size_t>(source)];
-}
-
-// As `fulcrum explain` calls it.
-constexpr const char* budget_name(TransientSource source) {
-  constexpr std::array<const char*, kTransientSources> names{"pulse budget", "transient budget",
-                                                             "impact budget"};
-  return names[static_cast<std::size_t>(source)];
 }
 
 class TransientBudget {

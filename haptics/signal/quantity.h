@@ -14,10 +14,10 @@
 //     number(Quantity, double)
 //     count(Quantity, std::int64_t)           whole numbers, choices, yes and no
 //     vector(Quantity, const Vec3&)           three columns: /x, /y, /z
-//     pose(Quantity, const Pose&)             seven: /p and /q
-//     wrench(Quantity, const Wrench&)         six: /force and /torque
+//     pose(Quantity, const Pose&)             seven: /p/x to /p/z, and the quaternion /q/w, /q/x, /q/y, /q/z
+//     wrench(Quantity, const Wrench&)         six: /force/x to /force/z, /torque/x to /torque/z
 //     length(Quantity, const Vec3&)           one column, though the digest sees all three
-//     each(Quantity, const std::array<double, N>&, std::span<const std::string> names)   one for each name
+//     each(Quantity, std::span<const double>, std::span<const std::string> names)   one for each name
 //     unseen(const T&)                        has no column; the digest alone sees it
 //     names()                                 of the device's parts: RecordNames
 
@@ -28,7 +28,8 @@
 namespace fulcrum {
 
 struct Quantity {
-  std::string_view name;     // of its column, a tree by '/'; its first part is an effect's key in a scenario
+  std::string_view
+      name;  // of its column, a tree by '/'; its first part is an effect's key in a scenario, or its name
   std::string_view unit;     // "1" for a count or a ratio; empty for a pose or a wrench, which have their own
   std::string_view frame;    // that it is expressed in; empty where there is none
   std::string_view meaning;  // a sentence; for a pose or a wrench without its full stop
@@ -36,7 +37,7 @@ struct Quantity {
 
 // The names of those parts of a device that have a column each.
 struct RecordNames {
-  std::vector<std::string> motors{};    // in the order of PlainRecord::actuator_load
+  std::vector<std::string> motors{};    // in the order of PlainRecord::actuator_load: Actuators::name()
   std::vector<std::string> channels{};  // in the order of VibrotactileCommand::level
 };
 

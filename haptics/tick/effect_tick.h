@@ -18,9 +18,9 @@ struct EffectTick {
   HandleMotion handle;
 
   ToolAnswer answer;
-  Vec3 p_WH = Vec3::Zero();                // (3) m, the handle's place on the tool
+  Vec3 p_WH = Vec3::Zero();  // (3) m, the handle's place on the tool, not the hand's: handle.X_WH
   std::span<const ContactRegion> regions;  // that touch
-  std::span<const Impact> impacts;         // of this tick, where an effect asks for them
+  std::span<const Impact> impacts;         // of this tick, where an effect of the scene asks for them
   ContactCentroid touched;                 // where the scene names a holding point
 
   bool stopped = false;          // safety holds the force back until it is acknowledged

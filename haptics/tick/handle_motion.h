@@ -10,7 +10,7 @@ namespace fulcrum {
 struct HandleMotion {
   Pose X_DH;   // the handle, by the last sample that could be used
   Pose X_WH;   // the same in the scene: mapped, and carried on by the clutch
-  Twist V_WH;  // estimated
+  Twist V_WH;  // estimated, as late as SceneDesc::velocity lets it be
   Pose X_WG;   // where the hand wants the tool
   Twist V_WG;
 

@@ -11,7 +11,8 @@ namespace fulcrum {
 // What asks for such wrenches, in the order in which the motors serve them. What each may do is in
 // safety/transient_budget.h.
 enum class TransientSource : std::size_t { braking_pulse, torque_substitution, impact_vibration };
-inline constexpr std::size_t kTransientSources = 3;
+inline constexpr std::size_t kTransientSources =
+    static_cast<std::size_t>(TransientSource::impact_vibration) + 1;  // the last
 
 // Where a hand holds the handle away from its origin it feels p_HG x f - m beside the force f.
 struct Grasp {

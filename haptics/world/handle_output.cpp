@@ -147,7 +147,13 @@ void HandleOutput::render_transients(const Vec6& moved_D, std::uint32_t& faults)
     Transient& wanted = transients_[i];
     wanted.source = TransientSource{i};
     const TransientBudget* budget = guard_.budget(wanted.source);
-    if (budget == nullptr) continue;
+    if (budget == nullptr) {  // no effect of the scene asks for this source: nothing of it is sent
+      if (!wanted.F_H_D.is_zero()) {
+        faults |= kTransientLimited;
+        shortfall_F_H_D_ += wanted.F_H_D;
+      }
+      continue;
+    }
     const Allocation allocation = allocate_transient(wanted, moved_D, faults);
     const Wrench& F_H_D = allocation.F_H_D;
     if (!F_H_D.is_zero() || wanted.grasp) motors_.reserve(allocation);
@@ -174,14 +180,15 @@ void HandleOutput::limit_output(std::uint32_t& faults) noexcept {
   OutputLimit::Output output{
       .continuous = {continuous_.F_H_D, continuous_.effort},
       .transient = {command_F_H_D_ + -continuous_.F_H_D, effort_ - continuous_.effort}};
-  if (const std::uint32_t beyond = output_limit_.hold(output); beyond != 0) {
+  const std::uint32_t beyond = output_limit_.hold(output);
+  if (beyond != 0) {
     command_F_H_D_ = output.continuous.F_H_D + output.transient.F_H_D;
     effort_ = output.continuous.effort + output.transient.effort;
     continuous_.F_H_D = output.continuous.F_H_D;
     faults |= beyond;
-    if ((beyond & kStoppingFaults) != 0) guard_.stop(beyond & kStoppingFaults);
   }
-  guard_.commanded(continuous_.F_H_D);
+  guard_.commanded(continuous_.F_H_D);  // before a stop, which falls from what was sent
+  if ((beyond & kStoppingFaults) != 0) guard_.stop(beyond & kStoppingFaults);
 }
 
 void HandleOutput::book(const Vec6& moved_D, const Wrench& correction_F_H_D, const Stores& stores,

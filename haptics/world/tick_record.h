@@ -25,7 +25,7 @@ struct PlainRecord {
   Wrench contact_F_T_W;                            // scene, on the tool
   std::int32_t regions = 0;                        // contact regions
   double depth_max = 0;                            // m, deepest shell point by the field
-  Wrench device_F_H_D;                             // commanded, on the handle
+  Wrench device_F_H_D;                             // commanded, on the handle; holds up its weight, too
   std::array<double, kMaxMotors> actuator_load{};  // fraction of each motor's limit, signed
   Wrench shortfall_F_H_D;        // what was wanted, continuous or not, less what was commanded
   double energy_port = 0;        // J, passivity observer: below its bound the loop has given out energy
@@ -56,7 +56,9 @@ void describe(V& values, const PlainRecord& record) {
   values.count({"contact/regions", "1", "", "Contact regions that touch."}, regions);
   values.number({"contact/depth_max", "m", "", "Deepest point of the tool's shell, by the distance field."},
                 depth_max);
-  values.wrench({"device", "", "D", "Commanded on the handle, about H"}, device);
+  values.wrench(
+      {"device", "", "D", "Commanded on the handle, about H; it holds up the handle's own weight, too"},
+      device);
   values.each({"actuator/load", "1", "", "Signed fraction of this motor's limit."}, actuator_load,
               values.names().motors);
   if (values.names().motors.empty()) {

@@ -34,7 +34,7 @@ class World {
 public:
   // Refused with a sentence: no shell or field, gains that the tick cannot hold, figures that are not finite.
   // own: effects from outside haptics/effects, asked after those that the scene names
-  // (examples/own_effect.cpp).
+  // (examples/own_effect.cpp). Refused where one is null or OwnRecord has no room for its values.
   static Result<World> build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> own = {});
 
   const SceneDesc& desc() const { return desc_; }

@@ -1,9 +1,13 @@
 // What a World refuses.
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "haptics/math/number_text.h"
 #include "haptics/world/coupling_gains.h"
@@ -81,6 +85,54 @@ std::optional<Error> refuse_grip(const SceneDesc& desc, double smallest_inertia)
                "coupling.angular_stiffness, raise tick_rate_Hz, or name the integrator implicit_euler."};
 }
 
+// The first part of a column's name: whose it is.
+std::string_view owner(std::string_view column) {
+  return column.substr(0, column.find('/'));
+}
+
+// The visitor of describe() that knows whose the columns are.
+class Owners {
+public:
+  void time(const Quantity& what, std::int64_t) { add(what); }
+  void number(const Quantity& what, double) { add(what); }
+  void count(const Quantity& what, std::int64_t) { add(what); }
+  void vector(const Quantity& what, const Vec3&) { add(what); }
+  void length(const Quantity& what, const Vec3&) { add(what); }
+  void pose(const Quantity& what, const Pose&) { add(what); }
+  void wrench(const Quantity& what, const Wrench&) { add(what); }
+  void each(const Quantity& what, std::span<const double>, std::span<const std::string>) { add(what); }
+  void unseen(const auto&) {}
+  const RecordNames& names() const { return names_; }
+
+  bool know(std::string_view name) const { return std::ranges::find(owners_, name) != owners_.end(); }
+
+private:
+  void add(const Quantity& what) { owners_.push_back(owner(what.name)); }
+  std::vector<std::string_view> owners_;
+  RecordNames names_;
+};
+
+// Columns of effects from outside: as many as there is room for, each with a name of its own.
+std::optional<Error> refuse_own_columns(TickRecord blank) {
+  const OwnRecord own = std::exchange(blank.own, {});
+  if (!own.fits())
+    return Error{"The effects from outside have more than " + std::to_string(OwnRecord::kMaxValues) +
+                 " values in a tick's record together, which is all that there is room for: leave some out."};
+  Owners owners;
+  describe(owners, blank);
+  const std::span<const OwnRecord::Value> values = own.values();
+  for (auto each = values.begin(); each != values.end(); ++each) {
+    const std::string name(each->what->name);
+    if (owners.know(owner(name)))
+      return Error{"An effect from outside names a value '" + name + "', and columns that begin with '" +
+                   std::string(owner(name)) + "' are there already: begin it with the effect's own name."};
+    if (std::any_of(values.begin(), each, [&](const auto& other) { return other.what->name == name; }))
+      return Error{"Two values of effects from outside are named '" + name +
+                   "': name one of them otherwise."};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<World> World::build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> own) {
@@ -139,7 +191,11 @@ Result<World> World::build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> 
   if (auto error = refuse_channels(desc.device)) return *error;
   if (auto error = refuse_effects(desc, desc)) return *error;
   World world(std::move(desc));
-  for (std::unique_ptr<Effect>& effect : own) world.effects_.push_back(std::move(effect));
+  for (std::unique_ptr<Effect>& effect : own) {
+    if (!effect) return Error{"An effect from outside is null: make it before the World is built."};
+    world.effects_.push_back(std::move(effect));
+  }
+  if (auto error = refuse_own_columns(world.blank_record())) return *error;
   return world;
 }
 

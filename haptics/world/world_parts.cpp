@@ -127,7 +127,7 @@ std::vector<BuiltPart> World::parts() const {
   if (desc_.holding_point) parts.push_back(holding_part(desc_));
   for (const auto& effect : effects_) parts.push_back(effect->part());
   for (const TransientSource source : transient_sources(desc_, desc_))
-    parts.push_back(budget_part(budget_name(source), *output_.budget(source)));
+    parts.push_back(budget_part(figures_of(source).name, *output_.budget(source)));
   const std::vector<BuiltPart> motion = motion_->parts();
   parts.insert(parts.begin() + (desc_.scene_edges ? 4 : 2), motion.begin(), motion.end());
   return parts;

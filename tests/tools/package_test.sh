@@ -13,6 +13,13 @@ cp -r "$source/examples" "$box/examples" # nothing of the tree can be reached fr
 quietly "$cmake" -G Ninja -S "$box/examples" -B "$box/build" -DCMAKE_PREFIX_PATH="$box/prefix"
 quietly "$cmake" --build "$box/build"
 
+# A program for a wider processor takes the core's types as they are, and its inline functions give the same bits.
+if grep -qw avx2 /proc/cpuinfo && grep -qw fma /proc/cpuinfo; then
+  quietly "$cmake" -G Ninja -S "$box/examples" -B "$box/wide" -DCMAKE_PREFIX_PATH="$box/prefix" -DCMAKE_CXX_FLAGS=-march=x86-64-v3
+  quietly "$cmake" --build "$box/wide" --target hello
+  quietly cmp <("$box/build/hello") <("$box/wide/hello")
+fi
+
 # The hand is 2 mm below the floor, and the tool stays on it.
 expect 0 '^hand -2.00 mm, tool [+-]0.00[0-9] mm, force [0-9.]*[1-9][0-9.]* N$' "$box/build/hello"
 expect 0 '^0.499,1.5,1.5$' "$box/build/own_effect"

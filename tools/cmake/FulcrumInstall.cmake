@@ -11,6 +11,8 @@ endforeach()
 foreach(room IN ITEMS haptics_math haptics_core haptics_bake)
   target_include_directories(fulcrum_${room} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/fulcrum>)
 endforeach()
+# The inline functions of the core give a program that uses it the same bits as they give us.
+target_compile_options(fulcrum_haptics_math INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
 install(TARGETS fulcrum_haptics_math fulcrum_haptics_core fulcrum_haptics_bake fulcrum_options sleef EXPORT fulcrum
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT fulcrum NAMESPACE fulcrum:: FILE fulcrumTargets.cmake DESTINATION ${package})
@@ -24,5 +26,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/haptics DESTINATION ${CMAKE_INSTALL_INCLUD
 function(fulcrum_install_program)
   install(TARGETS fulcrum RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${FULCRUM_CONTENT_DIR}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fulcrum/content)
-  install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CONTRIBUTING.md
+          DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endfunction()

@@ -181,7 +181,7 @@ void StageClock::time_handle() {
     unused_ += guard.limit(m.coupling_F_T_W, faults).force.x();
   });
   for (const TransientSource source : transient_sources(scene_, scene_))
-    us_[budget_name(source)] = mean_us(stretch_.times, [&](const TimePoint& m) {
+    us_[figures_of(source).name] = mean_us(stretch_.times, [&](const TimePoint& m) {
       std::uint32_t faults = 0;
       unused_ += guard.limit_transient(source, m.coupling_F_T_W * 0.01, {}, Vec6::Zero(), faults).force.x();
     });

@@ -99,14 +99,13 @@ TEST(TransientBudget, EndsASourceThatFeedsTheHand) {
   EXPECT_LE(given, kFigures.energy + kPeak * v * kTick);
 }
 
-// Beside a continuous force near the device's limit the sum stays within it, and the continuous part is
-// whole.
 // What a force takes from the hand is no credit for a torque that feeds it.
 TEST(TransientBudget, ForceAndTorqueAreBoundedEach) {
   DeviceDesc device;
   device.renders_torque = true;
   device.max_torque = 0.3;
-  constexpr TransientFigures figures{.peak = 1, .push = 1, .length = 1, .energy = 20e-3};
+  constexpr TransientFigures figures{
+      .name = "energy alone", .peak = 1, .push = 1, .length = 1, .energy = 20e-3};
   TransientBudget budget(figures, device, kTick);
   const Wrench wanted{Vec3(0, 5, 0), Vec3(0, 0, 0.3)};
   Vec6 moved = Vec6::Zero();
@@ -123,6 +122,8 @@ TEST(TransientBudget, ForceAndTorqueAreBoundedEach) {
   EXPECT_NEAR(budget.force_energy(), -4 * 10e-3, 1e-12);
 }
 
+// Beside a continuous force near the device's limit the sum stays within it, and the continuous part is
+// whole.
 TEST(Guard, TransientsGetWhatTheContinuousForceLeaves) {
   const DeviceDesc device;
   Guard guard(device, kTick, kSource);
@@ -165,7 +166,7 @@ TEST(Guard, AStopEndsTransientsToo) {
 }
 
 // Torque is bounded as force is, each alone; what is beyond takes the whole wrench out.
-TEST(TransientBudget, BoundsTorqueLikewise) {
+TEST(TransientBudget, BoundsTorqueToo) {
   DeviceDesc device;
   device.renders_torque = true;
   device.max_torque = 0.3;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "haptics/safety/faults.h"
@@ -38,12 +40,41 @@ private:
   Wrench push_{Vec3(1, 0, 0), Vec3::Zero()};
 };
 
+// Pushes with 1 N, but for one tick.
 class NotANumber final : public Own {
 public:
   Wrench shape(const EffectTick& tick) noexcept override {
-    return {Vec3::Constant(tick.tick < 1000 ? 0 : std::numeric_limits<double>::quiet_NaN()), Vec3::Zero()};
+    return {Vec3(tick.tick == 1000 ? std::numeric_limits<double>::quiet_NaN() : 1, 0, 0), Vec3::Zero()};
   }
 };
+
+// Asks for what no effect of the scene has a budget for.
+class Striker final : public Own {
+public:
+  std::optional<Transient> strike(const EffectTick& tick) noexcept override {
+    if (tick.tick < 1000) return std::nullopt;
+    return Transient{TransientSource::braking_pulse, {Vec3(2, 0, 0), Vec3::Zero()}};
+  }
+};
+
+// Leaves behind the values of `what`, each with its number.
+class Telling final : public Own {
+public:
+  explicit Telling(std::vector<Quantity> what) : what_(std::move(what)) {}
+  void record(EffectRecords& records) const noexcept override {
+    for (std::size_t i = 0; i < what_.size(); ++i) records.own.add(what_[i], 1.0 + static_cast<double>(i));
+  }
+
+private:
+  std::vector<Quantity> what_;
+};
+
+std::string refused(std::vector<std::vector<Quantity>> told) {
+  std::vector<std::unique_ptr<Effect>> own;
+  for (auto& what : told) own.push_back(std::make_unique<Telling>(std::move(what)));
+  const Result<World> world = World::build(free_scene(), std::move(own));
+  return world ? "" : world.error().sentence;
+}
 
 World world_with(std::unique_ptr<Effect> effect) {
   std::vector<std::unique_ptr<Effect>> own;
@@ -73,21 +104,63 @@ TEST(OwnEffect, CannotHideEnergyFromTheObserver) {
   EXPECT_TRUE(resisted);
 }
 
+// Once it has fallen, however that was, it does not come back.
 TEST(OwnEffect, ThatGivesNoNumberStopsTheForce) {
   World world = world_with(std::make_unique<NotANumber>());
   const Pose X_DH = world.desc().mapping.handle_in_device({Quat::Identity(), Vec3(0.01, 0.05, 0)});
   std::uint32_t faults = 0;
+  double before = 0;
   for (int i = 0; i < 1100; ++i) {
     const StepResult result = step(world, at(X_DH), {});
     ASSERT_TRUE(result.command.F_H_D.is_finite()) << i;
-    ASSERT_LE(result.command.F_H_D.force.norm(), world.desc().device.max_force) << i;
+    const double force = result.command.F_H_D.force.norm();
+    if (i == 999) EXPECT_NEAR(force, 1, 1e-9);
+    if (i >= 1000) EXPECT_LE(force, before) << i;
+    before = force;
     faults |= result.record.faults;
     if (i > 1003) {
       EXPECT_TRUE(result.record.stopped) << i;
-      EXPECT_EQ(result.command.F_H_D.force.norm(), 0) << i;
+      EXPECT_EQ(force, 0) << i;
     }
   }
   EXPECT_TRUE(faults & kNotFinite);
+}
+
+TEST(OwnEffect, IsToldThatItsTransientsHaveNoBudget) {
+  World world = world_with(std::make_unique<Striker>());
+  const DeviceSample sample = at(world.desc().mapping.handle_in_device({Quat::Identity(), Vec3(0, 0.05, 0)}));
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(step(world, sample, {}).record.faults & kTransientLimited, 0) << i;
+  const StepResult result = step(world, sample, {});
+  EXPECT_TRUE(result.record.faults & kTransientLimited);
+  EXPECT_EQ(result.command.F_H_D.force.norm(), 0);
+  EXPECT_NEAR(result.record.shortfall_F_H_D.force.x(), 2, 1e-9);
+}
+
+TEST(OwnEffect, OfSeveralEachHasItsValues) {
+  std::vector<std::unique_ptr<Effect>> own;
+  own.push_back(std::make_unique<Telling>(std::vector<Quantity>{{"first/a", "1", "", "A."}}));
+  own.push_back(std::make_unique<Telling>(
+      std::vector<Quantity>{{"second/a", "1", "", "A."}, {"second/b", "1", "", "B."}}));
+  const World world = expect(World::build(free_scene(), std::move(own)));
+  const TickRecord record = world.blank_record();
+  std::vector<std::pair<std::string_view, double>> values;
+  for (const auto& [what, value] : record.own.values()) values.emplace_back(what->name, value);
+  EXPECT_EQ(values, (std::vector<std::pair<std::string_view, double>>{
+                        {"first/a", 1}, {"second/a", 1}, {"second/b", 2}}));
+}
+
+TEST(OwnEffect, WhoseColumnsCannotBeIsRefused) {
+  const auto value = [](std::string_view name) { return Quantity{name, "1", "", "A number."}; };
+  EXPECT_EQ(refused({{value("breeze/force")}}), "");
+  EXPECT_EQ(refused({std::vector<Quantity>(9, value("breeze/force"))}).substr(0, 53),
+            "The effects from outside have more than 8 values in a");
+  EXPECT_TRUE(refused({{value("tool/p/x")}}).starts_with("An effect from outside names a value 'tool/p/x'"));
+  EXPECT_TRUE(
+      refused({{value("timestamp")}}).starts_with("An effect from outside names a value 'timestamp'"));
+  EXPECT_TRUE(refused({{value("breeze/force")}, {value("breeze/force")}})
+                  .starts_with("Two values of effects from outside are named 'breeze/force'"));
+  std::vector<std::unique_ptr<Effect>> none(1);
+  EXPECT_FALSE(World::build(free_scene(), std::move(none)));
 }
 
 }  // namespace

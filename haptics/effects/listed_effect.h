@@ -1,0 +1,40 @@
+#pragma once
+// What the list (effects.cpp) asks of an effect's class beside what Effect asks of it in a tick.
+
+#include <concepts>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/effects/effect.h"
+#include "haptics/math/result.h"
+#include "haptics/scene/figure_check.h"
+#include "haptics/scene/plain_scene.h"
+
+namespace fulcrum {
+
+template <class T>
+concept ListedEffect = std::derived_from<T, Effect> &&
+    std::constructible_from<T, const typename T::Desc&, const PlainScene&> &&
+    requires(const typename T::Desc& desc, const PlainScene& scene, FigureCheck& figures,
+             const EffectRecords& records) {
+  // The key in a scenario, and the first part of its columns' names.
+  { T::kName } -> std::convertible_to<const char*>;
+  // Why this scene's device has no use for it, as the end of a sentence; empty: it is built.
+  { T::why_not(desc, scene) } -> std::same_as<std::string>;
+  // The range of each figure. A World that a program builds is held to these; a scenario's reader
+  // (engine/scenario/describe_effects.cpp) gives its ranges with the keys.
+  { T::check(figures, desc) } -> std::same_as<void>;
+  // What cannot be with this scene, as a sentence with a remedy.
+  { T::refuse(desc, scene) } -> std::same_as<std::optional<Error>>;
+  // Of one that is built, the parts that this scene does without.
+  { T::left_out(desc, scene) } -> std::same_as<std::vector<LeftOut>>;
+  // What it asks for in strike().
+  { T::transients(desc, scene) } -> std::same_as<std::vector<TransientSource>>;
+  // What a person can set while it runs, as the records have it. Two knobs have two keys.
+  { T::knobs(desc, scene, records) } -> std::same_as<std::vector<Knob>>;
+  // Whether it reads EffectTick::impacts: else they are not looked for.
+  { T::kAsksForImpacts } -> std::convertible_to<bool>;
+};
+
+}  // namespace fulcrum
