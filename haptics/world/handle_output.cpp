@@ -121,8 +121,8 @@ void HandleOutput::want(const Transient& transient) noexcept {
 Allocation HandleOutput::allocate_grasped(const Transient& wanted, const Vec6& moved_D,
                                           std::uint32_t& faults) noexcept {
   const Grasp& grasp = *wanted.grasp;
-  const Allocation able = grasp.moment ? motors_.pulse(wanted.F_H_D, grasp.p_HG_D, grasp.lever)
-                                       : motors_.allocate_uniform(wanted.F_H_D);
+  Allocation able = grasp.moment ? motors_.pulse(wanted.F_H_D, grasp.p_HG_D, grasp.lever)
+                                 : motors_.allocate_uniform(wanted.F_H_D);
   const Wrench allowed = guard_.limit_transient(wanted.source, able.F_H_D, command_F_H_D_, moved_D, faults);
   if (allowed.force == able.F_H_D.force && allowed.torque == able.F_H_D.torque) return able;
   const auto felt = [&grasp](const Wrench& F_H_D) {
