@@ -286,7 +286,7 @@ SceneDesc changed(SceneDesc scene, const DeviceDesc& device, ContactResponse res
   if (effects) {
     if (!scene.impact_vibration) scene.impact_vibration.emplace();
     if (!scene.braking_pulse) scene.braking_pulse.emplace();
-    if (!scene.texture) scene.texture = {.wavelength = 1e-3, .height = 100e-6};  // as steep as files
+    if (!scene.texture) scene.texture = {.wavelength = 1e-3, .height = 100e-6};  // slopes to 0.63
     scene.braking_pulse->p_HG = Vec3(0.02, 0.08, 0.05);
   }
   scene.coupling = tune_coupling({}, scene);
