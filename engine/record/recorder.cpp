@@ -133,8 +133,8 @@ void Recorder::tick(const RecordedTick& tick) {
   s.flight.add({tick.record, tick.task_step, tick.hard_touches});
   if (!s.recording) return;
   s.trace.row({tick.record, tick.task_step, tick.hard_touches});
-  if (s.channels && tick.record.vibrotactile_motion)
-    s.channels->tick(tick.record.vibrotactile_motion->command);
+  if (const VibrotactileCommand* command = channel_command(tick.record); s.channels && command)
+    s.channels->tick(*command);
   s.timing.row({tick.record.tick, tick.cpu_ns, tick.wake_late_ns, tick.lost_before});
   s.tape.entry(tick.sample, tick.commands, tick.lost_before, digest(tick.record));
   ++s.pending;

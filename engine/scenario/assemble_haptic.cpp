@@ -159,7 +159,7 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
     scene.scene_objects = objects_of(scenario, models);
   scene.coupling = tune_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
-  if (const auto warning = lateral_beyond_limit(scene)) result.warnings.push_back(*warning);
+  for (const std::string& warning : advice_on_effects(scene, scene)) result.warnings.push_back(warning);
 
   Baking shell_baking("pointshell", progress);
   auto shell = cache.pointshell(result.tool_T, scenario.shell);

@@ -83,8 +83,8 @@ bool draws_arms(const Scenario& scenario, const SceneDesc& scene) {
 }
 
 bool draws_levels(const SceneDesc& scene) {
-  return scene.vibrotactile_motion && scene.vibrotactile_motion->use == VibrotactileUse::sweep &&
-         scene.device.vibrotactile;
+  const std::optional<ChannelUse> use = channel_use(scene, scene);
+  return use && use->axis_W;
 }
 
 Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,

@@ -18,7 +18,7 @@
 #include "haptics/bake/pointshell_bake.h"
 #include "haptics/device/hand.h"
 #include "haptics/math/names_of.h"
-#include "haptics/world/coupling_gains.h"
+#include "haptics/scene/coupling_gains.h"
 #include "haptics/world/scene_desc.h"
 
 namespace fulcrum::scenario {

@@ -1,6 +1,7 @@
 #include "haptics/actuation/mechanism.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +12,8 @@ namespace {
 JointChain::Jacobian inverse_transposed(const JointChain::Jacobian& J) noexcept {
   const JointChain::Jacobian inverse = J.partialPivLu().inverse();
   if (inverse.norm() * Mechanism::kMinLever < 1) return inverse.transpose();  // false for what is no number
-  const Eigen::JacobiSVD<JointChain::Jacobian> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<JointChain::Jacobian, Eigen::NoQRPreconditioner> svd(
+      J, Eigen::ComputeFullU | Eigen::ComputeFullV);  // it is square: there is nothing to precondition
   return svd.matrixU() * svd.singularValues().cwiseMax(Mechanism::kMinLever).cwiseInverse().asDiagonal() *
          svd.matrixV().transpose();
 }

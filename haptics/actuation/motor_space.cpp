@@ -1,6 +1,7 @@
 #include "haptics/actuation/motor_space.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 namespace fulcrum {
 namespace {
@@ -9,6 +10,22 @@ constexpr double kRankThreshold = 1e-9;  // of the largest pivot
 constexpr double kForceFirst = 1e4;      // what force counts beside torque, where both cannot be
 constexpr double kRidge = 1e-14;         // of the trace, where a force or torque cannot be had
 constexpr double kOwn = 0.5;             // of a spare direction: what live motors must have of it
+
+using EffortSquare = Eigen::Matrix<double, kMaxMotors, kMaxMotors>;
+
+// The whole Q, one reflection after the other: what qr.householderQ() gives for so few columns. That takes
+// three times as long to compile, with the products of blocks that it has for many.
+template <class Columns>
+EffortSquare q_of(const Eigen::ColPivHouseholderQR<Columns>& qr) {
+  EffortSquare Q = EffortSquare::Identity();
+  Effort workspace;
+  for (Eigen::Index k = qr.matrixQR().cols() - 1; k >= 0; --k) {
+    const Eigen::Index rows = Q.rows() - k;
+    const Eigen::Block<const Columns, Eigen::Dynamic, 1> essential(qr.matrixQR(), k + 1, k, rows - 1, 1);
+    Q.bottomRightCorner(rows, rows).applyHouseholderOnTheLeft(essential, qr.hCoeffs()[k], workspace.data());
+  }
+  return Q;
+}
 
 }  // namespace
 
@@ -40,7 +57,7 @@ void MotorSpace::factorise_rows(const WrenchMatrix& wrenches, double lever) noex
   Eigen::ColPivHouseholderQR<Columns> qr(scaled.transpose());
   qr.setThreshold(kRankThreshold);
   const auto rank = static_cast<int>(qr.rank());
-  const Eigen::Matrix<double, kMotors, kMotors> Q = qr.householderQ();
+  const EffortSquare Q = q_of(qr);
   complete_ = rank == kRows;
 
   spare_.setZero();

@@ -59,6 +59,11 @@ struct EffectRecords {
   OwnRecord own{};
 };
 
+// What the device's channels were told; null: nothing drives them.
+inline const VibrotactileCommand* channel_command(const EffectRecords& records) {
+  return records.vibrotactile_motion ? &records.vibrotactile_motion->command : nullptr;
+}
+
 template <class V>
 void describe(V& values, const EffectRecords& records) {
   const auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion,

@@ -78,6 +78,22 @@ std::vector<TransientSource> transient_sources(const PlainScene& scene, const Ef
   return sources;
 }
 
+std::optional<ChannelUse> channel_use(const PlainScene& scene, const EffectDescs& descs) {
+  std::optional<ChannelUse> use;
+  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc& desc) {
+    if (!use) use = T::channel_use(desc, scene);
+  });
+  return use;
+}
+
+std::vector<std::string> advice_on_effects(const PlainScene& scene, const EffectDescs& descs) {
+  std::vector<std::string> advice;
+  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc& desc) {
+    if (const auto sentence = T::advise(desc, scene)) advice.push_back(*sentence);
+  });
+  return advice;
+}
+
 std::vector<Knob> effect_knobs(const PlainScene& scene, const EffectDescs& descs,
                                const EffectRecords& records) {
   std::vector<Knob> knobs;

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "haptics/effects/braking_pulse/braking_pulse.h"
@@ -15,6 +16,7 @@
 #include "haptics/effects/torque_substitution/torque_substitution.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_motion.h"
 #include "haptics/math/result.h"
+#include "haptics/scene/channel_use.h"
 #include "haptics/scene/figure_check.h"
 #include "haptics/scene/plain_scene.h"
 
@@ -50,6 +52,12 @@ bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs);
 
 // What those ask of the motors at a stroke.
 std::vector<TransientSource> transient_sources(const PlainScene& scene, const EffectDescs& descs);
+
+// What one of those does with the device's channels; none: nothing drives them.
+std::optional<ChannelUse> channel_use(const PlainScene& scene, const EffectDescs& descs);
+
+// What is likely to go ill with those, sentences.
+std::vector<std::string> advice_on_effects(const PlainScene& scene, const EffectDescs& descs);
 
 // What a person can set of those, as the records have it; the same in number and order in every tick.
 std::vector<Knob> effect_knobs(const PlainScene& scene, const EffectDescs& descs,

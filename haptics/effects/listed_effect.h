@@ -8,6 +8,7 @@
 
 #include "haptics/effects/effect.h"
 #include "haptics/math/result.h"
+#include "haptics/scene/channel_use.h"
 #include "haptics/scene/figure_check.h"
 #include "haptics/scene/plain_scene.h"
 
@@ -31,6 +32,10 @@ concept ListedEffect = std::derived_from<T, Effect> &&
   { T::left_out(desc, scene) } -> std::same_as<std::vector<LeftOut>>;
   // What it asks for in strike().
   { T::transients(desc, scene) } -> std::same_as<std::vector<TransientSource>>;
+  // What it does with the device's channels. One effect of a scene can drive them.
+  { T::channel_use(desc, scene) } -> std::same_as<std::optional<ChannelUse>>;
+  // What is likely to go ill in this scene all the same, as a sentence with a remedy.
+  { T::advise(desc, scene) } -> std::same_as<std::optional<std::string>>;
   // What a person can set while it runs, as the records have it. Two knobs have two keys.
   { T::knobs(desc, scene, records) } -> std::same_as<std::vector<Knob>>;
   // Whether it reads EffectTick::impacts: else they are not looked for.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "haptics/math/number_text.h"
-#include "haptics/world/coupling_gains.h"
+#include "haptics/scene/coupling_gains.h"
 #include "haptics/world/figures.h"
 #include "haptics/world/world.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "haptics/math/number_text.h"
-#include "haptics/world/coupling_gains.h"
+#include "haptics/scene/coupling_gains.h"
 #include "haptics/world/world.h"
 
 namespace fulcrum {

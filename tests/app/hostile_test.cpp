@@ -18,8 +18,8 @@
 #include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
 #include "haptics/safety/faults.h"
+#include "haptics/scene/coupling_gains.h"
 #include "haptics/world/couple_without_motors.h"
-#include "haptics/world/coupling_gains.h"
 #include "haptics/world/world.h"
 
 namespace fulcrum::test {

@@ -15,7 +15,6 @@
 #include "engine/app/window/prepare_in_window.h"
 #include "engine/app/window/training_window.h"
 #include "engine/record/run_folder.h"
-#include "haptics/effects/impact_vibration/impact_vibration_effect.h"
 
 namespace fulcrum::app {
 namespace {
@@ -199,14 +198,6 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options)
   }
 }
 
-// Whether there are impacts to draw a circle about: known before anything is baked.
-bool feels_impacts(const scenario::Scenario& scenario, const std::string& device) {
-  SceneDesc scene;
-  scene.device = device == "mouse" ? MouseDevice::mouse_desc() : scenario.device.desc;
-  scene.impact_vibration = scenario.effects.impact_vibration;
-  return is_built<ImpactVibrationEffect>(scene, scene.impact_vibration);
-}
-
 int run_command(const RunOptions& given) {
   RunOptions options = given;
   if (options.device.empty()) options.device = options.headless ? "simulated" : "mouse";
@@ -231,10 +222,12 @@ int run_command(const RunOptions& given) {
       return kError;
     }
   }
-  if (options.circle && !feels_impacts(*scenario, options.device)) {
-    complain("--circle: nothing in '" + options.scenario +
-             "' vibrates at impacts on this device: leave it out, or name impact_vibration in the scenario");
-    return kUsage;
+  if (options.circle) {
+    const DeviceDesc desc = options.device == "mouse" ? MouseDevice::mouse_desc() : scenario->device.desc;
+    if (const auto refused = refuse_impact_circle(options.scenario, scenario->effects, desc)) {
+      complain("--circle: " + refused->sentence);
+      return kUsage;
+    }
   }
   if (!options.headless) {
     catch_interrupts();

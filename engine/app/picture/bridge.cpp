@@ -70,11 +70,11 @@ FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenari
                          const SceneDesc& scene)
     : markers_(desc.markers.size()), guide_(scenario.guide), X_TH_(scene.tool.X_HT.inverse()) {
   if (desc.ghost) ghost_q_HT_ = scene.tool.X_HT.q;
-  if (scenario::draws_levels(scene)) {
+  if (const auto use = channel_use(scene, scene); use && use->axis_W) {
     left_ = scene.device.vibrotactile->find("left").value_or(0);
     right_ = scene.device.vibrotactile->find("right").value_or(0);
-    strongest_ = scene.vibrotactile_motion->strength;
-    q_WF_ = scenario::level_turn(scene.vibrotactile_motion->axis_W);
+    strongest_ = use->signal.largest;
+    q_WF_ = scenario::level_turn(*use->axis_W);
   }
   for (const render::Instance& instance : desc.instances) {
     if (!instance.movable) continue;
@@ -94,9 +94,8 @@ glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const
   const Pose X_WH = record.X_WT * X_TH_;  // where the tool is seen to be held
   const Pose X_WF{q_WF_, X_WH.p};         // of the level bars
   const auto level_at = [&](int side, std::size_t channel) {
-    const double level =
-        record.vibrotactile_motion.value_or(VibrotactileRecord()).command.level[channel] / strongest_;
-    return scenario::level_pose(X_WF, side, level);
+    const VibrotactileCommand* told = channel_command(record);
+    return scenario::level_pose(X_WF, side, told ? told->level[channel] / strongest_ : 0);
   };
   switch (body) {
     case scenario::kFollowsGuide:

@@ -6,6 +6,7 @@
 
 #include "engine/render/turned.h"
 #include "engine/scenario/to_glm.h"
+#include "haptics/effects/impact_vibration/impact_vibration_effect.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum::app {
@@ -47,6 +48,16 @@ glm::mat4 piece_pose(std::size_t piece, const StruckPlace& struck, const Pose& X
 }
 
 }  // namespace
+
+std::optional<Error> refuse_impact_circle(const std::string& scenario, const EffectDescs& effects,
+                                          const DeviceDesc& device) {
+  PlainScene scene;
+  scene.device = device;
+  if (is_built<ImpactVibrationEffect>(scene, effects.impact_vibration)) return std::nullopt;
+  return Error{
+      "nothing in '" + scenario +
+      "' vibrates at impacts on this device: leave it out, or name impact_vibration in the scenario"};
+}
 
 std::optional<StruckPlace> struck_place(const TickRecord& record, const Vec3& p_TH, double time) {
   if (!record.impact || record.impact->count == 0 || !record.impact_vibration) return std::nullopt;

@@ -5,12 +5,18 @@
 // about the manipulation point. With the axis alone all of these feel alike; the frequency tells r.
 
 #include <optional>
+#include <string>
 
 #include "engine/render/visual_desc.h"
 #include "engine/scenario/followed.h"
+#include "haptics/effects/effects.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::app {
+
+// Why there is no circle to draw: no impact vibrates on this device. It is known before anything is baked.
+std::optional<Error> refuse_impact_circle(const std::string& scenario, const EffectDescs& effects,
+                                          const DeviceDesc& device);
 
 // Of the newest impact that was felt, in T as it was then.
 struct StruckPlace {

@@ -99,9 +99,8 @@ std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene) {
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) {
   SceneDesc scene = prepared.haptic.scene;
   if (device == "mouse") {
-    std::optional<VibrotactileDesc> shown;  // the levels of a sweep are seen and written all the same
-    if (scene.vibrotactile_motion && scene.vibrotactile_motion->use == VibrotactileUse::sweep)
-      shown = std::move(scene.device.vibrotactile);
+    std::optional<VibrotactileDesc> shown;  // levels that are drawn are seen and written all the same
+    if (scenario::draws_levels(scene)) shown = std::move(scene.device.vibrotactile);
     scene.device = MouseDevice::mouse_desc();
     scene.device.vibrotactile = std::move(shown);
     scene.mapping = MappingDesc{};

@@ -10,7 +10,6 @@
 #include "engine/scenario/load.h"
 #include "haptics/actuation/actuators.h"
 #include "haptics/contact/shell_walk.h"
-#include "haptics/effects/vibrotactile_motion/vibrotactile_motion_effect.h"
 
 namespace fulcrum::app {
 
@@ -98,10 +97,9 @@ record::TraceColumns trace_columns(const World& world, const scenario::TaskDesc&
 }
 
 std::optional<record::ChannelRecording> channel_recording(const SceneDesc& scene) {
-  if (!scene.device.vibrotactile || !is_built<VibrotactileMotionEffect>(scene, scene.vibrotactile_motion))
-    return std::nullopt;
-  return record::ChannelRecording{*scene.device.vibrotactile,
-                                  vibrotactile_signal(*scene.vibrotactile_motion)};
+  const std::optional<ChannelUse> use = channel_use(scene, scene);
+  if (!use) return std::nullopt;
+  return record::ChannelRecording{*scene.device.vibrotactile, use->signal};
 }
 
 }  // namespace fulcrum::app

@@ -25,11 +25,11 @@
 #include "haptics/contact/impact.h"
 #include "haptics/device/mapping.h"
 #include "haptics/effects/impact_vibration/distance_model.h"
-#include "haptics/effects/impact_vibration/impact_material.h"
 #include "haptics/effects/impact_vibration/impact_vibration_record.h"
 #include "haptics/effects/impact_vibration/impact_voices.h"
 #include "haptics/math/names_of.h"
 #include "haptics/math/pose.h"
+#include "haptics/scene/impact_material.h"
 #include "haptics/signal/ramp.h"
 #include "haptics/tick/command.h"
 

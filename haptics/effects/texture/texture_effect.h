@@ -7,6 +7,7 @@
 #include "haptics/effects/effect.h"
 #include "haptics/effects/texture/texture.h"
 #include "haptics/math/result.h"
+#include "haptics/scene/channel_use.h"
 #include "haptics/scene/figure_check.h"
 #include "haptics/scene/plain_scene.h"
 
@@ -22,6 +23,8 @@ public:
   static std::optional<Error> refuse(const Desc&, const PlainScene&) { return std::nullopt; }
   static std::vector<LeftOut> left_out(const Desc&, const PlainScene&) { return {}; }
   static std::vector<TransientSource> transients(const Desc&, const PlainScene&) { return {}; }
+  static std::optional<ChannelUse> channel_use(const Desc&, const PlainScene&) { return std::nullopt; }
+  static std::optional<std::string> advise(const Desc&, const PlainScene&) { return std::nullopt; }
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;
 

@@ -7,6 +7,7 @@
 #include "haptics/effects/effect.h"
 #include "haptics/effects/torque_substitution/torque_substitution.h"
 #include "haptics/math/result.h"
+#include "haptics/scene/channel_use.h"
 #include "haptics/scene/figure_check.h"
 #include "haptics/scene/plain_scene.h"
 
@@ -25,6 +26,8 @@ public:
   // Parts of it that this scene does without; it is built.
   static std::vector<LeftOut> left_out(const Desc& desc, const PlainScene& scene);
   static std::vector<TransientSource> transients(const Desc& desc, const PlainScene& scene);
+  static std::optional<ChannelUse> channel_use(const Desc&, const PlainScene&) { return std::nullopt; }
+  static std::optional<std::string> advise(const Desc&, const PlainScene&) { return std::nullopt; }
   // What a person can set of it in this scene, as the records have it.
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;

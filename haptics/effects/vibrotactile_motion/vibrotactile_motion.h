@@ -49,10 +49,6 @@ struct VibrotactileMotionDesc {
   double full_force = 1;         // N, fallback: at which the vibration is at its strongest
 };
 
-inline VibrotactileSignal vibrotactile_signal(const VibrotactileMotionDesc& desc) {
-  return {.carrier_Hz = desc.carrier_Hz, .largest = desc.strength};
-}
-
 class VibrotactileMotion {
 public:
   static constexpr double kFast = 0.2;  // m/s, above which levels are updated every tick

@@ -5,6 +5,7 @@
 #include "haptics/actuation/vibrotactile_output.h"
 #include "haptics/effects/effects.h"
 #include "haptics/math/number_text.h"
+#include "haptics/scene/coupling_gains.h"
 #include "haptics/signal/held_sine.h"
 
 namespace fulcrum {
@@ -81,6 +82,25 @@ std::vector<LeftOut> VibrotactileMotionEffect::left_out(const Desc& desc, const 
   else if (!scene.device.renders_force)
     parts.push_back({"lateral force", device + "has no motors"});
   return parts;
+}
+
+std::optional<ChannelUse> VibrotactileMotionEffect::channel_use(const Desc& desc, const PlainScene& scene) {
+  if (!scene.device.vibrotactile) return std::nullopt;
+  ChannelUse use{.signal = {.carrier_Hz = desc.carrier_Hz, .largest = desc.strength}};
+  if (desc.use == VibrotactileUse::sweep) use.axis_W = desc.axis_W;
+  return use;
+}
+
+// The lateral force is a damper of lateral_force / full_speed, without a spring.
+std::optional<std::string> VibrotactileMotionEffect::advise(const Desc& desc, const PlainScene& scene) {
+  if (desc.use != VibrotactileUse::sweep || desc.lateral_force == 0) return std::nullopt;
+  const double damping = desc.lateral_force / desc.full_speed;
+  const double limit = damping_limit(scene);
+  if (damping <= limit) return std::nullopt;
+  return "vibrotactile_motion.lateral_force / full_speed is " + number_text(damping) +
+         " N s/m, and the device, let go, holds at most " + number_text(limit) +
+         " N s/m: it may buzz in a light hand. Lower the one or raise the other, raise tick_rate_Hz, or name "
+         "a velocity_estimator that is less late.";
 }
 
 std::vector<Knob> VibrotactileMotionEffect::knobs(const Desc& desc, const PlainScene& scene,

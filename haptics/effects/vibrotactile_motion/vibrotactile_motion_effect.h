@@ -7,6 +7,7 @@
 #include "haptics/effects/effect.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_motion.h"
 #include "haptics/math/result.h"
+#include "haptics/scene/channel_use.h"
 #include "haptics/scene/figure_check.h"
 #include "haptics/scene/plain_scene.h"
 
@@ -24,6 +25,8 @@ public:
   static std::optional<Error> refuse(const Desc& desc, const PlainScene& scene);
   static std::vector<LeftOut> left_out(const Desc& desc, const PlainScene& scene);
   static std::vector<TransientSource> transients(const Desc&, const PlainScene&) { return {}; }
+  static std::optional<ChannelUse> channel_use(const Desc& desc, const PlainScene& scene);
+  static std::optional<std::string> advise(const Desc& desc, const PlainScene& scene);
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;
 

@@ -1,4 +1,4 @@
-#include "engine/app/commands/compare_trials.h"
+#include "engine/app/studies/compare_trials.h"
 
 #include <algorithm>
 #include <cmath>

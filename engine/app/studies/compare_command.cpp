@@ -8,7 +8,7 @@
 #include "engine/app/cli/report_output.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
-#include "engine/app/commands/compare_trials.h"
+#include "engine/app/studies/compare_trials.h"
 
 namespace fulcrum::app {
 namespace {

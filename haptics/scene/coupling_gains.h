@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "haptics/world/scene_desc.h"
+#include "haptics/scene/plain_scene.h"
 
 namespace fulcrum {
 
@@ -19,7 +19,7 @@ struct StiffnessLimits {
   double stiffness;
   double angular_stiffness;
 };
-StiffnessLimits coupling_limits(const SceneDesc& desc);
+StiffnessLimits coupling_limits(const PlainScene& desc);
 
 // What a scenario gives of its coupling. The rest follows from the device.
 struct CouplingGains {
@@ -34,16 +34,13 @@ struct CouplingGains {
 // still from one encoder count to the next, 2 f_c / D (Diolaiti et al., IEEE Trans. Robotics 22(2), 2006). As
 // much angular stiffness as lets the tool turn as fast as it moves, within the same limits. Springs that
 // saturate just below the device's limits. desc: all but its coupling.
-CouplingDesc tune_coupling(const CouplingGains& given, const SceneDesc& desc);
+CouplingDesc tune_coupling(const CouplingGains& given, const PlainScene& desc);
 
 // A sentence if a stiffness is beyond its limit.
-std::optional<std::string> beyond_limits(const SceneDesc& desc);
+std::optional<std::string> beyond_limits(const PlainScene& desc);
 
-// The lateral force of a sweep is a damper of lateral_force / full_speed, without a spring: N s/m in the
-// scene, up to which the same loop is stable; infinite where the device does not push.
-double lateral_damping_limit(const SceneDesc& desc);
-
-// A sentence if it is beyond that.
-std::optional<std::string> lateral_beyond_limit(const SceneDesc& desc);
+// N s/m in the scene, of a damper on the handle without a spring, up to which the same loop is stable;
+// infinite where the device does not push.
+double damping_limit(const PlainScene& desc);
 
 }  // namespace fulcrum

@@ -1,4 +1,4 @@
-#include "haptics/world/coupling_gains.h"
+#include "haptics/scene/coupling_gains.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -32,7 +32,7 @@ double least_inertia(const ToolDesc& tool) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia_T, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-Freedom along(const SceneDesc& desc) {
+Freedom along(const PlainScene& desc) {
   const double scale = desc.mapping.position_scale * desc.mapping.force_scale;
   const DeviceDesc& device = desc.device;
   return {{device.handle_mass, device.damping, device.friction, device.encoder_step},
@@ -41,7 +41,7 @@ Freedom along(const SceneDesc& desc) {
           massless(desc.contact.response) ? 0.0 : desc.tool.mass};
 }
 
-Freedom about(const SceneDesc& desc, Eigen::Index axis) {
+Freedom about(const PlainScene& desc, Eigen::Index axis) {
   const double scale = desc.mapping.energy_scale();
   const DeviceDesc& device = desc.device;
   const double inertia = device.handle_inertia[axis];
@@ -53,16 +53,16 @@ Freedom about(const SceneDesc& desc, Eigen::Index axis) {
 }
 
 // The low-pass that is as late as the estimator.
-double filter_pole_of(const SceneDesc& desc) {
+double filter_pole_of(const PlainScene& desc) {
   const double late = VelocityEstimator(desc.velocity, desc.tick_s).delay() / desc.tick_s - 0.5;
   return late / (1 + late);
 }
 
-WallLoop loop_of(const Freedom& dof, const SceneDesc& desc) {
+WallLoop loop_of(const Freedom& dof, const PlainScene& desc) {
   return {.axis = dof.axis, .tick_s = desc.tick_s, .filter_pole = filter_pole_of(desc)};
 }
 
-double limit_of(const Freedom& dof, const SceneDesc& desc) {
+double limit_of(const Freedom& dof, const PlainScene& desc) {
   const WallLoop loop = loop_of(dof, desc);
   const auto holds = [&](double k) {
     const auto wall = [&](double inertia) {
@@ -86,7 +86,7 @@ double suited(const Freedom& dof, double limit, double otherwise) {
 }
 
 // About the axis of the handle that holds least.
-Freedom about(const SceneDesc& desc) {
+Freedom about(const PlainScene& desc) {
   const DeviceDesc& device = desc.device;
   Freedom least = about(desc, 0);
   const auto alike = [](const Vec3& v) { return v.isConstant(v.x(), 0); };
@@ -111,11 +111,11 @@ std::string sentence(const char* key, double given, const char* unit, double lim
 }
 
 // A wall that is felt without a coupling.
-std::optional<std::string> wall_beyond_limit(const SceneDesc& desc) {
+std::optional<std::string> wall_beyond_limit(const PlainScene& desc) {
   if (!desc.device.renders_force) return std::nullopt;
   double stiffest = desc.contact.stiffness;
   for (const double level : desc.contact.levels) stiffest = std::max(stiffest, level);
-  SceneDesc undamped = desc;
+  PlainScene undamped = desc;
   undamped.coupling.damping_ratio = 0;
   const double limit = limit_of(along(undamped), undamped);
   if (stiffest <= limit) return std::nullopt;
@@ -128,13 +128,13 @@ std::optional<std::string> wall_beyond_limit(const SceneDesc& desc) {
 
 }  // namespace
 
-StiffnessLimits coupling_limits(const SceneDesc& desc) {
+StiffnessLimits coupling_limits(const PlainScene& desc) {
   return {desc.device.renders_force ? limit_of(along(desc), desc) : kNoLimit,
           desc.device.renders_torque ? limit_of(about(desc), desc) : kNoLimit};
 }
 
-CouplingDesc tune_coupling(const CouplingGains& given, const SceneDesc& desc) {
-  SceneDesc with = desc;
+CouplingDesc tune_coupling(const CouplingGains& given, const PlainScene& desc) {
+  PlainScene with = desc;
   with.coupling.damping_ratio = given.damping_ratio;
   const StiffnessLimits limits = coupling_limits(with);
   const DeviceDesc& device = desc.device;
@@ -155,7 +155,7 @@ CouplingDesc tune_coupling(const CouplingGains& given, const SceneDesc& desc) {
   return coupling;
 }
 
-std::optional<std::string> beyond_limits(const SceneDesc& desc) {
+std::optional<std::string> beyond_limits(const PlainScene& desc) {
   if (!coupled(desc.contact.response)) return wall_beyond_limit(desc);
   const StiffnessLimits limits = coupling_limits(desc);
   if (desc.coupling.stiffness > limits.stiffness)
@@ -167,22 +167,9 @@ std::optional<std::string> beyond_limits(const SceneDesc& desc) {
 }
 
 // The force is in N at the handle, the speed the scene's.
-double lateral_damping_limit(const SceneDesc& desc) {
+double damping_limit(const PlainScene& desc) {
   if (!desc.device.renders_force) return kNoLimit;
   return exact_damping_limit(loop_of(along(desc), desc)) / desc.mapping.position_scale;
-}
-
-std::optional<std::string> lateral_beyond_limit(const SceneDesc& desc) {
-  if (!desc.vibrotactile_motion || desc.vibrotactile_motion->use != VibrotactileUse::sweep)
-    return std::nullopt;
-  const double damping = desc.vibrotactile_motion->lateral_force / desc.vibrotactile_motion->full_speed;
-  const double limit = damping > 0 ? lateral_damping_limit(desc) : kNoLimit;
-  if (damping <= limit) return std::nullopt;
-  return "vibrotactile_motion.lateral_force / full_speed is " + number_text(damping) +
-         " N s/m, and the device, let go, holds at most " + number_text(limit) +
-         " N s/m: it may buzz in a light hand. Lower the one or raise the other, raise tick_rate_Hz, or name "
-         "a "
-         "velocity_estimator that is less late.";
 }
 
 }  // namespace fulcrum

@@ -1,4 +1,4 @@
-#include "haptics/world/coupling_gains.h"
+#include "haptics/scene/coupling_gains.h"
 
 #include <gtest/gtest.h>
 
@@ -237,11 +237,11 @@ TEST(LateralLimits, OfAFreeMassIsTwiceItsMassATick) {
       scene.device.damping = 0;
       scene.mapping.position_scale = scale;
       const double limit = 2 * scene.device.handle_mass / tick_s / scale;
-      EXPECT_NEAR(lateral_damping_limit(scene), limit, 1e-3 * limit) << tick_s;
+      EXPECT_NEAR(damping_limit(scene), limit, 1e-3 * limit) << tick_s;
       VibrotactileMotionDesc& motion = scene.vibrotactile_motion.emplace();
       for (const double part : {0.0, 0.99, 1.01}) {
         motion.lateral_force = part * limit * motion.full_speed;
-        EXPECT_EQ(lateral_beyond_limit(scene).has_value(), part > 1) << tick_s << ' ' << part;
+        EXPECT_EQ(!advice_on_effects(scene, scene).empty(), part > 1) << tick_s << ' ' << part;
       }
     }
   }
@@ -252,13 +252,13 @@ TEST(LateralLimits, ASentenceSaysWhereTheTickIsTooSlow) {
   SceneDesc scene = hanging_scene();
   scene.velocity.kind = VelocityEstimatorKind::difference;
   scene.vibrotactile_motion.emplace().lateral_force = 2;
-  EXPECT_FALSE(lateral_beyond_limit(scene));
+  EXPECT_TRUE(advice_on_effects(scene, scene).empty());
   scene.tick_s = 1e-2;
-  const auto sentence = lateral_beyond_limit(scene);
-  ASSERT_TRUE(sentence);
-  EXPECT_NE(sentence->find("full_speed is 20 N s/m"), std::string::npos) << *sentence;
+  const std::vector<std::string> advice = advice_on_effects(scene, scene);
+  ASSERT_EQ(advice.size(), 1U);
+  EXPECT_NE(advice[0].find("full_speed is 20 N s/m"), std::string::npos) << advice[0];
   scene.device.renders_force = false;
-  EXPECT_FALSE(lateral_beyond_limit(scene));
+  EXPECT_TRUE(advice_on_effects(scene, scene).empty());
 }
 
 }  // namespace

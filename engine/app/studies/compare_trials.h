@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "engine/analysis/compare/compare.h"
-#include "engine/app/commands/compare_options.h"
 #include "engine/app/prepare/prepare.h"
+#include "engine/app/studies/compare_options.h"
 
 namespace fulcrum::app {
 
