@@ -1,15 +1,338 @@
 #include "drivers/registry.h"
 
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include "drivers/dualsense/dualsense_protocol.h"
+#include "drivers/dualshock4/dualshock4_protocol.h"
+#include "drivers/hid/hid_link.h"
+#include "drivers/sony/pad_axes.h"
+#include "drivers/spacemouse/spacemouse_protocol.h"
+#include "drivers/vibrating/vibrating_device.h"
+
 namespace fulcrum {
+namespace {
+
+using hid::HidOpened;
+using hid::HidPlace;
+
+// A family of HID devices that speak the same.
+struct HidFamily {
+  std::span<const hid::HidId> (*ids)();
+  std::unique_ptr<hid::HidProtocol> (*protocol)(const HidPlace&);
+};
+
+sony::Link link_of(const HidPlace& place) {
+  return place.bluetooth ? sony::Link::bluetooth : sony::Link::usb;
+}
+
+constexpr HidFamily kSpaceMouse{&spacemouse_ids,
+                                [](const HidPlace&) -> std::unique_ptr<hid::HidProtocol> {
+                                  return std::make_unique<SpaceMouseProtocol>();
+                                }};
+constexpr HidFamily kDualSense{&dualsense::usb_ids,
+                               [](const HidPlace& place) -> std::unique_ptr<hid::HidProtocol> {
+                                 return std::make_unique<dualsense::DualSenseProtocol>(link_of(place));
+                               }};
+constexpr HidFamily kDualShock4{&dualshock4::usb_ids,
+                                [](const HidPlace& place) -> std::unique_ptr<hid::HidProtocol> {
+                                  return std::make_unique<dualshock4::DualShock4Protocol>(link_of(place));
+                                }};
+
+// Where it is, or why it is not; what is wrong with one matters only if there is no other.
+Result<HidPlace> place_of(const HidFamily& family) {
+  const std::vector<HidPlace> places = hid::find_hid(family.ids());
+  if (places.empty()) return Error{"none is plugged in, and none is paired and awake: plug one in."};
+  const auto open = std::ranges::find(places, true, &HidPlace::permitted);
+  if (open != places.end()) return *open;
+  return Error{
+      "it is plugged in (" + places.front().path +
+      "), and you may not open it: `tools/run --udev` installs the rule that lets you; then plug it in "
+      "again."};
+}
+
+HidOpened open_family(const HidFamily& family) {
+  const Result<HidPlace> place = place_of(family);
+  if (!place) return {};
+  Result<std::unique_ptr<hid::HidPort>> port = hid::open_hid(*place);
+  if (!port) return {};
+  return {std::move(*port), family.protocol(*place)};
+}
+
+template <const HidFamily& kFamily>
+std::string why_no_hid(const std::string& /*no_window_reason*/) {
+  const Result<HidPlace> place = place_of(kFamily);
+  return place ? "" : place.error().sentence;
+}
+
+template <const HidFamily& kFamily>
+Result<std::shared_ptr<AxesSource>> hid_axes() {
+  const Result<HidPlace> place = place_of(kFamily);
+  if (!place) return place.error();
+  Result<std::unique_ptr<hid::HidPort>> port = hid::open_hid(*place);
+  if (!port) return port.error();
+  return std::shared_ptr<AxesSource>(std::make_shared<hid::HidLink>(
+      HidOpened{std::move(*port), kFamily.protocol(*place)}, [] { return open_family(kFamily); }));
+}
+
+std::string always(const std::string& /*no_window_reason*/) {
+  return "";
+}
+std::string in_window(const std::string& no_window_reason) {
+  return no_window_reason;
+}
+
+OpenDevice by_axes(std::shared_ptr<AxesSource> axes, const DeviceOrder& order) {
+  auto device = std::make_unique<RateDevice>(order.desc, std::move(axes), order.X_DH, order.tick_s);
+  RateDevice* const rate = device.get();
+  return OpenDevice{.device = std::move(device), .rate = rate};
+}
+
+// One device that is listed.
+struct Driver {
+  std::string_view name;
+  std::string_view shown;                                       // how --device takes it
+  std::string_view what;                                        // one line
+  std::string (*why_not)(const std::string& no_window_reason);  // empty: it is there
+  // argument: what follows the colon.
+  Result<OpenDevice> (*open)(const std::string& argument, const DeviceOrder& order);
+  // Where it has axes that are pushed.
+  Result<std::shared_ptr<AxesSource>> (*axes)() = nullptr;
+  const HidFamily* family = nullptr;  // of a HID device
+  std::uint32_t stop_buttons = 0, go_buttons = 0;
+  bool in_hand = false;   // a person holds it
+  bool table = false;     // content/devices has its figures
+  bool vibrates = false;  // beside another device, too
+};
+
+Result<OpenDevice> open_simulated(const std::string& /*model*/, const DeviceOrder& order) {
+  Result<std::unique_ptr<Device>> device = order.simulated();
+  if (!device) return device.error();
+  return OpenDevice{.device = std::move(*device)};
+}
+
+Result<OpenDevice> open_replay(const std::string& file, const DeviceOrder& order) {
+  Result<std::unique_ptr<Device>> device = order.replay(file);
+  if (!device) return device.error();
+  return OpenDevice{.device = std::move(*device)};
+}
+
+Result<OpenDevice> open_mouse(const std::string& /*argument*/, const DeviceOrder& order) {
+  auto device = std::make_unique<MouseDevice>(order.desc, order.X_DH, order.tick_s);
+  MouseDevice* const mouse = device.get();
+  return OpenDevice{.device = std::move(device), .mouse = mouse};
+}
+
+Result<OpenDevice> open_keyboard(const std::string& /*argument*/, const DeviceOrder& order) {
+  auto keys = std::make_shared<KeyAxes>();
+  OpenDevice opened = by_axes(keys, order);
+  opened.keys = std::move(keys);
+  return opened;
+}
+
+template <const HidFamily& kFamily>
+Result<OpenDevice> open_hid_axes(const std::string& /*argument*/, const DeviceOrder& order) {
+  Result<std::shared_ptr<AxesSource>> axes = hid_axes<kFamily>();
+  if (!axes) return axes.error();
+  return by_axes(std::move(*axes), order);
+}
+
+// Those in a hand in the order in which one is taken where none is asked for.
+constexpr Driver kDrivers[] = {
+    {"simulated", "simulated", "a 6/3-DOF device in a simulated hand, for runs without a person", &always,
+     &open_simulated},
+    {"simulated", "simulated:MODEL",
+     "the same with the figures of another device: content/devices/MODEL.yaml", &always, &open_simulated},
+    {"replay", "replay:FILE", "the handle motion of a recorded tape or trace.csv", &always, &open_replay},
+    {.name = "spacemouse",
+     .shown = "spacemouse",
+     .what = "a 3Dconnexion SpaceMouse: six axes by its cap, no force",
+     .why_not = &why_no_hid<kSpaceMouse>,
+     .open = &open_hid_axes<kSpaceMouse>,
+     .axes = &hid_axes<kSpaceMouse>,
+     .family = &kSpaceMouse,
+     .in_hand = true,
+     .table = true},
+    {.name = "dualsense",
+     .shown = "dualsense",
+     .what = "a Sony DualSense: six axes by its sticks; vibrates left and right, no force",
+     .why_not = &why_no_hid<kDualSense>,
+     .open = &open_hid_axes<kDualSense>,
+     .axes = &hid_axes<kDualSense>,
+     .family = &kDualSense,
+     .stop_buttons = sony::kShare,
+     .go_buttons = sony::kOptions,
+     .in_hand = true,
+     .table = true,
+     .vibrates = true},
+    {.name = "dualshock4",
+     .shown = "dualshock4",
+     .what = "a Sony DualShock 4: six axes by its sticks; vibrates left and right, no force",
+     .why_not = &why_no_hid<kDualShock4>,
+     .open = &open_hid_axes<kDualShock4>,
+     .axes = &hid_axes<kDualShock4>,
+     .family = &kDualShock4,
+     .stop_buttons = sony::kShare,
+     .go_buttons = sony::kOptions,
+     .in_hand = true,
+     .table = true,
+     .vibrates = true},
+    {.name = "mouse",
+     .shown = "mouse",
+     .what = "six axes by dragging, in a window; no force",
+     .why_not = &in_window,
+     .open = &open_mouse,
+     .in_hand = true},
+    {.name = "keyboard",
+     .shown = "keyboard",
+     .what = "six axes by keys, in a window; no force",
+     .why_not = &in_window,
+     .open = &open_keyboard,
+     .in_hand = true,
+     .table = true},
+};
+
+const Driver* driver_of(std::string_view name) {
+  const auto found = std::ranges::find(kDrivers, name.substr(0, name.find(':')), &Driver::name);
+  return found == std::end(kDrivers) ? nullptr : &*found;
+}
+
+std::string all_names() {
+  std::string names;
+  for (const Driver& driver : kDrivers) names += (names.empty() ? "" : ", ") + std::string(driver.shown);
+  return names;
+}
+
+DeviceListing listing_of(const Driver& driver, const std::string& no_window_reason) {
+  std::string reason = driver.why_not(no_window_reason);
+  const bool present = reason.empty();
+  return {std::string(driver.shown), std::string(driver.what), present, std::move(reason)};
+}
+
+}  // namespace
 
 std::vector<DeviceListing> list_devices(const std::string& no_window_reason) {
-  return {
-      {"simulated", "a 6/3-DOF device in a simulated hand, for runs without a person", true, ""},
-      {"simulated:MODEL", "the same with the figures of another device: content/devices/MODEL.yaml", true,
-       ""},
-      {"replay:FILE", "the handle motion of a recorded tape or trace.csv", true, ""},
-      {"mouse", "six axes by dragging, in a window; no force", no_window_reason.empty(), no_window_reason},
+  std::vector<DeviceListing> listings;
+  for (const Driver& driver : kDrivers) listings.push_back(listing_of(driver, no_window_reason));
+  return listings;
+}
+
+DeviceListing best_device(const std::string& no_window_reason) {
+  for (const Driver& driver : kDrivers) {
+    if (!driver.in_hand) continue;
+    DeviceListing listing = listing_of(driver, no_window_reason);
+    if (listing.present || driver.name == "mouse") return listing;
+  }
+  return {};
+}
+
+// A node of hidraw by USB has the numbers of the device above it; by Bluetooth they are in that one's name.
+std::string udev_rules() {
+  std::string rules =
+      "# Devices that Fulcrum opens: the person at the seat may. Written by `fulcrum devices --udev`.\n";
+  for (const Driver& driver : kDrivers) {
+    if (driver.family == nullptr) continue;
+    rules += "\n# " + std::string(driver.what) + "\n";
+    for (const hid::HidId& id : driver.family->ids()) {
+      char rule[240];
+      std::snprintf(rule, sizeof rule,
+                    "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", "
+                    "MODE=\"0660\", TAG+=\"uaccess\"\n"
+                    "KERNEL==\"hidraw*\", KERNELS==\"0005:%04X:%04X.*\", MODE=\"0660\", TAG+=\"uaccess\"\n",
+                    id.vendor, id.product, id.vendor, id.product);
+      rules += rule;
+    }
+  }
+  return rules;
+}
+
+Result<DeviceName> read_device_name(const std::string& name) {
+  const auto plus = name.starts_with("replay:") ? std::string::npos : name.find('+');
+  const DeviceName parts{name.substr(0, plus), plus == std::string::npos ? "" : name.substr(plus + 1)};
+  const Driver* const moves = driver_of(parts.moves);
+  if (moves == nullptr)
+    return Error{"There is no device '" + parts.moves + "'; there are " + all_names() +
+                 ". `fulcrum devices` says what is there and what is not."};
+  if (plus == std::string::npos) return parts;
+  const Driver* const beside = driver_of(parts.beside);
+  if (beside == nullptr || !beside->vibrates)
+    return Error{
+        "Nothing vibrates by '" + parts.beside +
+        "': after the + comes what vibrates beside the device in the hand, dualsense or dualshock4."};
+  if (!moves->in_hand || moves == beside)
+    return Error{"'" + parts.moves +
+                 "' takes nothing beside it: before the + comes another device in the hand, "
+                 "such as spacemouse or mouse."};
+  return parts;
+}
+
+std::optional<Error> refuse_device(const std::string& name, const std::string& no_window_reason,
+                                   bool by_clock) {
+  const Result<DeviceName> parts = read_device_name(name);
+  if (!parts) return parts.error();
+  for (const std::string& part : {parts->moves, parts->beside}) {
+    const Driver* const driver = driver_of(part);
+    if (driver == nullptr) continue;
+    const std::string reason = driver->why_not(no_window_reason);
+    if (!reason.empty()) return Error{"The device '" + part + "' cannot be had: " + reason};
+  }
+  if (driver_of(parts->moves)->in_hand && !no_window_reason.empty() && !by_clock)
+    return Error{
+        "The device '" + name +
+        "' is in a hand, which cannot keep up with ticks that come as fast as they can: add --realtime."};
+  return std::nullopt;
+}
+
+bool moves_as_seen(const std::string& name) {
+  const Driver* const driver = driver_of(name.substr(0, name.find('+')));
+  return driver != nullptr && driver->in_hand;
+}
+
+bool has_table(const std::string& name) {
+  const Driver* const driver = driver_of(name);
+  return driver != nullptr && driver->table;
+}
+
+namespace {
+
+Result<OpenDevice> open_parts(const DeviceName& parts, const DeviceOrder& order) {
+  const auto refused = [](const std::string& part, const Error& why) {
+    return Error{"The device '" + part + "' cannot be had: " + why.sentence + "."};
   };
+  const Driver& moves = *driver_of(parts.moves);
+  const auto colon = parts.moves.find(':');
+  const std::string argument = colon == std::string::npos ? "" : parts.moves.substr(colon + 1);
+  // A pad that vibrates by itself has one link for both.
+  const bool itself = moves.vibrates && order.signal && order.desc.vibrotactile;
+  if (parts.beside.empty() && !itself) {
+    Result<OpenDevice> opened = moves.open(argument, order);
+    return opened || !moves.in_hand ? std::move(opened) : refused(parts.moves, opened.error());
+  }
+  const std::string& by = parts.beside.empty() ? parts.moves : parts.beside;
+  Result<std::shared_ptr<AxesSource>> beside = driver_of(by)->axes();
+  if (!beside) return refused(by, beside.error());
+  Result<OpenDevice> opened =
+      parts.beside.empty() ? Result<OpenDevice>(by_axes(*beside, order)) : moves.open(argument, order);
+  if (!opened) return refused(parts.moves, opened.error());
+  if (order.signal && order.desc.vibrotactile)
+    opened->device = std::make_unique<VibratingDevice>(std::move(opened->device), std::move(*beside),
+                                                       *order.signal, order.tick_s);
+  return opened;
+}
+
+}  // namespace
+
+Result<OpenDevice> open_device(const std::string& name, const DeviceOrder& order) {
+  const Result<DeviceName> parts = read_device_name(name);
+  if (!parts) return parts.error();
+  Result<OpenDevice> opened = open_parts(*parts, order);
+  if (!opened) return opened;
+  const Driver& moves = *driver_of(parts->moves);
+  opened->stop_buttons = moves.stop_buttons;
+  opened->go_buttons = moves.go_buttons;
+  return opened;
 }
 
 }  // namespace fulcrum

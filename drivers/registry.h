@@ -1,8 +1,21 @@
 #pragma once
-// Which devices there are, and for those that are not, why: `fulcrum devices`.
+// The devices. One line of the list in registry.cpp says of each what it is, whether it is there, and makes
+// it.
+//
+// A name on the command line is one of them, or two: "spacemouse+dualsense" moves by the first and vibrates
+// by the second.
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "drivers/keyboard/key_axes.h"
+#include "drivers/mouse/mouse_device.h"
+#include "drivers/rate/rate_device.h"
+#include "haptics/device/device.h"
+#include "haptics/math/result.h"
 
 namespace fulcrum {
 
@@ -15,5 +28,56 @@ struct DeviceListing {
 
 // no_window_reason: why no window can be opened; empty if one can.
 std::vector<DeviceListing> list_devices(const std::string& no_window_reason);
+
+// The first of the devices in a hand that is there. Never empty: the mouse is the last of them.
+DeviceListing best_device(const std::string& no_window_reason);
+
+// The rules for udev that let the person at the seat open these devices, as a file of /etc/udev/rules.d whose
+// name begins with 70-.
+std::string udev_rules();
+
+// What the two parts of a name stand for.
+struct DeviceName {
+  std::string moves;   // the device that the hand moves
+  std::string beside;  // what vibrates beside it; may be empty
+};
+// Errors: there is no such device, or one of the two cannot do what is asked of it.
+Result<DeviceName> read_device_name(const std::string& name);
+
+// The device moves the handle as the trainee sees it, not in a frame of its own: a mouse, a cap, sticks,
+// keys.
+bool moves_as_seen(const std::string& name);
+
+// content/devices has its figures, under its name.
+bool has_table(const std::string& name);
+
+// Why a run cannot have this device now, known before anything is baked. no_window_reason: empty where a
+// window will be there. by_clock: ticks come when they are due, as a hand needs them.
+std::optional<Error> refuse_device(const std::string& name, const std::string& no_window_reason,
+                                   bool by_clock);
+
+// What a run asks of its device.
+struct DeviceOrder {
+  DeviceDesc desc;                             // its figures, with the channels of what vibrates beside it
+  std::optional<VibrotactileSignal> signal{};  // what the channels are to render; none: nothing drives them
+  Pose X_DH;                                   // where the handle begins
+  double tick_s = 1e-3;
+  // What the scenario makes.
+  std::function<Result<std::unique_ptr<Device>>()> simulated{};
+  std::function<Result<std::unique_ptr<Device>>(const std::string& file)> replay{};
+};
+
+struct OpenDevice {
+  std::unique_ptr<Device> device;
+  // Parts of it that the window talks to; null where it has none.
+  MouseDevice* mouse = nullptr;
+  RateDevice* rate = nullptr;
+  std::shared_ptr<KeyAxes> keys{};
+  // Of DeviceSample::buttons: those that ask for what Esc and Enter ask for.
+  std::uint32_t stop_buttons = 0, go_buttons = 0;
+};
+
+// name: one that refuse_device() has passed. Errors: it is gone meanwhile, or what it was made of is wrong.
+Result<OpenDevice> open_device(const std::string& name, const DeviceOrder& order);
 
 }  // namespace fulcrum

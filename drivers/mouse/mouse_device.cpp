@@ -26,8 +26,8 @@ DeviceDesc MouseDevice::mouse_desc() {
   return desc;
 }
 
-MouseDevice::MouseDevice(const Pose& X_DH, double tick_s)
-    : follow_(-math::expm1(-tick_s / kLag)), halfway_(X_DH), X_DH_(X_DH) {
+MouseDevice::MouseDevice(const DeviceDesc& desc, const Pose& X_DH, double tick_s)
+    : desc_(desc), follow_(-math::expm1(-tick_s / kLag)), halfway_(X_DH), X_DH_(X_DH) {
   aim(X_DH);
 }
 

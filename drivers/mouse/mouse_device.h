@@ -9,8 +9,9 @@ namespace fulcrum {
 
 class MouseDevice final : public Device {
 public:
-  // X_DH: where the handle is until aim() says otherwise.
-  MouseDevice(const Pose& X_DH, double tick_s);
+  // desc: mouse_desc(), where nothing vibrates beside it. X_DH: where the handle is until aim() says
+  // otherwise.
+  MouseDevice(const DeviceDesc& desc, const Pose& X_DH, double tick_s);
 
   static DeviceDesc mouse_desc();
 
@@ -23,7 +24,7 @@ public:
   void miss(int) noexcept override {}
 
 private:
-  DeviceDesc desc_ = mouse_desc();
+  DeviceDesc desc_;
   double follow_;  // part of the way to the aim that each of two filters in a row goes in a tick
   Snapshot<Pose> aim_;
   Pose halfway_, X_DH_;

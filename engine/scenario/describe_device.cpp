@@ -118,6 +118,9 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
                  from_to(0, 0.01));
   visitor.number({"encoder_step_rad", "", "smallest difference of orientation that is seen"},
                  device.encoder_step_rad, from_to(0, 0.1));
+  visitor.number({"sample_rate_Hz", "",
+                  "of a device that has its own: how old a sample is, is in the trace; 0: one for each tick"},
+                 device.sample_rate_Hz, from_to(0, 1e6));
   visitor.vector({"workspace", "m", "half extents about the device's origin"}, device.workspace,
                  above_to(0, 10));
   visitor.mapping(

@@ -66,6 +66,25 @@ Faults read_content(const ContentFile& file, const std::string& key, const std::
   return read_keys(*text, file.name(), folder, describe);
 }
 
+// What vibrates beside the model: an installed device, of which only the channels matter.
+Faults read_beside(DeviceEntry& device, const Node& root, const std::filesystem::path& folder,
+                   TextStore& texts) {
+  if (device.beside.empty()) return {};
+  const ContentFile file(folder, "devices", device.beside);
+  if (texts.reads_files() && file.is_own())
+    return {mark_of(root, {"device", "beside"})
+                .fault(in_quotes(device.beside) +
+                       " is a file of the scenario's folder: name an installed device")};
+  DeviceDesc beside;
+  Faults faults = read_content(file, file.name(), device.beside, root, {"device", "beside"}, folder, texts,
+                               [&](KeyVisitor& visitor) { describe_device_file(visitor, beside); });
+  if (faults.empty() && !beside.vibrotactile)
+    faults.push_back(mark_of(root, {"device", "beside"})
+                         .fault(in_quotes(device.beside) + " has no channels: name a device that vibrates"));
+  device.desc.vibrotactile = std::move(beside.vibrotactile);
+  return faults;
+}
+
 // Installed files say what real devices can bear. A scenario may bring a device that is to be simulated,
 // under a name of its own.
 Faults read_device(DeviceEntry& device, const Node& root, const std::filesystem::path& folder,
@@ -81,9 +100,11 @@ Faults read_device(DeviceEntry& device, const Node& root, const std::filesystem:
                        " too: a scenario cannot change an installed device's figures; give its own device "
                        "another name")};
   }
-  return read_content(file, device.own ? own_key : file.name(), device.model, root, {"device", "model"},
-                      folder, texts,
-                      [&](KeyVisitor& visitor) { describe_device_file(visitor, device.desc); });
+  Faults faults =
+      read_content(file, device.own ? own_key : file.name(), device.model, root, {"device", "model"}, folder,
+                   texts, [&](KeyVisitor& visitor) { describe_device_file(visitor, device.desc); });
+  append(faults, read_beside(device, root, folder, texts));
+  return faults;
 }
 
 // Each material that is named, once.

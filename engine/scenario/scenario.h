@@ -60,9 +60,10 @@ struct ToolEntry {
 };
 
 struct DeviceEntry {
-  std::string model;  // devices/MODEL.yaml, of the program's content
-  bool own = false;   // of the scenario's folder instead: it is simulated only
-  DeviceDesc desc;    // what that file says
+  std::string model;   // devices/MODEL.yaml, of the program's content
+  bool own = false;    // of the scenario's folder instead: it is simulated only
+  std::string beside;  // devices/BESIDE.yaml: its channels stand in `desc`; empty: those of the model
+  DeviceDesc desc;     // what that file says
   MappingDesc mapping;
   AllocationDesc allocation;
   bool drawn = false;           // its arms are seen, where it has such

@@ -71,6 +71,7 @@ struct DeviceDesc {
   double angular_friction = 2.0e-4;                // N m, Coulomb, each axis
   double encoder_step = 28e-6;                     // m
   double encoder_step_rad = 2.0e-4;                // rad
+  double sample_rate_Hz = 0;                       // of a device that has its own; 0: a sample for each tick
   Vec3 workspace{0.080, 0.060, 0.060};             // (3) m, half extents about D's origin
   MechanismDesc mechanism{};                       // of arms
   std::optional<StructureDesc> structure{};        // where it is known

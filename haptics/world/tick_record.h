@@ -34,6 +34,7 @@ struct PlainRecord {
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
+  std::optional<double> sample_age{};                // s, of the device's sample, where its rate is its own
   std::optional<ImpactTick> impact{};                // where impacts are detected
   std::optional<HoldingRecord> holding{};            // where the scene names a holding point
   std::optional<double> contact_stiffness{};         // N/m, of a region, where the scene has levels of it
@@ -44,8 +45,8 @@ struct PlainRecord {
 template <class V>
 void describe(V& values, const PlainRecord& record) {
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load,
-               shortfall, energy_port, energy_unrendered, force_gain, faults, stopped, clutched, impact,
-               holding, contact_stiffness, contact_stiffness_wanted] = record;
+               shortfall, energy_port, energy_unrendered, force_gain, faults, stopped, clutched, sample_age,
+               impact, holding, contact_stiffness, contact_stiffness_wanted] = record;
   values.time({"timestamp", "s", "", "Simulated time, counted in ticks."}, tick);
   values.pose({"handle", "", "W", "Where the hand wants the handle H"}, X_WH);
   values.pose({"tool", "", "W", "The tool T, at its centre of mass, after this tick"}, X_WT);
@@ -85,6 +86,8 @@ void describe(V& values, const PlainRecord& record) {
       faults);
   values.unseen(stopped);
   values.unseen(clutched);
+  if (sample_age)
+    values.number({"handle/age", "s", "", "Of the device's sample, since it was measured."}, *sample_age);
   if (contact_stiffness)
     values.number({"contact/stiffness", "N/m", "", "Of each contact region, as chosen."}, *contact_stiffness);
   if (contact_stiffness_wanted) values.unseen(*contact_stiffness_wanted);

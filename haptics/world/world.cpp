@@ -119,6 +119,7 @@ Wrench World::settle(const EffectTick& tick, std::uint32_t& faults) noexcept {
 void World::record_parts(TickRecord& record) const noexcept {
   for (const auto& effect : effects_) effect->record(record);
   record.holding = input_.holding();
+  if (desc_.device.sample_rate_Hz > 0) record.sample_age = 0;
   if (impacts_) record.impact.emplace();
   if (stiffness_) {
     record.contact_stiffness = stiffness_->now();
@@ -149,6 +150,7 @@ StepResult World::leave(const EffectTick& tick, std::uint32_t faults) noexcept {
   record.depth_max = motion_->depth_max();
   record.faults = faults;
   record.clutched = !tick.handle.engaged;
+  if (record.sample_age) record.sample_age = tick.handle.sample_age;
   if (record.impact) {
     record.impact->count = static_cast<std::int32_t>(tick.impacts.size());
     for (const Impact& each : tick.impacts)

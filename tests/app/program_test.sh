@@ -21,6 +21,10 @@ expect 0 '^piping ' "$FULCRUM" list
 expect 0 '"name": "piping"' "$FULCRUM" list --json
 expect 0 'simulated' "$FULCRUM" devices
 expect 0 'no display|there' env -u DISPLAY "$FULCRUM" devices
+expect 0 'KERNEL=="hidraw\*".*uaccess' "$FULCRUM" devices --udev
+expect_each 0 'vibrotactile motion .*on left .rumble.*right .rumble' 'lateral force .*has no motors' -- "$FULCRUM" explain sweep --device dualsense
+expect_each 0 "On mouse" -- "$FULCRUM" explain sweep --device mouse
+expect 1 'no device' "$FULCRUM" explain sweep --device nothing
 expect 0 'json-schema.org' "$FULCRUM" schema
 expect 0 'llvmpipe' "$FULCRUM" run piping --gpu list
 expect_each 0 field pointshell coupling integrator estimator surfaces shadow 'Left out' adaptive_window \
@@ -85,7 +89,11 @@ unset FULCRUM_CONTENT
 expect 1 'no hand' "$FULCRUM" run piping --headless --hand nobody --out X
 expect 1 'no device' "$FULCRUM" run piping --headless --device nothing --out X
 expect 1 'nothing.yaml|nothing' "$FULCRUM" run piping --headless --device simulated:nothing --out X
-expect 1 'mouse needs a window' "$FULCRUM" run piping --headless --device mouse --out X
+expect 1 "'mouse' cannot be had: it needs a window" "$FULCRUM" run piping --headless --device mouse --out X
+expect 1 "'keyboard' cannot be had: it needs a window" "$FULCRUM" run piping --headless --device keyboard --out X
+expect 1 "'spacemouse' cannot be had: none is plugged in" "$FULCRUM" run piping --headless --realtime --device spacemouse --out X
+expect 1 "'spacemouse' cannot be had" "$FULCRUM" run piping --device spacemouse+dualsense --headless --realtime --out X
+expect 1 "Nothing vibrates by 'mouse'" "$FULCRUM" run piping --headless --device spacemouse+mouse --out X
 expect 1 'display' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" run piping --out X
 expect 1 'pip' "$FULCRUM" run pipin --headless
 expect 1 'stiffness' "$FULCRUM" run piping --headless --set contact.stifness=1

@@ -20,7 +20,7 @@ double step_response(double t) {
 
 TEST(MouseDevice, RestsWhereItBeganUntilItIsAimed) {
   const Pose X_DH{quaternion_exp(Vec3(0.1, 0.2, -0.3)), Vec3(0.01, -0.02, 0.03)};
-  MouseDevice mouse(X_DH, 1e-3);
+  MouseDevice mouse(MouseDevice::mouse_desc(), X_DH, 1e-3);
   for (int tick = 0; tick < 100; ++tick) {
     const DeviceSample sample = mouse.read();
     EXPECT_LT((sample.X_DH.p - X_DH.p).norm(), 1e-15);
@@ -31,7 +31,7 @@ TEST(MouseDevice, RestsWhereItBeganUntilItIsAimed) {
 
 TEST(MouseDevice, FollowsAsTwoLagsInARow) {
   for (const double tick_s : {1e-4, 1e-3}) {
-    MouseDevice mouse(Pose{}, tick_s);
+    MouseDevice mouse(MouseDevice::mouse_desc(), Pose{}, tick_s);
     const Vec3 step(0.02, 0, -0.01), turn(0, 0.4, 0);
     mouse.aim({quaternion_exp(turn), step});
     for (int tick = 1; tick * tick_s <= 0.1; ++tick) {
@@ -48,7 +48,7 @@ TEST(MouseDevice, FollowsAsTwoLagsInARow) {
 // However often a screen moves it on, its speed has no steps: in a tick it changes by no more than two lags
 // allow.
 TEST(MouseDevice, AStepOfTheScreenIsNoStepOfTheHandle) {
-  MouseDevice mouse(Pose{}, 1e-3);
+  MouseDevice mouse(MouseDevice::mouse_desc(), Pose{}, 1e-3);
   const double step = 5e-3, part = 1 - std::exp(-1e-3 / kLag);
   Vec3 p = Vec3::Zero(), v = Vec3::Zero();
   for (int tick = 0; tick < 600; ++tick) {

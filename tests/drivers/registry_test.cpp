@@ -31,5 +31,77 @@ TEST(Registry, WithoutAWindowThereIsNoMouse) {
   EXPECT_TRUE(simulated->present);
 }
 
+TEST(Registry, ANameIsOneDeviceOrOneThatVibratesBesideAnother) {
+  const auto one = read_device_name("spacemouse");
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->moves, "spacemouse");
+  EXPECT_EQ(one->beside, "");
+  const auto two = read_device_name("mouse+dualsense");
+  ASSERT_TRUE(two);
+  EXPECT_EQ(two->moves, "mouse");
+  EXPECT_EQ(two->beside, "dualsense");
+  const auto file = read_device_name("replay:a+b.tape");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->moves, "replay:a+b.tape") << "a file may be called so";
+  for (const char* name : {"", "+", "spacemaus", "spacemouse+", "spacemouse+mouse", "simulated+dualsense",
+                           "dualsense+dualsense", "mouse+dualsense+dualshock4"}) {
+    const auto refused = read_device_name(name);
+    ASSERT_FALSE(refused) << name;
+    EXPECT_GT(refused.error().sentence.size(), 40U) << refused.error().sentence;
+  }
+}
+
+TEST(Registry, WhatMovesAsItIsSeenIsHeldInAHand) {
+  for (const char* name : {"mouse", "spacemouse", "keyboard", "spacemouse+dualsense"})
+    EXPECT_TRUE(moves_as_seen(name)) << name;
+  for (const char* name : {"simulated", "replay:run.tape", "scenario:arm", "nothing"})
+    EXPECT_FALSE(moves_as_seen(name)) << name;
+}
+
+TEST(Registry, TheMouseIsTakenWhereNothingElseIsThere) {
+  const DeviceListing best = best_device("");
+  EXPECT_TRUE(best.present);
+  for (const DeviceListing& device : list_devices("")) {
+    if (device.name == best.name) break;
+    const bool held = moves_as_seen(device.name);
+    EXPECT_FALSE(held && device.present) << device.name << " comes before " << best.name;
+  }
+}
+
+// A hand cannot keep up with ticks that come as fast as they can.
+TEST(Registry, WhatAHandHoldsNeedsAWindowOrAClock) {
+  for (const char* name : {"mouse", "keyboard"}) {
+    const auto refused = refuse_device(name, "There is no display.", true);
+    ASSERT_TRUE(refused) << name;
+    EXPECT_NE(refused->sentence.find("There is no display."), std::string::npos) << refused->sentence;
+    EXPECT_FALSE(refuse_device(name, "", false)) << name;
+  }
+  EXPECT_FALSE(refuse_device("simulated", "There is no display.", false));
+  EXPECT_FALSE(refuse_device("replay:run.tape", "There is no display.", false));
+}
+
+TEST(Registry, KeysMoveADeviceThatTheWindowTalksTo) {
+  const auto opened = open_device("keyboard", {.desc = MouseDevice::mouse_desc(), .X_DH = Pose{}});
+  ASSERT_TRUE(opened);
+  ASSERT_NE(opened->rate, nullptr);
+  ASSERT_NE(opened->keys, nullptr);
+  opened->keys->push({.way = {0, 1, 0}});
+  for (int tick = 0; tick < 100; ++tick) opened->device->read();
+  EXPECT_GT(opened->device->read().X_DH.p.y(), 0);
+  opened->rate->look({.rests = true});
+  for (int tick = 0; tick < 1000; ++tick) opened->device->read();
+  const double rests = opened->device->read().X_DH.p.y();
+  for (int tick = 0; tick < 100; ++tick) opened->device->read();
+  EXPECT_NEAR(opened->device->read().X_DH.p.y(), rests, 1e-12);
+}
+
+TEST(Registry, TheRulesNameEachDeviceByEitherBus) {
+  const std::string rules = udev_rules();
+  for (const char* part :
+       {"ATTRS{idVendor}==\"256f\", ATTRS{idProduct}==\"c635\"", "KERNELS==\"0005:054C:0CE6.*\"",
+        "ATTRS{idVendor}==\"054c\", ATTRS{idProduct}==\"09cc\"", "TAG+=\"uaccess\""})
+    EXPECT_NE(rules.find(part), std::string::npos) << part;
+}
+
 }  // namespace
 }  // namespace fulcrum::test

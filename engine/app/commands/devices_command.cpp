@@ -13,9 +13,18 @@ namespace fulcrum::app {
 
 namespace {
 
-int devices_command(bool json) {
+struct DevicesOptions {
+  bool json = false;
+  bool udev = false;
+};
+
+int devices_command(const DevicesOptions& options) {
+  if (options.udev) {
+    std::fputs(udev_rules().c_str(), stdout);
+    return kCompleted;
+  }
   const std::vector<DeviceListing> devices = list_devices(ui::why_no_window());
-  if (json) {
+  if (options.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const DeviceListing& d : devices)
       all.push_back(
@@ -39,11 +48,15 @@ int devices_command(bool json) {
 }  // namespace
 
 void add_devices(Program& program) {
-  const auto json = std::make_shared<bool>(false);
+  const auto options = std::make_shared<DevicesOptions>();
   program.add(
       "devices", "Which devices are there, and why others are not",
-      [json](Arguments& arguments) { arguments.json("As JSON", *json); },
-      [json] { return devices_command(*json); });
+      [options](Arguments& arguments) {
+        arguments.json("As JSON", options->json);
+        arguments.flag("--udev", "Print the rules for udev that let you open them (tools/run --udev)",
+                       options->udev);
+      },
+      [options] { return devices_command(*options); });
 }
 
 }  // namespace fulcrum::app

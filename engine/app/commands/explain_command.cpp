@@ -4,9 +4,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "drivers/registry.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
+#include "engine/app/prepare/device_choice.h"
 #include "engine/app/prepare/inventory.h"
 #include "engine/app/prepare/stage_costs.h"
 
@@ -62,8 +64,34 @@ nlohmann::ordered_json to_json(const std::vector<InventoryItem>& items) {
   return all;
 }
 
-int explain_command(const std::string& name, const std::vector<std::string>& overrides, bool json) {
-  const std::optional<Prepared> prepared = prepare(name, overrides);
+struct ExplainOptions {
+  std::string scenario;
+  std::vector<std::string> overrides;  // KEY=VALUE
+  std::string device = "simulated";
+  bool json = false;
+};
+
+// The scenario as a device runs it. What is wrong is on stderr.
+std::optional<Prepared> prepare_on(const ExplainOptions& options) {
+  const Result<DeviceChoice> choice = choose_device(options.device);
+  if (!choice) {
+    complain(choice.error().sentence);
+    return std::nullopt;
+  }
+  std::vector<std::string> overrides = options.overrides;
+  overrides.insert(overrides.end(), choice->overrides.begin(), choice->overrides.end());
+  std::optional<Prepared> prepared = prepare(options.scenario, overrides);
+  if (prepared) prepared->haptic.scene = scene_for_device(*prepared, choice->device);
+  return prepared;
+}
+
+std::string name_of_device(const Prepared& prepared, const std::string& asked) {
+  const scenario::DeviceEntry& device = prepared.scenario.device;
+  return moves_as_seen(asked) ? asked : (device.own ? "scenario:" : "") + device.model;
+}
+
+int explain_command(const ExplainOptions& options) {
+  const std::optional<Prepared> prepared = prepare_on(options);
   if (!prepared) return kError;
   const Result<World> world = World::build(prepared->haptic.scene);
   if (!world) {
@@ -98,9 +126,9 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
   }
   const double tick_us = costs->at("tick");
   const scenario::DeviceEntry& device = prepared->scenario.device;
-  if (json) {
-    std::printf("%s\n", nlohmann::ordered_json{{"scenario", name},
-                                               {"device", (device.own ? "scenario:" : "") + device.model},
+  if (options.json) {
+    std::printf("%s\n", nlohmann::ordered_json{{"scenario", options.scenario},
+                                               {"device", name_of_device(*prepared, options.device)},
                                                {"tick_us", tick_us},
                                                {"measured_with_hand", hand},
                                                {"built", to_json(list.built)},
@@ -127,17 +155,17 @@ int explain_command(const std::string& name, const std::vector<std::string>& ove
 }  // namespace
 
 void add_explain(Program& program) {
-  const auto scenario = std::make_shared<std::string>();
-  const auto overrides = std::make_shared<std::vector<std::string>>();
-  const auto json = std::make_shared<bool>(false);
+  const auto options = std::make_shared<ExplainOptions>();
   program.add(
       "explain", "What a scenario builds, what that costs, what it leaves out",
-      [scenario, overrides, json](Arguments& arguments) {
-        arguments.required({"scenario", "NAME|FILE", "Its name or file"}, *scenario);
-        arguments.overrides(*overrides);
-        arguments.json("As JSON", *json);
+      [options](Arguments& arguments) {
+        arguments.required({"scenario", "NAME|FILE", "Its name or file"}, options->scenario);
+        arguments.overrides(options->overrides);
+        arguments.text({"--device", "DEVICE", "On this device (fulcrum devices): what it leaves out"},
+                       options->device);
+        arguments.json("As JSON", options->json);
       },
-      [scenario, overrides, json] { return explain_command(*scenario, *overrides, *json); });
+      [options] { return explain_command(*options); });
 }
 
 }  // namespace fulcrum::app

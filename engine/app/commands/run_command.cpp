@@ -1,20 +1,23 @@
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 
-#include "drivers/mouse/mouse_device.h"
+#include "drivers/registry.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
 #include "engine/app/picture/picture.h"
 #include "engine/app/prepare/chosen_view.h"
+#include "engine/app/prepare/device_choice.h"
 #include "engine/app/prepare/tape_header.h"
 #include "engine/app/run/headless_run.h"
 #include "engine/app/run/results.h"
 #include "engine/app/window/prepare_in_window.h"
 #include "engine/app/window/training_window.h"
 #include "engine/record/run_folder.h"
+#include "engine/ui/window.h"
 
 namespace fulcrum::app {
 namespace {
@@ -30,27 +33,27 @@ std::string read_size(const std::string& text, render::Extent& size) {
   return {};
 }
 
-Result<std::unique_ptr<Device>> make_device(const Prepared& prepared, const SceneDesc& scene,
-                                            const RunOptions& options) {
-  constexpr std::string_view replay = "replay:";
-  if (options.device == "mouse" && !options.headless)
-    return std::unique_ptr<Device>(
-        std::make_unique<MouseDevice>(scene.tool.X_WT_start * scene.tool.X_HT.inverse(), scene.tick_s));
-  if (options.device.starts_with(replay)) {
-    auto device = replay_device(prepared, options.device.substr(replay.size()));
-    if (!device) return device.error();
-    return std::unique_ptr<Device>(std::move(*device));
+Result<std::unique_ptr<Device>> any_device(auto made) {
+  if (!made) return made.error();
+  return std::unique_ptr<Device>(std::move(*made));
+}
+
+Result<OpenDevice> device_for(const Prepared& prepared, const SceneDesc& scene, const RunOptions& options) {
+  const std::optional<ChannelUse> channels = channel_use(scene, scene);
+  Result<OpenDevice> opened = open_device(
+      options.device,
+      {.desc = scene.device,
+       .signal = channels ? std::optional(channels->signal) : std::nullopt,
+       .X_DH = scene.tool.X_WT_start * scene.tool.X_HT.inverse(),
+       .tick_s = scene.tick_s,
+       .simulated = [&] { return any_device(simulated_device(prepared, options.hand)); },
+       .replay = [&](const std::string& file) { return any_device(replay_device(prepared, file)); }});
+  if (opened && opened->rate != nullptr) {
+    const std::vector<scenario::View>& views = prepared.scenario.views;
+    const render::Camera camera = views.empty() ? render::Camera() : views.front().camera;
+    opened->rate->look(seen_frame(camera, scene.tool.X_WT_start.p, false));
   }
-  if (options.device == "simulated") {
-    auto device = simulated_device(prepared, options.hand);
-    if (!device) return device.error();
-    return std::unique_ptr<Device>(std::move(*device));
-  }
-  if (options.device == "mouse")
-    return Error{"The mouse needs a window: leave out --headless, or use --device simulated or replay:FILE."};
-  return Error{"There is no device '" + options.device +
-               "'; there are simulated, simulated:MODEL, mouse and replay:FILE. "
-               "`fulcrum devices` says what is there and what is not."};
+  return opened;
 }
 
 // Drawn from the view that was asked for, with the circle where it was.
@@ -67,7 +70,7 @@ public:
   // What is wrong is on stderr.
   static std::unique_ptr<RunSession> begin(const Prepared& prepared, const RunOptions& options) {
     const SceneDesc scene = scene_for_device(prepared, options.device);
-    Result<std::unique_ptr<Device>> device = make_device(prepared, scene, options);
+    Result<OpenDevice> device = device_for(prepared, scene, options);
     if (!device) return refuse(device.error());
     Result<World> world = World::build(scene);
     if (!world) return refuse(world.error());
@@ -83,7 +86,7 @@ public:
   }
 
   World& world() { return world_; }
-  Device& device() { return *device_; }
+  OpenDevice& device() { return device_; }
   RunSink& sink() { return sink_; }
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -106,7 +109,7 @@ public:
   }
 
 private:
-  RunSession(const Prepared& prepared, const RunOptions& options, std::unique_ptr<Device> device, World world,
+  RunSession(const Prepared& prepared, const RunOptions& options, OpenDevice device, World world,
              OpenResults results, double limit)
       : prepared_(prepared),
         options_(options),
@@ -122,7 +125,7 @@ private:
 
   const Prepared& prepared_;
   const RunOptions& options_;
-  std::unique_ptr<Device> device_;
+  OpenDevice device_;
   World world_;
   std::filesystem::path folder_;
   RunSink sink_;
@@ -132,9 +135,9 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, options);
   if (!attempt) return kError;
   if (options.realtime)
-    run_live(attempt->world(), attempt->device(), attempt->sink());
+    run_live(attempt->world(), *attempt->device().device, attempt->sink());
   else
-    run_offline(attempt->world(), attempt->device(), attempt->sink());
+    run_offline(attempt->world(), *attempt->device().device, attempt->sink());
 
   // The picture is the last moment. Without Vulkan the run counts all the same.
   render::RenderPlan plan;
@@ -187,8 +190,7 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options)
       attempt_options.out = options.out / ("attempt-" + std::to_string(number));
     const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, attempt_options);
     if (!attempt) return kError;
-    const TrainingWindow::Leave leave = (*window)->run(
-        attempt->world(), attempt->device(), dynamic_cast<MouseDevice*>(&attempt->device()), attempt->sink());
+    const TrainingWindow::Leave leave = (*window)->run(attempt->world(), attempt->device(), attempt->sink());
     const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
     if (!picture) complain("there is no picture: " + picture.error().sentence);
     const int code = attempt->finish(&(*window)->plan(), true);
@@ -198,23 +200,42 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options)
   }
 }
 
+// What is taken where nothing is asked for, and why: on stdout.
+std::string device_in_hand() {
+  const DeviceListing best = best_device(ui::why_no_window());
+  if (best.name == "mouse")
+    std::printf("Device: the mouse, since no other is there (fulcrum devices).\n");
+  else
+    std::printf("Device: %s, %s; another one by --device.\n", best.name.c_str(), best.what.c_str());
+  return best.name;
+}
+
 int run_command(const RunOptions& given) {
   RunOptions options = given;
-  if (options.device.empty()) options.device = options.headless ? "simulated" : "mouse";
-  constexpr std::string_view simulated = "simulated:";
-  if (options.device.starts_with(simulated)) {
-    options.overrides.push_back("device.model=" + options.device.substr(simulated.size()));
-    options.device = "simulated";
-  }
   if (options.gpu == "list") {
     std::printf("%s\n", describe_gpus().c_str());
     return kCompleted;
   }
+  if (options.device.empty()) options.device = options.headless ? "simulated" : device_in_hand();
+  Result<DeviceChoice> choice = choose_device(options.device);
+  if (!choice) {
+    complain(choice.error().sentence);
+    return kError;
+  }
+  options.device = choice->device;
+  std::ranges::move(choice->overrides, std::back_inserter(options.overrides));
   std::optional<scenario::Scenario> scenario = load_named(options.scenario, options.overrides);
   if (!scenario) return kError;
   if (const auto refused = refuse_view(*scenario, options.scenario, options.view)) {
     complain(refused->sentence);
     return kUsage;
+  }
+  const std::string no_window =
+      options.headless ? "it needs a window: leave out --headless, or use --device simulated or replay:FILE."
+                       : ui::why_no_window();
+  if (const auto refused = refuse_device(options.device, no_window, options.realtime)) {
+    complain(refused->sentence);
+    return kError;
   }
   if (options.device == "simulated") {
     if (const auto refused = refuse_hand(*scenario, options.scenario, options.hand)) {
@@ -253,9 +274,11 @@ void add_run(Program& program) {
         arguments.text(
             {"--hand", "HAND", "The simulated hand: expert, clumsy, still, or another of the scenario's"},
             options->hand);
-        arguments.text(
-            {"--device", "DEVICE", "simulated, simulated:MODEL, mouse or replay:FILE (fulcrum devices)"},
-            options->device);
+        arguments.text({"--device", "DEVICE",
+                        "One of `fulcrum devices`, such as simulated:MODEL or spacemouse+dualsense; none: "
+                        "the best that is "
+                        "there"},
+                       options->device);
         arguments.flag("--realtime", "Headless, but by the clock, in the haptic thread", options->realtime);
         arguments.positive({"--seconds", "S", "End after this much simulated time"}, options->seconds);
         arguments.integer(

@@ -145,6 +145,13 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
   return axes;
 }
 
+SeenFrame seen_frame(const render::Camera& camera, const Vec3& p_W, bool rests) {
+  const input::ViewAxes axes = view_axes(camera, p_W);
+  Mat3 R_WV;
+  R_WV << axes.right_W, axes.up_W, -axes.forward_W;
+  return {Quat(R_WV), axes.height, rests};
+}
+
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,
                                const Afterglow& afterglow, const scenario::TaskState& task) {
   ui::OverlayState state;

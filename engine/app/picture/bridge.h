@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "drivers/rate/rate_control.h"
 #include "engine/app/picture/afterglow.h"
 #include "engine/app/prepare/prepare.h"
 #include "engine/input/tool_mouse.h"
@@ -48,6 +49,8 @@ private:
 
 // The trainee's view of the picture plane at p_W.
 input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W);
+// The same for a device that moves as it is seen. rests: the tool stays where it is.
+SeenFrame seen_frame(const render::Camera& camera, const Vec3& p_W, bool rests);
 
 // Gauges, checkpoints and stop banner as of one tick; marks of those before it.
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "drivers/mouse/mouse_device.h"
+#include "drivers/registry.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/files/number_text.h"
 #include "engine/record/motion.h"
@@ -98,14 +98,16 @@ std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene) {
 
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) {
   SceneDesc scene = prepared.haptic.scene;
-  if (device == "mouse") {
+  if (!moves_as_seen(device)) return scene;
+  if (!has_table(device.substr(0, device.find('+')))) {  // the scenario's device is another one
     std::optional<VibrotactileDesc> shown;  // levels that are drawn are seen and written all the same
-    if (scenario::draws_levels(scene)) shown = std::move(scene.device.vibrotactile);
+    if (!prepared.scenario.device.beside.empty() || scenario::draws_levels(scene))
+      shown = std::move(scene.device.vibrotactile);
     scene.device = MouseDevice::mouse_desc();
     scene.device.vibrotactile = std::move(shown);
-    scene.mapping = MappingDesc{};
-    couple_without_motors(scene);
   }
+  scene.mapping = MappingDesc{};
+  couple_without_motors(scene);
   return scene;
 }
 

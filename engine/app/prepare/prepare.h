@@ -38,7 +38,8 @@ std::string device_in_results(const Prepared& prepared, const std::string& devic
 // the scenario's own they say so.
 std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene);
 
-// The scene as this device runs it: a mouse moves the handle itself and renders nothing.
+// The scene as this device runs it: one that moves as it is seen moves the handle itself, without a scale,
+// and renders no force.
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device);
 
 // Why the scenario has no hand of that name, with those that it has; absent: it has one. `still` is always

@@ -88,11 +88,17 @@ Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(WindowStage& stag
   return self;
 }
 
-TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDevice* mouse, RunSink& sink) {
-  LiveLoop loop(world, device);
+TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink) {
+  LiveLoop loop(world, *device.device);
   loop_ = &loop;
   scene_ = &world.desc();
-  mouse_ = mouse;
+  mouse_ = device.mouse;
+  rate_ = device.rate;
+  keys_ = device.keys.get();
+  tool_keys_.let_go();
+  stop_buttons_ = device.stop_buttons;
+  go_buttons_ = device.go_buttons;
+  buttons_ = 0;
   restart_ = false;
   slides_ = false;
   button_ = -1;  // a release while no window listened is not told
@@ -126,6 +132,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
     stage_.window().poll();
     TickEvent event;
     while (loop.next(event)) {
+      on_buttons(event.sample.buttons);
       if (sink.end() != RunSink::End::running) continue;
       note_cost(event);
       sink.take(event);
@@ -153,6 +160,12 @@ TrainingWindow::Leave TrainingWindow::run(World& world, Device& device, MouseDev
   return restart_ ? Leave::restart : Leave::closed;
 }
 
+void TrainingWindow::on_buttons(std::uint32_t down) {
+  const std::uint32_t pressed = down & ~std::exchange(buttons_, down);
+  if ((pressed & stop_buttons_) != 0) loop_->send({Command::Kind::stop});
+  if ((pressed & go_buttons_) != 0) loop_->send({Command::Kind::acknowledge});
+}
+
 void TrainingWindow::on_press() {
   const std::optional<Command> pressed = cues_.press(shown_, stage_.window().pixels(), cursor_x_, cursor_y_);
   send(pressed);
@@ -167,6 +180,11 @@ void TrainingWindow::on_key(int key, int action) {
   // A modifier's own event comes with the state before it.
   if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) shift_ = action != GLFW_RELEASE;
   if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) control_ = action != GLFW_RELEASE;
+  if (keys_ != nullptr) {
+    const bool moves = tool_keys_.note(key, action);
+    keys_->push(tool_keys_.axes(shift_));
+    if (moves) return;
+  }
   if (action != GLFW_PRESS) return;
   switch (key) {
     case GLFW_KEY_ESCAPE:
@@ -290,11 +308,18 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   state.message = message(sink);
   state.keys_visible = keys_visible_;
   state.keys = key_lines(state, circle_);
-  if (mouse_ != nullptr)
+  if (mouse_ != nullptr) {
     for (const char* line : input::mouse_help()) state.mapping.emplace_back(line);
-  else
-    state.mapping = {"Drag: look around", "Shift + drag: move the view", "Wheel: zoom"};
+    return state;
+  }
+  if (keys_ != nullptr) state.mapping = ToolKeys::help();
+  for (const char* line : {"Drag: look around", "Shift + drag: move the view", "Wheel: zoom"})
+    state.mapping.emplace_back(line);
   return state;
+}
+
+void TrainingWindow::show_to_device(const TickRecord& record) {
+  if (rate_ != nullptr) rate_->look(seen_frame(camera_.camera(), record.X_WT.p, tool_rests() || resting_));
 }
 
 render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {
@@ -322,6 +347,7 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   const bool running = sink.end() == RunSink::End::running;
   const TickRecord& record = running && newest.tick > sink.last().tick ? newest : sink.last();
   shown_ = overlay_of(record, sink);
+  show_to_device(record);
   if (const auto error = stage_.overlay().prepare(shown_, size)) {
     error_ = error->sentence;
     return;

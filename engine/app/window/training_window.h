@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "drivers/mouse/mouse_device.h"
+#include "drivers/registry.h"
 #include "engine/app/cli/run_options.h"
 #include "engine/app/picture/bridge.h"
 #include "engine/app/run/run_sink.h"
 #include "engine/app/window/cue_switches.h"
+#include "engine/app/window/tool_keys.h"
 #include "engine/app/window/window_stage.h"
 #include "engine/input/tool_mouse.h"
 #include "engine/render/orbit_camera.h"
@@ -28,8 +29,8 @@ public:
                                                         const RunOptions& options);
 
   enum class Leave { closed, restart };
-  // One attempt. mouse: the device, if it is the mouse.
-  Leave run(World& world, Device& device, MouseDevice* mouse, RunSink& sink);
+  // One attempt.
+  Leave run(World& world, OpenDevice& device, RunSink& sink);
   // The attempt's last moment, as it was seen, into a PNG. After run().
   Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 
@@ -39,12 +40,16 @@ private:
   TrainingWindow(WindowStage& stage, const Prepared& prepared, const scenario::VisualAssembly& visual);
 
   void on_key(int key, int action);
+  // Of the device, that are down.
+  void on_buttons(std::uint32_t down);
   void on_press();
   void on_cursor(double x, double y);
   void on_scroll(double steps);
   void send(const std::optional<Command>& command);
   void send(const std::vector<Command>& commands);
   void note_cost(const TickEvent& event);
+  // Tells a device that moves as it is seen what is seen.
+  void show_to_device(const TickRecord& record);
   // After the end: the force goes as after a stop, then ticks, counters and tool rest.
   void come_to_rest(LiveLoop& loop);
   // Whether the tool stays where it is, whatever the mouse does: a stop is a pause.
@@ -66,8 +71,12 @@ private:
   LiveLoop* loop_ = nullptr;
   const SceneDesc* scene_ = nullptr;
   MouseDevice* mouse_ = nullptr;
+  RateDevice* rate_ = nullptr;
+  KeyAxes* keys_ = nullptr;
   input::ToolMouse tool_mouse_;
-  std::vector<std::int64_t> cpu_ns_;  // of the newest ticks, a ring
+  ToolKeys tool_keys_;
+  std::uint32_t stop_buttons_ = 0, go_buttons_ = 0, buttons_ = 0;  // of the device
+  std::vector<std::int64_t> cpu_ns_;                               // of the newest ticks, a ring
   std::size_t cpu_at_ = 0;
   std::uint64_t late_ = 0, lost_ = 0;  // ticks
   bool resting_ = false;

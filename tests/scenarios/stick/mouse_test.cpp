@@ -26,7 +26,7 @@ Push push_down(const app::Prepared& stick, const SceneDesc& scene, double way) {
   Push push;
   if (!world) return push;
   Pose X_WH = scene.tool.X_WT_start * scene.tool.X_HT.inverse();
-  MouseDevice mouse(X_WH, scene.tick_s);
+  MouseDevice mouse(MouseDevice::mouse_desc(), X_WH, scene.tick_s);
   X_WH.p.y() -= way;
   mouse.aim(X_WH);
   for (int tick = 0; tick < 1000; ++tick) {

@@ -1,0 +1,149 @@
+#include "drivers/hid/hid_link.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+namespace fulcrum::hid {
+namespace {
+
+constexpr int kReadWait_ms = 5;     // how long the reader waits: so old is what is known of a silent device
+constexpr int kLookAgain_ms = 250;  // between two looks for a device that is away
+constexpr int kWriteEvery_ms = 4;
+constexpr int kRepeat_ms = 200;   // a report that vibrates is sent again: a pad may have missed one
+constexpr double kLetGo = 0.1;    // s, of silence
+constexpr int kMostWaiting = 64;  // reports; hidraw keeps 63 and drops what is newer
+
+std::int64_t now_ns() noexcept {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+void greet(HidOpened& opened) {
+  for (const HidProtocol::Feature& feature : opened.protocol->features()) {
+    std::array<std::uint8_t, HidProtocol::kLongestReport> bytes{};
+    bytes[0] = feature.number;
+    const int count = opened.port->read_feature(std::span(bytes).first(feature.length));
+    if (count > 0) opened.protocol->learn(std::span(bytes).first(static_cast<std::size_t>(count)));
+  }
+}
+
+}  // namespace
+
+HidLink::HidLink(HidOpened opened, Open open)
+    : open_(std::move(open)), opened_(std::make_shared<HidOpened>(std::move(opened))) {
+  greet(*opened_);
+  state_.draft() = {.told_ns = now_ns(), .seen_ns = now_ns(), .streams = opened_->protocol->streams()};
+  state_.publish();
+  reader_ = std::thread([this] { read_on(); });
+  writer_ = std::thread([this] { write_on(); });
+}
+
+HidLink::~HidLink() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  ended_.notify_all();
+  reader_.join();
+  writer_.join();
+}
+
+// A device that streams is as old as its last word. One that says nothing at rest is as old as its bus; while
+// it is pushed it speaks, and where it falls silent it has been let go.
+AxesReading HidLink::read() noexcept {
+  const State& state = state_.newest();
+  const std::int64_t now = now_ns();
+  const auto since = [now](std::int64_t then) {
+    return 1e-9 * static_cast<double>(std::max(then, now) - then);
+  };
+  if (state.streams) return {state.axes, since(state.told_ns), state.connected};
+  AxesReading reading{state.axes, since(state.seen_ns), state.connected};
+  if (since(state.told_ns) > kLetGo) reading.axes.way = reading.axes.turn = Vec3::Zero();
+  return reading;
+}
+
+void HidLink::drive(const ChannelDrives& drives) noexcept {
+  drives_.draft() = drives;
+  drives_.publish();
+}
+
+std::shared_ptr<HidOpened> HidLink::opened() {
+  const std::lock_guard lock(mutex_);
+  return opened_;
+}
+
+void HidLink::set_opened(std::shared_ptr<HidOpened> opened) {
+  const std::lock_guard lock(mutex_);
+  opened_ = std::move(opened);
+}
+
+bool HidLink::rest(int ms) {
+  std::unique_lock lock(mutex_);
+  return !ended_.wait_for(lock, std::chrono::milliseconds(ms), [this] { return ends_; });
+}
+
+bool HidLink::take_reports(HidOpened& opened, State& state) {
+  std::array<std::uint8_t, HidProtocol::kLongestReport> bytes{};
+  int wait = kReadWait_ms;
+  for (int count = 0; count < kMostWaiting; ++count) {
+    const int length = opened.port->read(bytes, wait);
+    if (length < 0) return false;
+    if (length == 0) break;
+    wait = 0;
+    const auto report = std::span(bytes).first(static_cast<std::size_t>(length));
+    const bool good = opened.protocol->decode(report, state.axes);
+    (good ? reports_ : refused_).fetch_add(1, std::memory_order_relaxed);
+    if (good) state.told_ns = now_ns();
+  }
+  state.seen_ns = now_ns();
+  return true;
+}
+
+void HidLink::read_on() {
+  const auto begun = [](const HidProtocol& protocol) {
+    return State{.told_ns = now_ns(), .seen_ns = now_ns(), .streams = protocol.streams()};
+  };
+  State state = begun(*opened()->protocol);
+  while (rest(0)) {
+    if (const std::shared_ptr<HidOpened> at = opened()) {
+      if (!take_reports(*at, state)) {
+        state.connected = false;
+        set_opened(nullptr);
+      }
+    } else {
+      if (!rest(kLookAgain_ms)) return;
+      HidOpened found = open_();
+      if (!found.port) continue;
+      greet(found);
+      state = begun(*found.protocol);
+      set_opened(std::make_shared<HidOpened>(std::move(found)));
+    }
+    state_.draft() = state;
+    state_.publish();
+  }
+}
+
+void HidLink::write_on() {
+  HidProtocol::Report report{};
+  ChannelDrives sent{};
+  int since_ms = 0;
+  const auto send = [&](const ChannelDrives& drives) {
+    const std::shared_ptr<HidOpened> at = opened();
+    const std::size_t length = at ? at->protocol->encode(drives, report) : 0;
+    if (length == 0 || !at->port->write(std::span(report).first(length))) return;
+    sent = drives;
+    since_ms = 0;
+  };
+  while (rest(kWriteEvery_ms)) {
+    since_ms += kWriteEvery_ms;
+    const ChannelDrives& wanted = drives_.newest();
+    const bool vibrates = std::ranges::any_of(wanted, [](double drive) { return drive > 0; });
+    if (wanted != sent || (vibrates && since_ms >= kRepeat_ms)) send(wanted);
+  }
+  if (sent != ChannelDrives{}) send({});
+}
+
+}  // namespace fulcrum::hid

@@ -1,0 +1,138 @@
+#include "drivers/hid/hid_port.h"
+
+#include <fcntl.h>
+#include <hidapi.h>
+#include <linux/hidraw.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <mutex>
+#include <set>
+
+namespace fulcrum::hid {
+namespace {
+
+// hidapi's own state is made once, whichever thread comes first.
+bool ready() {
+  static const bool good = hid_init() == 0;
+  return good;
+}
+
+// hidapi keeps what went wrong last in a global, which enumerating, opening and closing free.
+std::mutex& listing() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+// One end that is read and one that is written: hidapi keeps what went wrong last with a device where two
+// threads would free it twice.
+class HidapiPort final : public HidPort {
+public:
+  HidapiPort(hid_device* in, hid_device* out) : in_(in), out_(out) {}
+  ~HidapiPort() override {
+    const std::lock_guard lock(listing());
+    hid_close(in_);
+    hid_close(out_);
+  }
+
+  int read(std::span<std::uint8_t> report, int wait_ms) override {
+    return hid_read_timeout(in_, report.data(), report.size(), wait_ms);
+  }
+  bool write(std::span<const std::uint8_t> report) override {
+    return hid_write(out_, report.data(), report.size()) >= 0;
+  }
+  int read_feature(std::span<std::uint8_t> feature) override {
+    return hid_get_feature_report(in_, feature.data(), feature.size());
+  }
+
+private:
+  hid_device *in_, *out_;
+};
+
+// hidapi 0.13 touches what it has freed where a node opens and then does not answer.
+bool answers(const std::string& node) {
+  const int file = open(node.c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) return false;
+  int size = 0;
+  const bool good = ioctl(file, HIDIOCGRDESCSIZE, &size) >= 0;
+  close(file);
+  return good;
+}
+
+std::string narrow(const wchar_t* text) {
+  std::string narrowed;
+  for (; text != nullptr && *text != 0; ++text)
+    narrowed += *text >= 32 && *text < 127 ? static_cast<char>(*text) : '?';
+  return narrowed;
+}
+
+// The bus is in the node's name in sysfs, such as .../0005:054C:0CE6.0001/hidraw/hidraw3.
+bool is_bluetooth(const std::string& node) {
+  const std::string link = "/sys/class/hidraw/" + node.substr(node.rfind('/') + 1) + "/device";
+  char target[512];
+  const ssize_t length = readlink(link.c_str(), target, sizeof target);
+  if (length <= 0) return false;
+  const std::string_view path(target, static_cast<std::size_t>(length));
+  return path.substr(path.rfind('/') + 1).starts_with("0005:");
+}
+
+constexpr unsigned short kGenericDesktop = 1;
+constexpr unsigned short kJoystick = 4, kGamepad = 5, kMultiAxis = 8;
+
+bool reports_axes(const hid_device_info& info) {
+  if (info.usage_page == 0) return true;  // where it is not known
+  return info.usage_page == kGenericDesktop &&
+         (info.usage == kJoystick || info.usage == kGamepad || info.usage == kMultiAxis);
+}
+
+}  // namespace
+
+std::vector<HidPlace> find_hid(std::span<const HidId> ids) {
+  std::vector<HidPlace> places;
+  if (!ready()) return places;
+  const std::lock_guard lock(listing());
+  // hidapi 0.13 stumbles over a device that is unplugged while it is looked at: only those of our vendors
+  // are.
+  std::set<std::uint16_t> vendors;
+  for (const HidId& id : ids) vendors.insert(id.vendor);
+  for (const std::uint16_t vendor : vendors) {
+    hid_device_info* const all = hid_enumerate(vendor, 0);
+    for (const hid_device_info* info = all; info != nullptr; info = info->next) {
+      const HidId id{info->vendor_id, info->product_id};
+      if (std::ranges::find(ids, id) == ids.end() || !reports_axes(*info)) continue;
+      if (info->path == nullptr) continue;  // it is being unplugged
+      const std::string path = info->path;
+      const bool known = std::ranges::any_of(places, [&](const HidPlace& p) { return p.path == path; });
+      if (known) continue;  // hidapi lists a node once for each of its usages
+      places.push_back({id, path, is_bluetooth(path), narrow(info->product_string),
+                        access(path.c_str(), R_OK | W_OK) == 0});
+    }
+    hid_free_enumeration(all);
+  }
+  std::ranges::sort(places, {}, &HidPlace::path);
+  return places;
+}
+
+Result<std::unique_ptr<HidPort>> open_hid(const HidPlace& place) {
+  if (access(place.path.c_str(), R_OK | W_OK) != 0) {
+    const int why = errno;
+    if (why == EACCES)
+      return Error{place.path +
+                   " may not be opened by you: `tools/run --udev` installs the rule that permits it; "
+                   "then plug the device in again."};
+    return Error{place.path + " cannot be opened (" + std::strerror(why) + "): plug the device in again."};
+  }
+  const std::lock_guard lock(listing());
+  hid_device* const in = answers(place.path) ? hid_open_path(place.path.c_str()) : nullptr;
+  hid_device* const out = in != nullptr ? hid_open_path(place.path.c_str()) : nullptr;
+  if (out == nullptr) {
+    hid_close(in);  // which takes null, too
+    return Error{place.path + " cannot be opened by hidapi: close what else holds it, or plug it in again."};
+  }
+  return std::unique_ptr<HidPort>(std::make_unique<HidapiPort>(in, out));
+}
+
+}  // namespace fulcrum::hid

@@ -1,0 +1,34 @@
+#include "drivers/sony/pad_axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum::sony {
+namespace {
+
+constexpr double kRests = 0.1;  // of a stick's way: worn ones do not come back to the middle
+constexpr std::uint32_t kL1 = 1U << 8, kR1 = 1U << 9;
+
+// -1 to 1, and exactly 0 where the stick rests.
+double pushed(std::uint8_t reading) {
+  const double part = std::clamp((reading - 128) / 127.0, -1.0, 1.0);
+  const double beyond = std::abs(part) - kRests;
+  return beyond > 0 ? std::copysign(beyond / (1 - kRests), part) : 0;
+}
+
+double pulled(std::uint8_t reading) {
+  return std::max(0.0, reading / 255.0 - kRests) / (1 - kRests);
+}
+
+}  // namespace
+
+PushedAxes axes_of(const Pad& pad) {
+  const double roll = ((pad.keys & kL1) != 0 ? 1.0 : 0.0) - ((pad.keys & kR1) != 0 ? 1.0 : 0.0);
+  PushedAxes axes;
+  axes.way = {pushed(pad.left_x), -pushed(pad.left_y), pulled(pad.l2) - pulled(pad.r2)};
+  axes.turn = {pushed(pad.right_y), pushed(pad.right_x), roll};
+  axes.buttons = pad.keys >> 4;
+  return axes;
+}
+
+}  // namespace fulcrum::sony
