@@ -205,6 +205,12 @@ std::string all_names() {
   return names;
 }
 
+Error cannot_be_had(const std::string& name, const std::string& why) {
+  std::string sentence = "The device '";
+  sentence.append(name).append("' cannot be had: ").append(why);
+  return Error{std::move(sentence)};
+}
+
 DeviceListing listing_of(const Driver& driver, const std::string& no_window_reason) {
   std::string reason = driver.why_not(no_window_reason);
   const bool present = reason.empty();
@@ -276,7 +282,7 @@ std::optional<Error> refuse_device(const std::string& name, const std::string& n
     const Driver* const driver = driver_of(part);
     if (driver == nullptr) continue;
     const std::string reason = driver->why_not(no_window_reason);
-    if (!reason.empty()) return Error{"The device '" + part + "' cannot be had: " + reason};
+    if (!reason.empty()) return cannot_be_had(part, reason);
   }
   if (driver_of(parts->moves)->in_hand && !no_window_reason.empty() && !by_clock)
     return Error{
@@ -298,9 +304,6 @@ bool has_table(const std::string& name) {
 namespace {
 
 Result<OpenDevice> open_parts(const DeviceName& parts, const DeviceOrder& order) {
-  const auto refused = [](const std::string& part, const Error& why) {
-    return Error{"The device '" + part + "' cannot be had: " + why.sentence + "."};
-  };
   const Driver& moves = *driver_of(parts.moves);
   const auto colon = parts.moves.find(':');
   const std::string argument = colon == std::string::npos ? "" : parts.moves.substr(colon + 1);
@@ -308,14 +311,14 @@ Result<OpenDevice> open_parts(const DeviceName& parts, const DeviceOrder& order)
   const bool itself = moves.vibrates && order.signal && order.desc.vibrotactile;
   if (parts.beside.empty() && !itself) {
     Result<OpenDevice> opened = moves.open(argument, order);
-    return opened || !moves.in_hand ? std::move(opened) : refused(parts.moves, opened.error());
+    return opened || !moves.in_hand ? std::move(opened) : cannot_be_had(parts.moves, opened.error().sentence);
   }
   const std::string& by = parts.beside.empty() ? parts.moves : parts.beside;
   Result<std::shared_ptr<AxesSource>> beside = driver_of(by)->axes();
-  if (!beside) return refused(by, beside.error());
+  if (!beside) return cannot_be_had(by, beside.error().sentence);
   Result<OpenDevice> opened =
       parts.beside.empty() ? Result<OpenDevice>(by_axes(*beside, order)) : moves.open(argument, order);
-  if (!opened) return refused(parts.moves, opened.error());
+  if (!opened) return cannot_be_had(parts.moves, opened.error().sentence);
   if (order.signal && order.desc.vibrotactile)
     opened->device = std::make_unique<VibratingDevice>(std::move(opened->device), std::move(*beside),
                                                        *order.signal, order.tick_s);

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <mutex>
 #include <set>
+#include <system_error>
 
 namespace fulcrum::hid {
 namespace {
@@ -123,7 +123,8 @@ Result<std::unique_ptr<HidPort>> open_hid(const HidPlace& place) {
       return Error{place.path +
                    " may not be opened by you: `tools/run --udev` installs the rule that permits it; "
                    "then plug the device in again."};
-    return Error{place.path + " cannot be opened (" + std::strerror(why) + "): plug the device in again."};
+    return Error{place.path + " cannot be opened (" + std::generic_category().message(why) +
+                 "): plug the device in again."};
   }
   const std::lock_guard lock(listing());
   hid_device* const in = answers(place.path) ? hid_open_path(place.path.c_str()) : nullptr;

@@ -81,7 +81,10 @@ std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scen
     complain(haptic.error().sentence);
     return std::nullopt;
   }
-  for (const std::string& warning : haptic->warnings) complain(name + ": " + warning);
+  for (const std::string& warning : haptic->warnings) {
+    std::string sentence = name;
+    complain(sentence.append(": ").append(warning));
+  }
   return Prepared{name, std::move(scenario), std::move(*models), std::move(*haptic)};
 }
 
