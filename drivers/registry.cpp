@@ -194,8 +194,14 @@ constexpr Driver kDrivers[] = {
      .table = true},
 };
 
+// What follows a colon belongs to those alone that say so.
 const Driver* driver_of(std::string_view name) {
-  const auto found = std::ranges::find(kDrivers, name.substr(0, name.find(':')), &Driver::name);
+  const std::size_t colon = name.find(':');
+  const auto is_named = [&](const Driver& driver) {
+    const bool takes_more = driver.shown != driver.name;
+    return driver.name == name.substr(0, colon) && takes_more == (colon != std::string_view::npos);
+  };
+  const auto found = std::ranges::find_if(kDrivers, is_named);
   return found == std::end(kDrivers) ? nullptr : &*found;
 }
 

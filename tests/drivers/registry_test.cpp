@@ -44,7 +44,7 @@ TEST(Registry, ANameIsOneDeviceOrOneThatVibratesBesideAnother) {
   ASSERT_TRUE(file);
   EXPECT_EQ(file->moves, "replay:a+b.tape") << "a file may be called so";
   for (const char* name : {"", "+", "spacemaus", "spacemouse+", "spacemouse+mouse", "simulated+dualsense",
-                           "dualsense+dualsense", "mouse+dualsense+dualshock4"}) {
+                           "dualsense+dualsense", "mouse+dualsense+dualshock4", "mouse:left", "replay"}) {
     const auto refused = read_device_name(name);
     ASSERT_FALSE(refused) << name;
     EXPECT_GT(refused.error().sentence.size(), 40U) << refused.error().sentence;
