@@ -28,7 +28,7 @@ Result<Solid> scene_solid(const Scenario& scenario, const LoadedModels& models) 
   }
   auto solid = build_solid(all);
   if (!solid) return Error{names + ": the models that are touched: " + solid.error().sentence};
-  for (std::string& note : solid->notes) note = "the models that are touched: " + note;
+  for (std::string& note : solid->notes) note.insert(0, "the models that are touched: ");
   return solid;
 }
 
