@@ -29,7 +29,8 @@ struct DeviceListing {
 // no_window_reason: why no window can be opened; empty if one can.
 std::vector<DeviceListing> list_devices(const std::string& no_window_reason);
 
-// The first of the devices in a hand that is there. Never empty: the mouse is the last of them.
+// The first of the devices in a hand that is there, in the order of the list; the mouse where none before it
+// is, even if there is no window for it: then it is not present, and the listing says why.
 DeviceListing best_device(const std::string& no_window_reason);
 
 // The rules for udev that let the person at the seat open these devices, as a file of /etc/udev/rules.d whose

@@ -94,8 +94,8 @@ std::vector<HidPlace> find_hid(std::span<const HidId> ids) {
   std::vector<HidPlace> places;
   if (!ready()) return places;
   const std::lock_guard lock(listing());
-  // hidapi 0.13 stumbles over a device that is unplugged while it is looked at: only those of our vendors
-  // are.
+  // hidapi 0.13 can crash on a device that is unplugged while it lists it. It is asked for our vendors'
+  // devices alone, so that nobody else's can cause that.
   std::set<std::uint16_t> vendors;
   for (const HidId& id : ids) vendors.insert(id.vendor);
   for (const std::uint16_t vendor : vendors) {
