@@ -11,6 +11,9 @@ expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
 for command in list run replay check explain devices stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
 expect 2 'run .*Run a scenario' "$FULCRUM"
+mkdir apart && cp "$FULCRUM" apart/fulcrum
+expect 1 'apart/fulcrum-studies, which could not be started .*tools/run --build' apart/fulcrum hardness
+expect 2 "hardnes'; did you mean 'hardness'" "$FULCRUM" hardnes
 expect 2 "no subcommand 'rum'; did you mean 'run'" "$FULCRUM" rum piping
 expect 2 "no subcommand 'bogus'; .*--help" "$FULCRUM" bogus
 expect 2 "\`fulcrum run\` has no option '--hedless'; did you mean '--headless'" "$FULCRUM" run piping --hedless

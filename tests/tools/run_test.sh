@@ -32,8 +32,9 @@ needs content run ./teeth
 needs content replay A/tape
 needs content_texts list
 needs content_texts --version
-needs content_piping workprecision
-needs content --build
+needs "fulcrum-studies content_piping" workprecision
+needs "fulcrum-studies content_teeth" compare teeth
+needs "fulcrum-studies content" --build
 rmdir "$tree/content/scenarios/teeth"
 
 on "$run"

@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
+#include <exception>
 #include <string_view>
 #include <utility>
 
@@ -104,6 +106,15 @@ void Arguments::text(const Argument& argument, const std::function<std::string(c
       ->check(read);
 }
 
+void Arguments::texts(const Argument& argument, const std::function<std::string(const std::string&)>& read) {
+  command_
+      .add_option_function<std::vector<std::string>>(
+          argument.name, [](const std::vector<std::string>&) {}, argument.help)
+      ->type_name(argument.type)
+      ->allow_extra_args(false)
+      ->check(read);
+}
+
 void Arguments::exclude(CLI::Option* one, CLI::Option* other) {
   one->excludes(other);
 }
@@ -141,11 +152,18 @@ void Program::add(const char* name, const char* about, const std::function<void(
   subcommands_.push_back({command, std::move(run)});
 }
 
+void Program::add_elsewhere(const char* name, const char* about, std::function<int(char** argv)> start) {
+  app_->add_subcommand(name, about);
+  elsewhere_.push_back({name, std::move(start)});
+}
+
 int Program::run(int argc, char** argv) {
   if (argc < 2) {
     std::fputs(app_->help().c_str(), stdout);
     return kUsage;
   }
+  for (const Elsewhere& elsewhere : elsewhere_)
+    if (argv[1] == elsewhere.name) return elsewhere.start(argv);
   if (const auto refused = refuse_subcommand(*app_, argc, argv)) {
     complain(*refused);
     return kUsage;
@@ -161,6 +179,20 @@ int Program::run(int argc, char** argv) {
   }
   const auto chosen = std::ranges::find_if(subcommands_, [](const Subcommand& s) { return s.app->parsed(); });
   return chosen->run();
+}
+
+int run_program(int argc, char** argv, const char* about,
+                std::initializer_list<void (*)(Program&)> subcommands) {
+  // A file that may not grow becomes an error that is said, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    Program program(about);
+    for (const auto add : subcommands) add(program);
+    return program.run(argc, argv);
+  } catch (const std::exception& error) {
+    complain(std::string("this should not have happened: ") + error.what());
+    return kError;
+  }
 }
 
 }  // namespace fulcrum::app

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,8 @@ public:
   void integer(const Argument& argument, const std::function<void(std::int64_t)>& take);
   // read: what is wrong with the text, as a sentence; empty: nothing.
   void text(const Argument& argument, const std::function<std::string(const std::string&)>& read);
+  // The same for an option that may be given again.
+  void texts(const Argument& argument, const std::function<std::string(const std::string&)>& read);
   // Only one of the two may be given.
   static void exclude(CLI::Option* one, CLI::Option* other);
 
@@ -60,6 +63,8 @@ public:
   // arguments: asked at once; run: called if this subcommand is chosen, for the program's exit code.
   void add(const char* name, const char* about, const std::function<void(Arguments&)>& arguments,
            std::function<int()> run);
+  // A subcommand that another program carries out, with all arguments as they are.
+  void add_elsewhere(const char* name, const char* about, std::function<int(char** argv)> start);
   // The exit code: of the subcommand, or kUsage after a sentence that says what is wrong.
   int run(int argc, char** argv);
 
@@ -68,8 +73,18 @@ private:
     CLI::App* app;
     std::function<int()> run;
   };
+  struct Elsewhere {
+    std::string name;
+    std::function<int(char** argv)> start;
+  };
   std::unique_ptr<CLI::App> app_;
   std::vector<Subcommand> subcommands_;
+  std::vector<Elsewhere> elsewhere_;
 };
+
+// What main() does: asks each for its subcommand, runs the one that is chosen, says what went wrong; the exit
+// code.
+int run_program(int argc, char** argv, const char* about,
+                std::initializer_list<void (*)(Program&)> subcommands);
 
 }  // namespace fulcrum::app

@@ -11,13 +11,8 @@ void add_replay(Program& program);
 void add_check(Program& program);
 void add_explain(Program& program);
 void add_devices(Program& program);
-void add_compare(Program& program);
-void add_ambiguity(Program& program);
-void add_hardness(Program& program);
-void add_stability(Program& program);
-void add_workprecision(Program& program);
 void add_strip(Program& program);
-void add_uniformity(Program& program);
 void add_schema(Program& program);
+void add_studies(Program& program);
 
 }  // namespace fulcrum::app

@@ -5,7 +5,7 @@
 
 #include "engine/analysis/compare/compare.h"
 #include "engine/app/prepare/prepare.h"
-#include "engine/app/studies/compare_options.h"
+#include "engine/studies/compare_options.h"
 
 namespace fulcrum::app {
 

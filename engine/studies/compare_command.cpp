@@ -6,9 +6,10 @@
 #include "engine/analysis/compare/tables.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/report_output.h"
+#include "engine/app/cli/studies.h"
 #include "engine/app/cli/terminal.h"
-#include "engine/app/commands/commands.h"
-#include "engine/app/studies/compare_trials.h"
+#include "engine/studies/commands.h"
+#include "engine/studies/compare_trials.h"
 
 namespace fulcrum::app {
 namespace {
@@ -148,7 +149,7 @@ int compare_command(const CompareOptions& options) {
 void add_compare(Program& program) {
   const auto options = std::make_shared<CompareOptions>();
   program.add(
-      "compare", "Variants of torque substitution over the same trials: torque, force and time",
+      kCompareStudy.name, kCompareStudy.about,
       [options](Arguments& arguments) {
         arguments.required({"scenario", "NAME|FILE", "Its name (fulcrum list) or file"},
                            options->run.scenario);

@@ -5,11 +5,12 @@
 #include "engine/analysis/workprecision/report.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/report_output.h"
+#include "engine/app/cli/studies.h"
 #include "engine/app/cli/terminal.h"
-#include "engine/app/commands/commands.h"
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "engine/studies/commands.h"
 
 namespace fulcrum::app {
 namespace {
@@ -87,7 +88,7 @@ int workprecision_command(const RunOptions& options) {
 void add_workprecision(Program& program) {
   const auto options = std::make_shared<RunOptions>();
   program.add(
-      "workprecision", "What each choice costs, and how far from a known truth it leaves the answer",
+      kWorkPrecisionStudy.name, kWorkPrecisionStudy.about,
       [options](Arguments& arguments) {
         arguments.out(*options);
         arguments.json("Print the figures as JSON", options->json);

@@ -6,8 +6,9 @@
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/named_device.h"
 #include "engine/app/cli/report_output.h"
+#include "engine/app/cli/studies.h"
 #include "engine/app/cli/terminal.h"
-#include "engine/app/commands/commands.h"
+#include "engine/studies/commands.h"
 
 namespace fulcrum::app {
 namespace {
@@ -46,7 +47,7 @@ int uniformity_command(const RunOptions& options) {
 void add_uniformity(Program& program) {
   const auto options = std::make_shared<RunOptions>();
   program.add(
-      "uniformity", "Whether a ball feels alike along a whole stick, though the device has a mass at one end",
+      kUniformityStudy.name, kUniformityStudy.about,
       [options](Arguments& arguments) { arguments.out(*options); },
       [options] { return uniformity_command(*options); });
 }

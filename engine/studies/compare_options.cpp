@@ -1,4 +1,4 @@
-#include "engine/app/studies/compare_options.h"
+#include "engine/studies/compare_options.h"
 
 #include <algorithm>
 #include <array>

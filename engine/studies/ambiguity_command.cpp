@@ -5,9 +5,10 @@
 #include "engine/analysis/ambiguity/report.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/report_output.h"
+#include "engine/app/cli/studies.h"
 #include "engine/app/cli/terminal.h"
-#include "engine/app/commands/commands.h"
 #include "engine/app/prepare/prepare.h"
+#include "engine/studies/commands.h"
 
 namespace fulcrum::app {
 namespace {
@@ -67,7 +68,7 @@ int ambiguity_command(const RunOptions& options) {
 void add_ambiguity(Program& program) {
   const auto options = std::make_shared<RunOptions>();
   program.add(
-      "ambiguity", "Which impacts on the tool feel alike, and where to hold it instead",
+      kAmbiguityStudy.name, kAmbiguityStudy.about,
       [options](Arguments& arguments) {
         arguments.required({"scenario", "NAME|FILE", "Its name or file"}, options->scenario);
         arguments.overrides(options->overrides);

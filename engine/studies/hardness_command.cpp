@@ -7,8 +7,9 @@
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/named_device.h"
 #include "engine/app/cli/report_output.h"
+#include "engine/app/cli/studies.h"
 #include "engine/app/cli/terminal.h"
-#include "engine/app/commands/commands.h"
+#include "engine/studies/commands.h"
 #include "haptics/math/number_text.h"
 
 namespace fulcrum::app {
@@ -172,7 +173,7 @@ int hardness_command(const HardnessOptions& options) {
 void add_hardness(Program& program) {
   const auto options = std::make_shared<HardnessOptions>();
   program.add(
-      "hardness", "Where on a device a moment makes a surface feel harder, and where it cannot",
+      kHardnessStudy.name, kHardnessStudy.about,
       [options](Arguments& arguments) {
         arguments.text({"--device", "NAME", "A file of content/devices, by name (default: w6d)"},
                        options->device);

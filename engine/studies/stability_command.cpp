@@ -5,10 +5,11 @@
 #include "engine/analysis/stability/report.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/report_output.h"
+#include "engine/app/cli/studies.h"
 #include "engine/app/cli/terminal.h"
-#include "engine/app/commands/commands.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "engine/studies/commands.h"
 #include "haptics/actuation/actuators.h"
 
 namespace fulcrum::app {
@@ -83,7 +84,7 @@ int stability_command(const RunOptions& options) {
 void add_stability(Program& program) {
   const auto options = std::make_shared<RunOptions>();
   program.add(
-      "stability", "How stiff a wall each device can hold: simulated, and by theory",
+      kStabilityStudy.name, kStabilityStudy.about,
       [options](Arguments& arguments) {
         arguments.out(*options);
         arguments.json("Print the figures as JSON", options->json);

@@ -1,4 +1,4 @@
-#include "engine/app/studies/compare_trials.h"
+#include "engine/studies/compare_trials.h"
 
 #include <algorithm>
 #include <cmath>
