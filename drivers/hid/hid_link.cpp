@@ -5,11 +5,14 @@
 #include <chrono>
 #include <utility>
 
+#include "haptics/loop/real_time.h"
+
 namespace fulcrum::hid {
 namespace {
 
-constexpr int kReadWait_ms = 5;     // how long the reader waits: so old is what is known of a silent device
-constexpr int kLookAgain_ms = 250;  // between two looks for a device that is away
+constexpr int kReadWait_ms = 5;  // how long the reader waits: so old is what is known of a silent device
+constexpr std::int64_t kShortestTurn_ns = 500'000;  // of the reader; USB brings at most a report each ms
+constexpr int kLookAgain_ms = 250;                  // between two looks for a device that is away
 constexpr int kWriteEvery_ms = 4;
 constexpr int kRepeat_ms = 200;   // a report that vibrates is sent again: a pad may have missed one
 constexpr double kLetGo = 0.1;    // s, of silence
@@ -102,12 +105,20 @@ bool HidLink::take_reports(HidOpened& opened, State& state) {
   return true;
 }
 
+// A read that returns at once, whatever the reason, must not keep a processor busy that nothing else may
+// have.
 void HidLink::read_on() {
+  ask_for_scheduling(kReaderPriority);  // where it is refused, the haptic thread has said so
   const auto begun = [](const HidProtocol& protocol) {
     return State{.told_ns = now_ns(), .seen_ns = now_ns(), .streams = protocol.streams()};
   };
   State state = begun(*opened()->protocol);
-  while (rest(0)) {
+  std::int64_t last_ns = 0;
+  const auto pause_ms = [&] {
+    const std::int64_t now = now_ns();
+    return now - std::exchange(last_ns, now) < kShortestTurn_ns ? 1 : 0;
+  };
+  while (rest(pause_ms())) {
     if (const std::shared_ptr<HidOpened> at = opened()) {
       if (!take_reports(*at, state)) {
         state.connected = false;

@@ -1,15 +1,12 @@
 #include "haptics/loop/live_loop.h"
 
-#include <pthread.h>
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <cmath>
 #include <ctime>
-#include <system_error>
 
+#include "haptics/loop/real_time.h"
 #include "haptics/loop/run_tick.h"
 
 namespace fulcrum {
@@ -21,7 +18,6 @@ constexpr double kRingSeconds = 8;  // of ticks that the main thread may leave w
 // this the thread has hung, and the person may have gone on to something else: the force stops until
 // acknowledged.
 constexpr double kLongStall = 0.25;
-constexpr int kPriority = 80;
 
 std::int64_t monotonic_ns() noexcept {
   timespec now{};
@@ -56,27 +52,10 @@ void LiveLoop::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-RealTimeGrant LiveLoop::ask_for_real_time() {
-  RealTimeGrant grant;
-  sched_param priority{};
-  priority.sched_priority = kPriority;
-  if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority); error != 0)
-    grant.scheduling =
-        "Real-time scheduling was refused (" + std::generic_category().message(error) +
-        "), so other programs can delay a tick. To grant it, add to /etc/security/limits.conf: "
-        "\"@users - rtprio " +
-        std::to_string(kPriority) + "\" and log in anew.";
-  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
-    grant.memory = "Locked memory was refused (" + std::generic_category().message(errno) +
-                   "), so swapping can delay a tick. To grant it, add to /etc/security/limits.conf: "
-                   "\"@users - memlock unlimited\" and log in anew.";
-  return grant;
-}
-
 // Each turn: sleep to the deadline, see how many ticks are due, run at most kCatchUp of them with the newest
 // sample.
 void LiveLoop::run() {
-  grant_ = ask_for_real_time();
+  grant_ = {ask_for_scheduling(kHapticPriority), ask_for_locked_memory()};
   const double tick_s = world_.desc().tick_s;
   const auto tick_ns = static_cast<std::int64_t>(std::llround(tick_s * 1e9));
   std::int64_t deadline = monotonic_ns() + tick_ns;

@@ -16,10 +16,10 @@
 
 namespace fulcrum {
 
-// What the operating system granted. Each refusal is a sentence with what would grant it; empty when granted.
+// What the operating system refused (real_time.h); empty when granted.
 struct RealTimeGrant {
-  std::string scheduling;  // SCHED_FIFO
-  std::string memory;      // locked memory
+  std::string scheduling;
+  std::string memory;
 };
 
 // How late ticks began: bucket 0 counts those less than 1 us late, bucket i those less than 2^i us.
@@ -56,7 +56,6 @@ public:
 
 private:
   void run();
-  RealTimeGrant ask_for_real_time();
 
   World& world_;
   Device& device_;

@@ -12,7 +12,7 @@ enum Fault : std::uint32_t {
   kStopRequested = 1u << 0,  // Esc or an emergency stop
   kNotFinite = 1u << 1,      // NaN, infinity or a handle a kilometre off in the sample, or in a result: the
                              // tool stays where it was
-  kSampleStale = 1u << 2,    // the sample is older than 20 ms
+  kSampleStale = 1u << 2,    // the sample is older than 20 ms, or 100 ms where the device has no motors
   kDeviceLost = 1u << 3,     // the device is gone
   kWatchdog = 1u << 4,       // the haptic thread stood still for a quarter of a second
   kToolInside = 1u << 5,     // the tool is deeper inside the scene than the contact model is made for

@@ -25,7 +25,8 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
   const bool usable = sample.X_DH.is_finite() && sample.X_DH.p.cwiseAbs().maxCoeff() <= kFarthestHandle &&
                       sample.X_DH.q.norm() > 0.5 && sample.age >= 0;
   if (!usable) faults |= kNotFinite;
-  if (sample.age > kStaleSample) faults |= kSampleStale;
+  const bool has_motors = device_.renders_force || device_.renders_torque;
+  if (sample.age > (has_motors ? kStaleSample : kStaleWithoutMotors)) faults |= kSampleStale;
   if (!sample.connected) faults |= kDeviceLost;
   bool acknowledged = acknowledged_;
   for (const Command& command : commands) {

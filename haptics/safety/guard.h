@@ -20,6 +20,9 @@ namespace fulcrum {
 inline constexpr double kStopFall = 2e-3;      // s, from the commanded force to nothing
 inline constexpr double kRampIn = 0.5;         // s, from nothing to the whole force
 inline constexpr double kStaleSample = 20e-3;  // s, a sample older than this stops the force
+// The same for a device without motors: no force answers its samples, so that an old one makes no energy. The
+// tool goes on as it was last told for so long at most.
+inline constexpr double kStaleWithoutMotors = 0.1;  // s
 inline constexpr double kFarthestHandle =
     1e3;  // m, from D's origin: no handle is there, the sample is damaged
 

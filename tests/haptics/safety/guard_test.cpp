@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::test {
@@ -100,6 +101,23 @@ TEST(Guard, EachFaultOfASampleOrACommandStops) {
     EXPECT_EQ(guard.stopped(), cases[i].bit != 0) << i;
     EXPECT_EQ(guard.reason(), cases[i].bit) << i;
   }
+}
+
+// Without motors no force answers an old sample: the tool only goes on as it was told, for a tenth of a
+// second.
+TEST(Guard, ASampleOfADeviceWithoutMotorsMayBeOlder) {
+  const auto faults_at = [](bool force, bool torque, double age) {
+    DeviceDesc device;
+    device.renders_force = force;
+    device.renders_torque = torque;
+    DeviceSample sample;
+    sample.age = age;
+    return Guard(device, kTick, {}).watch(sample, {});
+  };
+  EXPECT_EQ(faults_at(false, false, 0.0999), 0u);
+  EXPECT_EQ(faults_at(false, false, 0.1001), static_cast<std::uint32_t>(kSampleStale));
+  for (const auto& [force, torque] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)})
+    EXPECT_EQ(faults_at(force, torque, 0.0201), static_cast<std::uint32_t>(kSampleStale)) << force << torque;
 }
 
 // Pushes until nothing changes any more; the faults are those of all ticks after the ramp.
