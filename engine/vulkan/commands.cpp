@@ -58,7 +58,9 @@ void Commands::run(const std::function<void(VkCommandBuffer)>& record, const Sub
   submit.pCommandBufferInfos = &commands;
   submit.signalSemaphoreInfoCount = semaphores.signal == VK_NULL_HANDLE ? 0 : 1;
   submit.pSignalSemaphoreInfos = &signal;
-  check(vkQueueSubmit2(device_.queue(), 1, &submit, done_.get()), "submit a frame");
+  const VkResult submitted =
+      device_.lost() ? VK_ERROR_DEVICE_LOST : vkQueueSubmit2(device_.queue(), 1, &submit, done_.get());
+  check(submitted, "submit a frame");
   const VkFence fence = done_.get();
   check(vkWaitForFences(device_.get(), 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
         "finish a frame");

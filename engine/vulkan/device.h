@@ -47,6 +47,10 @@ public:
   Memory& memory() { return *memory_; }
   const DeviceInfo& info() const { return info_; }
 
+  // From here on all that is submitted fails as on a card that is gone: to see what follows.
+  void lose() { lost_ = true; }
+  bool lost() const { return lost_; }
+
 private:
   Device() = default;
 
@@ -56,6 +60,7 @@ private:
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queue_family_ = 0;
   DeviceInfo info_;
+  bool lost_ = false;
   std::unique_ptr<Memory> memory_;
 };
 

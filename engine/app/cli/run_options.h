@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/fault/injected_fault.h"
 #include "engine/render/plan.h"
 
 namespace fulcrum::app {
@@ -26,6 +27,8 @@ struct RunOptions {
   std::filesystem::path out;  // empty: a new folder under the data directory
   bool force = false;         // replace results that are in `out`
   bool json = false;
+  std::vector<InjectedFault> faults;  // --fault
+  bool no_ack = false;                // headless, with faults: a stop ends the run
 };
 
 }  // namespace fulcrum::app

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <memory>
 
+#include "drivers/fault/faulty_device.h"
 #include "drivers/registry.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/interrupt.h"
@@ -18,6 +19,7 @@
 #include "engine/app/window/training_window.h"
 #include "engine/record/run_folder.h"
 #include "engine/ui/window.h"
+#include "haptics/math/number_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -31,6 +33,24 @@ std::string read_size(const std::string& text, render::Extent& size) {
     return "'" + text + "' is no size: give WIDTHxHEIGHT in pixels, such as 1280x720, each from 16 to 16384";
   size = {width, height};
   return {};
+}
+
+// What is wrong with the text; empty: nothing, and it is one of the faults.
+std::string add_fault(const std::string& text, std::vector<InjectedFault>& faults) {
+  const Result<InjectedFault> fault = read_injected_fault(text);
+  if (!fault) return fault.error().sentence;
+  faults.push_back(*fault);
+  return {};
+}
+
+// "nan at 1 s, stall at 3 s".
+std::string faults_text(const std::vector<InjectedFault>& faults) {
+  std::string text;
+  for (const InjectedFault& fault : faults) {
+    if (!text.empty()) text += ", ";
+    text.append(name_of(fault.kind)).append(" at ").append(number_text(fault.at)).append(" s");
+  }
+  return text;
 }
 
 Result<std::unique_ptr<Device>> any_device(auto made) {
@@ -53,6 +73,10 @@ Result<OpenDevice> device_for(const Prepared& prepared, const SceneDesc& scene, 
     const render::Camera camera = views.empty() ? render::Camera() : views.front().camera;
     opened->rate->look(seen_frame(camera, scene.tool.X_WT_start.p, false));
   }
+  if (!opened) return opened;
+  for (const InjectedFault& fault : options.faults)
+    if (is_of_device(fault.kind))
+      opened->device = std::make_unique<FaultyDevice>(std::move(opened->device), fault, scene.tick_s);
   return opened;
 }
 
@@ -88,6 +112,7 @@ public:
   World& world() { return world_; }
   OpenDevice& device() { return device_; }
   RunSink& sink() { return sink_; }
+  const ProgramFaults& faults() const { return faults_; }
   const std::filesystem::path& folder() const { return folder_; }
 
   // plan: what was drawn with, if anything was. person: one may acknowledge a stop, or leave; then no fault
@@ -116,7 +141,10 @@ private:
         device_(std::move(device)),
         world_(std::move(world)),
         folder_(std::move(results.folder)),
-        sink_(prepared, std::move(results.recorder), limit) {}
+        faults_(options.faults, folder_),
+        sink_(prepared, std::move(results.recorder), limit, &faults_) {
+    if (!options.faults.empty()) sink_.watch_handle();
+  }
 
   static std::unique_ptr<RunSession> refuse(const Error& error) {
     complain(error.sentence);
@@ -128,16 +156,18 @@ private:
   OpenDevice device_;
   World world_;
   std::filesystem::path folder_;
+  ProgramFaults faults_;
   RunSink sink_;
 };
 
 int run_headless(const Prepared& prepared, const RunOptions& options) {
   const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, options);
   if (!attempt) return kError;
+  const bool acknowledges = !options.no_ack && !options.faults.empty();
   if (options.realtime)
-    run_live(attempt->world(), *attempt->device().device, attempt->sink());
+    run_live(attempt->world(), *attempt->device().device, attempt->sink(), acknowledges);
   else
-    run_offline(attempt->world(), *attempt->device().device, attempt->sink());
+    run_offline(attempt->world(), *attempt->device().device, attempt->sink(), acknowledges);
 
   // The picture is the last moment. Without Vulkan the run counts all the same.
   render::RenderPlan plan;
@@ -145,7 +175,8 @@ int run_headless(const Prepared& prepared, const RunOptions& options) {
   const Result<scenario::VisualAssembly> visual = assemble_shown(prepared, attempt->world().desc(), options);
   if (visual) {
     const RunSink& sink = attempt->sink();
-    const FrameInput input{sink.last(), sink.afterglow(), sink.task(), visual->desc.camera};
+    const FrameInput input{sink.last(), sink.afterglow(), sink.task(), visual->desc.camera,
+                           attempt->faults().gpu_lost()};
     const auto picture = draw_picture(prepared, attempt->world().desc(), *visual, input, options,
                                       attempt->folder() / record::kPictureName, &plan);
     drawn = static_cast<bool>(picture);
@@ -190,7 +221,8 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options)
       attempt_options.out = options.out / ("attempt-" + std::to_string(number));
     const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, attempt_options);
     if (!attempt) return kError;
-    const TrainingWindow::Leave leave = (*window)->run(attempt->world(), attempt->device(), attempt->sink());
+    const TrainingWindow::Leave leave =
+        (*window)->run(attempt->world(), attempt->device(), attempt->sink(), attempt->faults());
     const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
     if (!picture) complain("there is no picture: " + picture.error().sentence);
     const int code = attempt->finish(&(*window)->plan(), true);
@@ -217,6 +249,14 @@ int run_command(const RunOptions& given) {
     return kCompleted;
   }
   if (options.device.empty()) options.device = options.headless ? "simulated" : device_in_hand();
+  for (const InjectedFault& fault : options.faults) {
+    if (needs_clock(fault.kind) && options.headless && !options.realtime) {
+      complain("--fault " + std::string(name_of(fault.kind)) +
+               " delays the haptic thread, which needs the clock: add --realtime.");
+      return kUsage;
+    }
+  }
+  if (!options.faults.empty()) complain("faults are injected: " + faults_text(options.faults) + ".");
   Result<DeviceChoice> choice = choose_device(options.device);
   if (!choice) {
     complain(choice.error().sentence);
@@ -279,6 +319,12 @@ void add_run(Program& program) {
                         "the best that is "
                         "there"},
                        options->device);
+        arguments.texts({"--fault", "NAME@T",
+                         "Inject a fault at T s, such as unplug@2 (docs/faults.md); may be given again"},
+                        [options](const std::string& text) { return add_fault(text, options->faults); });
+        arguments.flag("--no-ack",
+                       "With --fault and --headless: a stop ends the run, and is not acknowledged",
+                       options->no_ack);
         arguments.flag("--realtime", "Headless, but by the clock, in the haptic thread", options->realtime);
         arguments.positive({"--seconds", "S", "End after this much simulated time"}, options->seconds);
         arguments.integer(

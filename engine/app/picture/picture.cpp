@@ -33,6 +33,7 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   render::FrameState frame =
       bridge.frame(input.record, input.afterglow, input.task, input.camera, shown.time_s);
   frame.overlay = overlay->get();
+  if (input.gpu_lost) (*device)->lose();
   if (auto error = (*renderer)->frame(frame)) return *error;
   const auto picture = (*renderer)->read_back();
   if (!picture) return picture.error();

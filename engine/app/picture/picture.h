@@ -15,6 +15,7 @@ struct FrameInput {
   Afterglow afterglow;
   scenario::TaskState task;
   render::Camera camera;
+  bool gpu_lost = false;  // nothing can be drawn any more
 };
 
 // Draws one frame into a PNG. `plan`, if given, receives what was built. Errors: no Vulkan, no such GPU, a

@@ -6,35 +6,47 @@
 
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
+#include "engine/app/run/stop_response.h"
 #include "haptics/loop/run_tick.h"
 
 namespace fulcrum::app {
 namespace {
 
 bool goes_on(const RunSink& sink) {
-  return sink.end() == RunSink::End::running && !sink.stopped_by_fault() && !interrupted();
+  return sink.end() == RunSink::End::running && !interrupted();
 }
 
 }  // namespace
 
-void run_offline(World& world, Device& device, RunSink& sink) {
+void run_offline(World& world, Device& device, RunSink& sink, bool acknowledges) {
   ProgressBar bar;
-  while (goes_on(sink)) {
+  StopResponse response(acknowledges, world.desc().tick_s);
+  StopResponse::Next next = StopResponse::Next::go_on;
+  constexpr Command kAcknowledge{Command::Kind::acknowledge};
+  while (goes_on(sink) && next != StopResponse::Next::end) {
     TickEvent event;
-    run_tick(world, device, {}, event);
+    const std::size_t commands = next == StopResponse::Next::acknowledge ? 1 : 0;
+    run_tick(world, device, {&kAcknowledge, commands}, event);
     sink.take(event);
+    next = response.after(sink.stopped_by_fault());
     bar.show("Running", sink.time() / sink.limit());
   }
 }
 
-void run_live(World& world, Device& device, RunSink& sink) {
+void run_live(World& world, Device& device, RunSink& sink, bool acknowledges) {
   LiveLoop loop(world, device);
   ProgressBar bar;
+  StopResponse response(acknowledges, world.desc().tick_s);
+  StopResponse::Next next = StopResponse::Next::go_on;
   loop.start();
-  while (goes_on(sink)) {
+  while (goes_on(sink) && next != StopResponse::Next::end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     TickEvent event;
-    while (goes_on(sink) && loop.next(event)) sink.take(event);
+    while (goes_on(sink) && next != StopResponse::Next::end && loop.next(event)) {
+      sink.take(event);
+      next = response.after(sink.stopped_by_fault());
+      if (next == StopResponse::Next::acknowledge) loop.send({Command::Kind::acknowledge});
+    }
     sink.flush_if_due();
     bar.show("Running", sink.time() / sink.limit());
   }

@@ -6,8 +6,9 @@
 
 namespace fulcrum::app {
 
-void run_offline(World& world, Device& device, RunSink& sink);
-void run_live(World& world, Device& device, RunSink& sink);
+// acknowledges: a stop does not end the run, where acknowledging it after a second is of avail.
+void run_offline(World& world, Device& device, RunSink& sink, bool acknowledges);
+void run_live(World& world, Device& device, RunSink& sink, bool acknowledges);
 
 // What the operating system refused, and ticks that no record is left of: on stderr.
 void report_grant(const LiveLoop& loop);

@@ -10,10 +10,12 @@
 
 namespace fulcrum::app {
 
-RunSink::RunSink(const Prepared& prepared, std::optional<record::Recorder> recorder, double limit_s)
+RunSink::RunSink(const Prepared& prepared, std::optional<record::Recorder> recorder, double limit_s,
+                 ProgramFaults* faults)
     : prepared_(prepared),
       tick_s_(prepared.haptic.scene.tick_s),
       limit_s_(limit_s),
+      faults_(faults),
       recorder_(std::move(recorder)),
       judge_(prepared.haptic.task, tick_s_),
       totals_(tick_s_),
@@ -51,6 +53,8 @@ void RunSink::take(const TickEvent& event) {
   afterglow_.add(event.record, time,
                  has_brief_knobs_ ? effect_knobs(scene, scene, event.record) : std::vector<Knob>());
   ++ticks_;
+  if (still_handle_ && still_handle_->note(event.sample)) complain(StillHandle::kSentence);
+  if (faults_ != nullptr) faults_->pass(static_cast<double>(ticks_) * tick_s_);
   if (event.record.stopped) ++stopped_ticks_;
 }
 

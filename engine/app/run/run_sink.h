@@ -9,6 +9,8 @@
 #include "engine/app/picture/afterglow.h"
 #include "engine/app/prepare/prepare.h"
 #include "engine/app/run/penetration.h"
+#include "engine/app/run/program_faults.h"
+#include "engine/app/run/still_handle.h"
 #include "engine/record/recorder.h"
 #include "engine/record/run_totals.h"
 #include "engine/record/summary.h"
@@ -19,14 +21,20 @@ namespace fulcrum::app {
 
 class RunSink {
 public:
-  // recorder: none, and nothing is written. limit_s: the trial ends there.
-  RunSink(const Prepared& prepared, std::optional<record::Recorder> recorder, double limit_s);
+  // recorder: none, and nothing is written. limit_s: the trial ends there. faults: what befalls the program
+  // on the way; null: nothing.
+  RunSink(const Prepared& prepared, std::optional<record::Recorder> recorder, double limit_s,
+          ProgramFaults* faults = nullptr);
+
+  // From the first tick on: says so where the handle never moves.
+  void watch_handle() { still_handle_.emplace(tick_s_); }
 
   void take(const TickEvent& event);
   void flush_if_due();  // live: every few milliseconds
 
   enum class End { running, completed, limit };
   End end() const;
+  bool handle_is_still() const { return still_handle_ && still_handle_->is_still(); }
   // A fault stopped the force in the newest tick.
   bool stopped_by_fault() const { return last_.stopped; }
 
@@ -52,6 +60,8 @@ private:
   const Prepared& prepared_;
   double tick_s_;
   double limit_s_;
+  ProgramFaults* faults_;
+  std::optional<StillHandle> still_handle_;
   std::int64_t ticks_ = 0, stopped_ticks_ = 0;
   std::optional<record::Recorder> recorder_;
   bool recorder_failed_ = false;

@@ -88,7 +88,8 @@ Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(WindowStage& stag
   return self;
 }
 
-TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink) {
+TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink,
+                                          const ProgramFaults& faults) {
   LiveLoop loop(world, *device.device);
   loop_ = &loop;
   scene_ = &world.desc();
@@ -138,6 +139,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
       sink.take(event);
     }
     sink.flush_if_due();
+    if (faults.gpu_lost()) stage_.gpu().lose();
     if (sink.end() != RunSink::End::running) {
       come_to_rest(loop);
     } else {
@@ -291,6 +293,7 @@ std::string TrainingWindow::message(const RunSink& sink) const {
     case RunSink::End::running:
       break;
   }
+  if (sink.handle_is_still()) return StillHandle::kSentence;
   return keys_visible_ ? std::string() : "F1: keys and mouse";
 }
 

@@ -30,7 +30,7 @@ public:
 
   enum class Leave { closed, restart };
   // One attempt.
-  Leave run(World& world, OpenDevice& device, RunSink& sink);
+  Leave run(World& world, OpenDevice& device, RunSink& sink, const ProgramFaults& faults);
   // The attempt's last moment, as it was seen, into a PNG. After run().
   Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 

@@ -28,6 +28,7 @@ public:
   ui::Overlay& overlay() { return *overlay_; }
   render::Renderer& renderer() { return *renderer_; }
   vulkan::Swapchain& swapchain() { return *swapchain_; }
+  vulkan::Device& gpu() { return *gpu_; }
   // What Vulkan's validation layers have said so far, if options asked for them.
   std::vector<std::string> validation_messages() const { return instance_->messages(); }
 
