@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "haptics/math/bisect.h"
 #include "haptics/math/functions.h"
@@ -38,19 +39,31 @@ struct Range {
   }
 };
 
+// 1 - cos over `ticks`, from 0 to 0, until the next call: most swings are as long as the one before.
+const std::vector<double>& bell(int ticks) {
+  thread_local std::vector<double> kept;
+  if (std::ssize(kept) != ticks) {
+    kept.resize(static_cast<std::size_t>(ticks));
+    for (int i = 0; i < ticks; ++i)
+      kept[static_cast<std::size_t>(i)] = 1 - math::cos(2 * std::numbers::pi * (i + 0.5) / ticks);
+  }
+  return kept;
+}
+
 // Sum of x^2 under a bell over a stretch: the swing within a cycle cancels, and the ratio of two stretches
 // is the growth between their middles.
 class Stretch {
 public:
-  Stretch(int from, int ticks) : from_(from), ticks_(ticks) {}
+  Stretch(int from, const std::vector<double>& bell) : from_(from), bell_(bell) {}
   void take(int tick, double x) {
-    if (tick < from_ || tick >= from_ + ticks_) return;
-    sum_ += (1 - math::cos(2 * std::numbers::pi * (tick - from_ + 0.5) / ticks_)) * x * x;
+    const auto i = static_cast<std::size_t>(tick - from_);
+    if (tick >= from_ && i < bell_.size()) sum_ += bell_[i] * x * x;
   }
   double sum() const { return sum_; }
 
 private:
-  int from_, ticks_;
+  int from_;
+  const std::vector<double>& bell_;
   double sum_ = 0;
 };
 
@@ -78,7 +91,8 @@ Swing swing(const WallLoop& loop, const Wall& wall, double v0) {
   const int ticks = std::max(
       kFewestTicks, static_cast<int>(std::lround(2 * std::numbers::pi * kCycles / (w * loop.tick_s))));
   const int quarter = ticks / 4;
-  Stretch before(2 * quarter, quarter), after(3 * quarter, quarter);
+  const std::vector<double>& weights = bell(quarter);
+  Stretch before(2 * quarter, weights), after(3 * quarter, weights);
   SimulatedWall run(loop, wall, v0);
   Range early, late;
   for (int i = 0; i < ticks; ++i) {

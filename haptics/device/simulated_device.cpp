@@ -192,6 +192,7 @@ void SimulatedDevice::advance_axes(const Wrench& F_H_D, const HandTarget& target
     else
       turn[i - 3] = axes_[axis].x;
   }
+  if (turn.isZero(0)) return;
   if (!turns_alike_) turn = q_DA * turn;
   X_DH_.q = (quaternion_exp(turn) * X_DH_.q).normalized();
 }
