@@ -7,9 +7,13 @@
 
 #include "drivers/dualsense/dualsense_protocol.h"
 #include "drivers/dualshock4/dualshock4_protocol.h"
+#include "drivers/force/force_device.h"
 #include "drivers/hid/hid_link.h"
+#include "drivers/omega/omega_bus.h"
+#include "drivers/polhem/polhem_bus.h"
 #include "drivers/sony/pad_axes.h"
 #include "drivers/spacemouse/spacemouse_protocol.h"
+#include "drivers/touch/touch_bus.h"
 #include "drivers/vibrating/vibrating_device.h"
 
 namespace fulcrum {
@@ -21,7 +25,8 @@ using hid::HidPlace;
 // A family of HID devices that speak the same.
 struct HidFamily {
   std::span<const hid::HidId> (*ids)();
-  std::unique_ptr<hid::HidProtocol> (*protocol)(const HidPlace&);
+  std::unique_ptr<hid::HidProtocol> (*protocol)(const HidPlace&) = nullptr;  // of those that are pushed
+  hid::Nodes nodes = hid::Nodes::of_axes;
 };
 
 sony::Link link_of(const HidPlace& place) {
@@ -41,9 +46,11 @@ constexpr HidFamily kDualShock4{&dualshock4::usb_ids,
                                   return std::make_unique<dualshock4::DualShock4Protocol>(link_of(place));
                                 }};
 
+constexpr HidFamily kPolhem{.ids = &polhem::usb_ids, .nodes = hid::Nodes::all};
+
 // Where it is, or why it is not; what is wrong with one matters only if there is no other.
 Result<HidPlace> place_of(const HidFamily& family) {
-  const std::vector<HidPlace> places = hid::find_hid(family.ids());
+  const std::vector<HidPlace> places = hid::find_hid(family.ids(), family.nodes);
   if (places.empty()) return Error{"none is plugged in, and none is paired and awake: plug one in."};
   const auto open = std::ranges::find(places, true, &HidPlace::permitted);
   if (open != places.end()) return *open;
@@ -105,6 +112,7 @@ struct Driver {
   bool in_hand = false;   // a person holds it
   bool table = false;     // content/devices has its figures
   bool vibrates = false;  // beside another device, too
+  bool motors = false;    // it pushes back
 };
 
 Result<OpenDevice> open_simulated(const std::string& /*model*/, const DeviceOrder& order) {
@@ -139,6 +147,51 @@ Result<OpenDevice> open_hid_axes(const std::string& /*argument*/, const DeviceOr
   return by_axes(std::move(*axes), order);
 }
 
+std::unique_ptr<hid::HidPort> port_of(const HidFamily& family) {
+  const Result<HidPlace> place = place_of(family);
+  if (!place) return nullptr;
+  Result<std::unique_ptr<hid::HidPort>> port = hid::open_hid(*place);
+  return port ? std::move(*port) : nullptr;
+}
+
+// Bus: of a device with motors that speaks HID, made of a port and the device's figures.
+template <const HidFamily& kFamily, class Bus>
+Result<OpenDevice> open_hid_force(const std::string& /*argument*/, const DeviceOrder& order) {
+  const Result<HidPlace> place = place_of(kFamily);
+  if (!place) return place.error();
+  Result<std::unique_ptr<hid::HidPort>> port = hid::open_hid(*place);
+  if (!port) return port.error();
+  const auto again = [desc = order.desc]() -> std::unique_ptr<ForceBus> {
+    std::unique_ptr<hid::HidPort> found = port_of(kFamily);
+    return found ? std::make_unique<Bus>(std::move(found), desc) : nullptr;
+  };
+  Result<std::unique_ptr<ForceDevice>> device =
+      ForceDevice::start(order.desc, std::make_unique<Bus>(std::move(*port), order.desc), again);
+  if (!device) return device.error();
+  return OpenDevice{.device = std::move(*device)};
+}
+
+// Bus: of a device with motors whose maker's library finds it.
+template <class Bus>
+Result<OpenDevice> open_force(const std::string& /*argument*/, const DeviceOrder& order) {
+  Result<std::unique_ptr<Bus>> bus = Bus::open();
+  if (!bus) return bus.error();
+  const auto again = []() -> std::unique_ptr<ForceBus> {
+    Result<std::unique_ptr<Bus>> found = Bus::open();
+    return found ? std::move(*found) : nullptr;
+  };
+  Result<std::unique_ptr<ForceDevice>> device = ForceDevice::start(order.desc, std::move(*bus), again);
+  if (!device) return device.error();
+  return OpenDevice{.device = std::move(*device)};
+}
+
+std::string why_no_omega(const std::string& /*no_window_reason*/) {
+  return dhd::why_no_omega();
+}
+std::string why_no_touch(const std::string& /*no_window_reason*/) {
+  return hd::why_no_touch();
+}
+
 // Those in a hand in the order in which one is taken where none is asked for.
 constexpr Driver kDrivers[] = {
     {"simulated", "simulated", "a 6/3-DOF device in a simulated hand, for runs without a person", &always,
@@ -146,6 +199,31 @@ constexpr Driver kDrivers[] = {
     {"simulated", "simulated:MODEL",
      "the same with the figures of another device: content/devices/MODEL.yaml", &always, &open_simulated},
     {"replay", "replay:FILE", "the handle motion of a recorded tape or trace.csv", &always, &open_replay},
+    {.name = "polhem",
+     .shown = "polhem",
+     .what = "a Polhem (WoodenHaptics): six axes by its arm and stylus; pushes on three",
+     .why_not = &why_no_hid<kPolhem>,
+     .open = &open_hid_force<kPolhem, polhem::PolhemBus>,
+     .family = &kPolhem,
+     .in_hand = true,
+     .table = true,
+     .motors = true},
+    {.name = "omega6",
+     .shown = "omega6",
+     .what = "a Force Dimension omega.6: six axes, pushes on three; by its maker's library",
+     .why_not = &why_no_omega,
+     .open = &open_force<dhd::OmegaBus>,
+     .in_hand = true,
+     .table = true,
+     .motors = true},
+    {.name = "touch",
+     .shown = "touch",
+     .what = "a 3D Systems Touch: six axes, pushes on three; by its maker's library",
+     .why_not = &why_no_touch,
+     .open = &open_force<hd::TouchBus>,
+     .in_hand = true,
+     .table = true,
+     .motors = true},
     {.name = "spacemouse",
      .shown = "spacemouse",
      .what = "a 3Dconnexion SpaceMouse: six axes by its cap, no force",
@@ -299,7 +377,12 @@ std::optional<Error> refuse_device(const std::string& name, const std::string& n
 
 bool moves_as_seen(const std::string& name) {
   const Driver* const driver = driver_of(name.substr(0, name.find('+')));
-  return driver != nullptr && driver->in_hand;
+  return driver != nullptr && driver->in_hand && !driver->motors;
+}
+
+bool pushes_back(const std::string& name) {
+  const Driver* const driver = driver_of(name.substr(0, name.find('+')));
+  return driver != nullptr && driver->motors;
 }
 
 bool has_table(const std::string& name) {

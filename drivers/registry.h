@@ -49,6 +49,9 @@ Result<DeviceName> read_device_name(const std::string& name);
 // keys.
 bool moves_as_seen(const std::string& name);
 
+// The device has motors of its own, and a person holds it.
+bool pushes_back(const std::string& name);
+
 // content/devices has its figures, under its name.
 bool has_table(const std::string& name);
 

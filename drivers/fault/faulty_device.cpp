@@ -132,11 +132,7 @@ void FaultyDevice::write(const DeviceCommand& command) noexcept {
     device_->write(command);
     return;
   }
-  const double left = held_fraction(static_cast<double>(since_ + 1) * tick_s_);
-  DeviceCommand held;
-  held.F_H_D = heard_.F_H_D * left;
-  std::ranges::transform(heard_.effort, held.effort.begin(), [left](double effort) { return left * effort; });
-  device_->write(held);
+  device_->write(held_command(heard_, static_cast<double>(since_ + 1) * tick_s_));
 }
 
 void FaultyDevice::miss(int ticks) noexcept {

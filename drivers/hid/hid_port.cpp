@@ -90,7 +90,7 @@ bool reports_axes(const hid_device_info& info) {
 
 }  // namespace
 
-std::vector<HidPlace> find_hid(std::span<const HidId> ids) {
+std::vector<HidPlace> find_hid(std::span<const HidId> ids, Nodes nodes) {
   std::vector<HidPlace> places;
   if (!ready()) return places;
   const std::lock_guard lock(listing());
@@ -102,7 +102,8 @@ std::vector<HidPlace> find_hid(std::span<const HidId> ids) {
     hid_device_info* const all = hid_enumerate(vendor, 0);
     for (const hid_device_info* info = all; info != nullptr; info = info->next) {
       const HidId id{info->vendor_id, info->product_id};
-      if (std::ranges::find(ids, id) == ids.end() || !reports_axes(*info)) continue;
+      if (std::ranges::find(ids, id) == ids.end()) continue;
+      if (nodes == Nodes::of_axes && !reports_axes(*info)) continue;
       if (info->path == nullptr) continue;  // it is being unplugged
       const std::string path = info->path;
       const bool known = std::ranges::any_of(places, [&](const HidPlace& p) { return p.path == path; });

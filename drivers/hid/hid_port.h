@@ -34,9 +34,13 @@ struct HidPlace {
   bool permitted = true;  // the node may be read and written
 };
 
-// Those of `ids` that are there now, in the order of their paths. One device may have several nodes; these
-// are the ones that report axes.
-std::vector<HidPlace> find_hid(std::span<const HidId> ids);
+// One device may have several nodes.
+enum class Nodes {
+  of_axes,  // those that report a joystick's, a pad's or a cap's axes
+  all
+};
+// Those of `ids` that are there now, in the order of their paths.
+std::vector<HidPlace> find_hid(std::span<const HidId> ids, Nodes nodes = Nodes::of_axes);
 
 // Errors: the node cannot be opened, with what would cure it.
 Result<std::unique_ptr<HidPort>> open_hid(const HidPlace& place);

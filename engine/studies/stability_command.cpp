@@ -4,6 +4,7 @@
 
 #include "engine/analysis/stability/report.h"
 #include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/named_device.h"
 #include "engine/app/cli/report_output.h"
 #include "engine/app/cli/studies.h"
 #include "engine/app/cli/terminal.h"
@@ -15,9 +16,23 @@
 namespace fulcrum::app {
 namespace {
 
-// Each device file of a device that has motors; what is wrong with another is said, and nothing is returned.
-std::optional<std::vector<analysis::stability::NamedAxis>> device_axes() {
+analysis::stability::NamedAxis axis_of(const std::string& name, const DeviceDesc& device) {
+  return {name,
+          {.mass = device.handle_mass,
+           .damping = device.damping,
+           .friction = device.friction,
+           .encoder_step = device.encoder_step}};
+}
+
+// The device of that name, or, without one, each device file of a device that has motors; what is wrong with
+// one is said, and nothing is returned.
+std::optional<std::vector<analysis::stability::NamedAxis>> device_axes(const std::string& only) {
   std::vector<analysis::stability::NamedAxis> axes;
+  if (!only.empty()) {
+    const std::optional<DeviceDesc> device = device_named(only);
+    if (!device) return std::nullopt;
+    return std::vector{axis_of(only, *device)};
+  }
   for (const auto& [name, file] : scenario::device_files(scenario::content_roots())) {
     const scenario::Checked<DeviceDesc> device = scenario::load_device(file);
     if (!device) {
@@ -25,11 +40,7 @@ std::optional<std::vector<analysis::stability::NamedAxis>> device_axes() {
       return std::nullopt;
     }
     if (Actuators::count(*device) == 0) continue;  // no motors, no wall
-    axes.push_back({name,
-                    {.mass = device->handle_mass,
-                     .damping = device->damping,
-                     .friction = device->friction,
-                     .encoder_step = device->encoder_step}});
+    axes.push_back(axis_of(name, *device));
   }
   return axes;
 }
@@ -47,10 +58,17 @@ nlohmann::ordered_json to_json(const std::vector<analysis::stability::ZWidth>& w
   return all;
 }
 
-int stability_command(const RunOptions& options) {
+// Of `run` count out, force and json.
+struct StabilityOptions {
+  RunOptions run;
+  std::string device;  // empty: every one
+};
+
+int stability_command(const StabilityOptions& asked) {
+  const RunOptions& options = asked.run;
   constexpr std::string_view files[] = {analysis::stability::kStabilityCsvName,
                                         analysis::stability::kStabilityPageName};
-  const std::optional<std::vector<analysis::stability::NamedAxis>> models = device_axes();
+  const std::optional<std::vector<analysis::stability::NamedAxis>> models = device_axes(asked.device);
   if (!models) return kError;
   const std::optional<std::filesystem::path> folder = report_folder("stability", options, files);
   if (!folder) return kError;
@@ -82,12 +100,15 @@ int stability_command(const RunOptions& options) {
 }  // namespace
 
 void add_stability(Program& program) {
-  const auto options = std::make_shared<RunOptions>();
+  const auto options = std::make_shared<StabilityOptions>();
   program.add(
       kStabilityStudy.name, kStabilityStudy.about,
       [options](Arguments& arguments) {
-        arguments.out(*options);
-        arguments.json("Print the figures as JSON", options->json);
+        arguments.text(
+            {"--device", "NAME", "A file of content/devices, by name (default: every one with motors)"},
+            options->device);
+        arguments.out(options->run);
+        arguments.json("Print the figures as JSON", options->run.json);
       },
       [options] { return stability_command(*options); });
 }

@@ -95,5 +95,7 @@ public:
 // energy: at 60 ms only 17.5 N/m would be stable. It is held for two ticks of 1 kHz, then falls to nothing
 // within 5 ms.
 double held_fraction(double age);
+// What a device does by then of such a command: its wrench and its efforts. Nothing vibrates.
+DeviceCommand held_command(const DeviceCommand& command, double age);
 
 }  // namespace fulcrum

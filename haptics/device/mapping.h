@@ -16,6 +16,9 @@ struct MappingDesc {
   Pose X_WD;
   double position_scale = 1;
   double force_scale = 1;
+  // The first sample takes hold of the tool where it is, as letting go of the clutch does: a hand need not be
+  // where the scene begins.
+  bool engages_at_start = false;
   int clutch_button = -1;  // while this button is down the tool stays and the handle moves freely; -1: none
 
   Pose handle_in_world(const Pose& X_DH) const {

@@ -101,7 +101,7 @@ void check(FigureCheck& figures, const DeviceDesc& device) {
 }
 
 void check(FigureCheck& figures, const MappingDesc& mapping) {
-  const auto& [X_WD, position_scale, force_scale, clutch_button] = mapping;
+  const auto& [X_WD, position_scale, force_scale, engages_at_start, clutch_button] = mapping;
   figures.pose("device.base", X_WD);
   figures.from_to("device.position_scale", position_scale, 1 / kLargestScale, kLargestScale);
   figures.from_to("device.force_scale", force_scale, 1 / kLargestScale, kLargestScale);

@@ -36,7 +36,8 @@ HandleInput::HandleInput(const PlainScene& scene)
       holding_point_(build_holding_point(scene)),
       holding_desc_(scene.holding_point),
       structure_(scene.device.structure),
-      has_strip_(scene.device.strip.has_value()) {
+      has_strip_(scene.device.strip.has_value()),
+      engages_(scene.mapping.engages_at_start) {
   X_WH_ = scene.tool.X_WT_start * X_HT_.inverse();
   X_DH_ = mapping_.handle_in_device(X_WH_);
 }
@@ -56,13 +57,18 @@ Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
   const Pose raw = mapping_.handle_in_world(X_DH_);
   const int button = mapping_.clutch_button;
   const bool held = button >= 0 && (sample.buttons >> button & 1u) != 0;
-  if (held || clutched_) {  // on release, too: from there on the offset carries the tool on from where it is
-    clutch_X_.q = (X_WH_.q * raw.q.conjugate()).normalized();
+  const bool engages = engages_ && usable;
+  if (engages) engages_ = false;
+  if (held || clutched_ ||
+      engages) {  // on release, too: from there on the offset carries the tool on from where it is
+    clutch_X_.q = (raw.q.conjugate() * X_WH_.q).normalized();
     clutch_X_.p = X_WH_.p - raw.p;
   }
-  const bool changed = held != clutched_;
+  const bool changed = held != clutched_ || engages;
   clutched_ = held;
-  const Pose X_WH{(clutch_X_.q * raw.q).normalized(), raw.p + clutch_X_.p};
+  // The turn is added on the handle's side: the tool turns about the axis in the world about which the hand
+  // turns, and a torque does the same work on both.
+  const Pose X_WH{(raw.q * clutch_X_.q).normalized(), raw.p + clutch_X_.p};
   if (held || changed) velocity_.reset(X_WH);
   return X_WH;
 }

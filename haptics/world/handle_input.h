@@ -54,8 +54,10 @@ private:
 
   Pose X_DH_;      // of the last sample that could be used
   Pose X_WH_;      // of the last tick
-  Pose clutch_X_;  // what the clutch has added: X_WH = clutch_X_ X_WD X_DH, translation and turn apart
+  Pose clutch_X_;  // what the clutch has added to X_WD X_DH: its way in the world, its turn on the handle's
+                   // side
   bool clutched_ = false;
+  bool engages_;  // with the next sample that can be used
   std::int64_t ticks_ = 0;
   double strip_ohm_ = kNoStrip;  // of this tick
   double stiffness_limit_ = 0;   // N/m, where the tool is touched in this tick; 0: nowhere, or not known

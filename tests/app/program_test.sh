@@ -77,16 +77,15 @@ expect 1 'no hand' env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --headl
 expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H
 
 # --- reports: of one device, since the study takes ten seconds of a processor for each
-cp -r "$(dirname "$FULCRUM")/content" one && find one/devices -name '*.yaml' ! -name phantom_like.yaml -delete
-export FULCRUM_CONTENT=$work/one
-expect 0 'stiffest walls' "$FULCRUM" stability --out S
+expect 1 "no device 'phantom_lik'; did you mean 'phantom_like'" "$FULCRUM" stability --device phantom_lik --out S
+expect 0 'stiffest walls' "$FULCRUM" stability --device phantom_like --out S
 [ "$(head -1 S/stability.csv)" = device,delay_ticks,B,K_simulated,K_exact,K_passive ] || fail "stability.csv has other columns"
 grep -q '^phantom_like,2,' S/stability.csv || fail "stability.csv knows no phantom_like"
+grep -q '^polhem,' S/stability.csv && fail "stability --device phantom_like studies others, too"
 grep -q '</html>' S/stability.html || fail "no stability.html"
 expect 1 'holds results.*--force' "$FULCRUM" stability --out S
 rm S/stability.csv # half of a report is one, too
 expect 1 'stability.html.*--force' "$FULCRUM" stability --out S
-unset FULCRUM_CONTENT
 
 # --- bad input
 expect 1 'no hand' "$FULCRUM" run piping --headless --hand nobody --out X

@@ -54,8 +54,11 @@ TEST(Registry, ANameIsOneDeviceOrOneThatVibratesBesideAnother) {
 TEST(Registry, WhatMovesAsItIsSeenIsHeldInAHand) {
   for (const char* name : {"mouse", "spacemouse", "keyboard", "spacemouse+dualsense"})
     EXPECT_TRUE(moves_as_seen(name)) << name;
-  for (const char* name : {"simulated", "replay:run.tape", "scenario:arm", "nothing"})
+  for (const char* name : {"simulated", "replay:run.tape", "scenario:arm", "nothing", "polhem"})
     EXPECT_FALSE(moves_as_seen(name)) << name;
+  for (const char* name : {"polhem", "polhem+dualsense"}) EXPECT_TRUE(pushes_back(name)) << name;
+  for (const char* name : {"simulated", "mouse", "dualsense", "nothing"})
+    EXPECT_FALSE(pushes_back(name)) << name;
 }
 
 TEST(Registry, TheMouseIsTakenWhereNothingElseIsThere) {
@@ -93,6 +96,16 @@ TEST(Registry, KeysMoveADeviceThatTheWindowTalksTo) {
   const double rests = opened->device->read().X_DH.p.y();
   for (int tick = 0; tick < 100; ++tick) opened->device->read();
   EXPECT_NEAR(opened->device->read().X_DH.p.y(), rests, 1e-12);
+}
+
+// Where no maker's library is installed, as here, that is said with its remedy.
+TEST(Registry, AMakersLibraryThatIsMissingIsSaid) {
+  for (const DeviceListing& device : list_devices("")) {
+    if (device.name != "omega6" && device.name != "touch") continue;
+    EXPECT_FALSE(device.present);
+    EXPECT_NE(device.reason.find("library of its maker is not there"), std::string::npos) << device.reason;
+    EXPECT_NE(device.reason.find("LD_LIBRARY_PATH"), std::string::npos) << device.reason;
+  }
 }
 
 TEST(Registry, TheRulesNameEachDeviceByEitherBus) {

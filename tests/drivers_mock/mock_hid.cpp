@@ -176,6 +176,11 @@ void MockHid::go() {
   goes_ = true;
 }
 
+std::size_t MockHid::times_written() const {
+  const std::lock_guard lock(mutex_);
+  return written_.size();
+}
+
 std::vector<Bytes> MockHid::written() const {
   const std::lock_guard lock(mutex_);
   return written_;

@@ -70,6 +70,7 @@ public:
   void go();
 
   std::vector<Bytes> written() const;
+  std::size_t times_written() const;
   std::vector<std::uint8_t> asked() const;  // numbers of feature reports
 
 private:

@@ -101,6 +101,18 @@ TEST(DeviceFiles, TheDesktopArmGivesItsForceAlongEveryAxis) {
     EXPECT_GE(largest(device, {Vec3::Unit(axis), Vec3::Zero()}), device.max_force) << axis;
 }
 
+// Its interface recommends 5 N at most; 2 A give more along every axis in the middle of its workspace.
+TEST(DeviceFiles, ThePolhemGivesItsForceAlongEveryAxis) {
+  const DeviceDesc device = shipped("polhem");
+  EXPECT_EQ(device.max_force, 5);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_GE(largest(device, {Vec3::Unit(axis), Vec3::Zero()}), device.max_force) << axis;
+  // 2 A, 0.0538 N m/A, capstans of 10 mm on drums of 180 and 100 mm.
+  EXPECT_NEAR(Mechanism::motor_limit(device.mechanism, 0), 2 * 0.0538 * 18, 1e-3);
+  for (const int link : {1, 2})
+    EXPECT_NEAR(Mechanism::motor_limit(device.mechanism, link), 2 * 0.0538 * 10, 1e-3);
+}
+
 // Two vibrators of 1.31 g at 233 Hz, as in "Virtual vibrotactile motion as lateral force", alone and on an
 // arm.
 TEST(DeviceFiles, TheFingertipsVibratorsDoWhatThePaperAsksFor) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/analysis/simulated_wall.h"
+#include "haptics/bake/parallel.h"
 #include "haptics/device/linear_loop.h"
 #include "haptics/math/functions.h"
 
@@ -42,15 +43,18 @@ std::set<double> damping_of(const NamedAxis& device) {
 
 std::vector<Border> borders_of(const NamedAxis& device, const std::function<void(double)>& progress) {
   std::vector<Border> borders;
-  const std::set<double> damping = damping_of(device);
-  for (int delay = 0; delay < kStudyDelays; ++delay) {
-    const WallLoop loop = loop_of(device, delay);
-    for (const double B : damping) {
-      borders.push_back({device.name, delay, B, simulated_stiffness_limit(loop, B, kStudySpeed),
-                         exact_stiffness_limit(loop, B), passive_stiffness_limit(loop, B)});
-      progress(double(borders.size()) / (kStudyDelays * double(damping.size())));
-    }
-  }
+  for (int delay = 0; delay < kStudyDelays; ++delay)
+    for (const double B : damping_of(device)) borders.push_back({device.name, delay, B, 0, 0, 0});
+  for_each_piece(
+      borders.size(), 0,
+      [&](std::size_t i) {
+        Border& border = borders[i];
+        const WallLoop loop = loop_of(device, border.delay_ticks);
+        border.K_simulated = simulated_stiffness_limit(loop, border.B, kStudySpeed);
+        border.K_exact = exact_stiffness_limit(loop, border.B);
+        border.K_passive = passive_stiffness_limit(loop, border.B);
+      },
+      progress);
   return borders;
 }
 

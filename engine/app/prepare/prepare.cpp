@@ -101,6 +101,7 @@ std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene) {
 
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) {
   SceneDesc scene = prepared.haptic.scene;
+  scene.mapping.engages_at_start = pushes_back(device);
   if (!moves_as_seen(device)) return scene;
   if (!has_table(device.substr(0, device.find('+')))) {  // the scenario's device is another one
     std::optional<VibrotactileDesc> shown;  // levels that are drawn are seen and written all the same

@@ -205,6 +205,38 @@ TEST(World, ClutchLeavesTheToolAndGivesNoForce) {
   EXPECT_NEAR(result.record.X_WT.p.x(), 0.05, 3e-3);
 }
 
+// A hand need not be where the scene begins: the first sample that can be used takes hold of the tool where
+// it is.
+TEST(World, AHeldDeviceTakesHoldOfTheToolWhereItIs) {
+  SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
+  desc.mapping.engages_at_start = true;
+  World world = expect(World::build(desc));
+  const Pose elsewhere{quaternion_exp(Vec3(0.3, -0.7, 0.2)), Vec3(0.06, -0.05, 0.04)};
+  DeviceSample nothing = at(elsewhere);
+  nothing.X_DH.p.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(step(world, nothing, {}).record.stopped);
+  const Command acknowledge{Command::Kind::acknowledge};
+  for (int i = 0; i < 5; ++i) step(world, at(elsewhere), {&acknowledge, 1});
+  const StepResult held = hold(world, elsewhere, 1000);
+  EXPECT_FALSE(held.record.stopped);
+  EXPECT_NEAR((held.record.X_WT.p - desc.tool.X_WT_start.p).norm(), 0, 1e-6);
+  EXPECT_NEAR(rotation_vector(held.record.X_WT.q * desc.tool.X_WT_start.q.conjugate()).norm(), 0, 1e-6);
+  EXPECT_NEAR(held.command.F_H_D.force.norm(), desc.device.handle_weight, 1e-6);
+  // From there on it moves and turns with the hand.
+  const Pose start = desc.tool.X_WT_start * desc.tool.X_HT.inverse();
+  const Quat turn = quaternion_exp(Vec3(0, 1e-4, 0));
+  Pose hand = elsewhere;
+  Quat turned = Quat::Identity();
+  for (int i = 0; i < 1000; ++i) {
+    hand.p.x() += 1e-5;
+    hand.q = turn * hand.q;
+    turned = turn * turned;
+    const Pose X_WH = step(world, at(hand), {}).record.X_WH;
+    ASSERT_NEAR((X_WH.p - start.p - (hand.p - elsewhere.p)).norm(), 0, 1e-9) << i;
+    ASSERT_NEAR(rotation_vector(X_WH.q * (turned * start.q).conjugate()).norm(), 0, 1e-9) << i;
+  }
+}
+
 TEST(World, RefusesWhatTheTickCannotHold) {
   SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
   desc.coupling.stiffness = 0.26 * 0.2 * 1e6;
