@@ -51,7 +51,10 @@ constexpr HidFamily kPolhem{.ids = &polhem::usb_ids, .nodes = hid::Nodes::all};
 // Where it is, or why it is not; what is wrong with one matters only if there is no other.
 Result<HidPlace> place_of(const HidFamily& family) {
   const std::vector<HidPlace> places = hid::find_hid(family.ids(), family.nodes);
-  if (places.empty()) return Error{"none is plugged in, and none is paired and awake: plug one in."};
+  if (places.empty())
+    return Error{family.nodes == hid::Nodes::all
+                     ? "none is plugged in: plug one in, and switch it on."
+                     : "none is plugged in, and none is paired and awake: plug one in."};
   const auto open = std::ranges::find(places, true, &HidPlace::permitted);
   if (open != places.end()) return *open;
   return Error{
@@ -336,6 +339,16 @@ std::string udev_rules() {
     }
   }
   return rules;
+}
+
+bool knows_usb(std::uint16_t vendor, std::uint16_t product) {
+  return std::ranges::any_of(
+      kDrivers,
+      [&](const Driver& driver) {
+        return driver.family != nullptr &&
+               std::ranges::find(driver.family->ids(), hid::HidId{vendor, product}) !=
+                   driver.family->ids().end();
+      });
 }
 
 Result<DeviceName> read_device_name(const std::string& name) {

@@ -5,6 +5,7 @@
 // A name on the command line is one of them, or two: "spacemouse+dualsense" moves by the first and vibrates
 // by the second.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -36,6 +37,9 @@ DeviceListing best_device(const std::string& no_window_reason);
 // The rules for udev that let the person at the seat open these devices, as a file of /etc/udev/rules.d whose
 // name begins with 70-.
 std::string udev_rules();
+
+// A device with these numbers is one of them.
+bool knows_usb(std::uint16_t vendor, std::uint16_t product);
 
 // What the two parts of a name stand for.
 struct DeviceName {

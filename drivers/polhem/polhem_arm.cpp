@@ -73,6 +73,7 @@ std::array<int, 3> PolhemArm::currents(const DeviceCommand& command) const noexc
   std::array<int, 3> mA{};
   for (std::size_t i = 0; i < mA.size(); ++i) {
     const double wanted = 1e3 * kMotorSense * torque[i] / (kGear[i] * kTorqueConstant);
+    if (std::isnan(wanted)) return {};
     mA[i] = static_cast<int>(std::lround(std::clamp<double>(wanted, -kMostCurrent_mA, kMostCurrent_mA)));
   }
   return mA;

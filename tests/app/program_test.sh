@@ -9,7 +9,7 @@ cd "$work" || exit 1
 # --- commands
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
-for command in list run replay check explain devices stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
+for command in list run replay check explain devices doctor stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
 expect 2 'run .*Run a scenario' "$FULCRUM"
 mkdir apart && cp "$FULCRUM" apart/fulcrum
 expect 1 'apart/fulcrum-studies, which could not be started .*tools/run --build' apart/fulcrum hardness
@@ -25,6 +25,10 @@ expect 0 '"name": "piping"' "$FULCRUM" list --json
 expect 0 'simulated' "$FULCRUM" devices
 expect 0 'no display|there' env -u DISPLAY "$FULCRUM" devices
 expect 0 'KERNEL=="hidraw\*".*uaccess' "$FULCRUM" devices --udev
+expect_each 0 '^scheduling +(good|fair)' '^memory +(good|fair)' '^wake-ups +(good|fair) +Of 1000 ticks' '^processor +(good|fair)' '^usb +(good|fair)' \
+  '^graphics +fair +Drawn in software, by llvmpipe' '^display +(good|bad)' '^devices +(fair|bad)' -- "$FULCRUM" doctor
+expect 0 'display +bad .*--headless|no display' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" doctor
+expect 0 '"health": "fair"' "$FULCRUM" doctor --json
 expect_each 0 'vibrotactile motion .*on left .rumble.*right .rumble' 'lateral force .*has no motors' -- "$FULCRUM" explain sweep --device dualsense
 expect_each 0 "On mouse" -- "$FULCRUM" explain sweep --device mouse
 expect 1 'no device' "$FULCRUM" explain sweep --device nothing

@@ -37,7 +37,7 @@ while IFS= read -r line; do
       else # app.compare, app.hardness and app.uniformity run them with fewer trials
         expect 0 'Usage|OPTIONS|Options' "${word[@]}" --help
       fi ;;
-    "fulcrum list" | "fulcrum replay "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
+    "fulcrum list" | "fulcrum replay "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum doctor" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
     python3*) command -v python3 >/dev/null && expect 0 '^[0-9.e-]+$' bash -c "$command" ;;
     *) fail "README names '$command', and tests/app/readme_test.sh does not know what it is to do" ;;
   esac

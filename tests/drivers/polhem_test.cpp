@@ -142,6 +142,8 @@ TEST(Polhem, CurrentsAreHeldToWhatTheMotorsTake) {
     for (const int mA : arm.currents(command)) EXPECT_EQ(std::abs(mA), 2000);
   }
   EXPECT_EQ(arm.currents({}), (std::array<int, 3>{}));
+  command.effort = {1, std::numeric_limits<double>::quiet_NaN(), 1};
+  EXPECT_EQ(arm.currents(command), (std::array<int, 3>{})) << "nothing of what is no number";
 }
 
 TEST(Polhem, ReportsAreReadAndWrittenAsTheFirmwareHasThem) {
@@ -154,7 +156,7 @@ TEST(Polhem, ReportsAreReadAndWrittenAsTheFirmwareHasThem) {
   const auto pressed = polhem::decode(report_of(counts, 0, true));
   EXPECT_EQ(pressed->counts, counts);
   EXPECT_TRUE(pressed->button);
-  for (const std::size_t length : {0, 1, 8, 13, 15, 64})
+  for (const std::size_t length : {0U, 1U, 8U, 13U, 15U, 64U})
     EXPECT_FALSE(polhem::decode(Bytes(length, 1))) << length;
 
   const auto currents = polhem::encode_currents({1000, -2000, 40000});

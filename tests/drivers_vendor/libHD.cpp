@@ -8,14 +8,15 @@
 
 #include "tests/drivers_vendor/stand_in.h"
 
+struct HDErrorInfo {
+  unsigned code;
+  int internal;
+  unsigned device;
+};
+
 namespace {
 
 using Callback = unsigned (*)(void*);
-struct ErrorInfo {
-  unsigned code = 0;
-  int internal = 0;
-  unsigned device = 0;
-};
 constexpr unsigned kCommError = 0x0302, kIllegalEnd = 0x0401, kNone = 0xFFFFFFFF;
 
 fulcrum::stand_in::Handle handle;
@@ -26,7 +27,7 @@ std::atomic<bool> running{false};
 std::thread servo;
 bool in_frame = false;
 double asked[3] = {0, 0, 0};
-ErrorInfo pending;
+HDErrorInfo pending{};
 
 void fail(unsigned code) {
   if (pending.code == 0) pending.code = code;
@@ -132,9 +133,9 @@ void hdSetDoublev(unsigned what, const double* values) {
   for (int i = 0; i < 3; ++i) asked[i] = values[i];
 }
 
-ErrorInfo hdGetError() {
+HDErrorInfo hdGetError() {
   const std::lock_guard lock(handle.mutex);
-  const ErrorInfo error = pending;
+  const HDErrorInfo error = pending;
   pending = {};
   return error;
 }

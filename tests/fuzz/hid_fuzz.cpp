@@ -1,7 +1,9 @@
-// Reference: none; any bytes as the reports of each device that is pushed. Invariants: axes are from -1 to 1,
-// what is refused changes nothing, and what is sent is as long as its kind. A first byte of odd value has the
-// checksum of a Bluetooth report put right, so that what stands behind it is reached.
+// Reference: none; any bytes as the reports of each device that is pushed, and of one that pushes.
+// Invariants: axes are from -1 to 1, what is refused changes nothing, and what is sent is as long as its
+// kind; a pose is one, within the reach of its arm, and currents are what the motors take. A first byte of
+// odd value has the checksum of a Bluetooth report put right, so that what stands behind it is reached.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -12,6 +14,7 @@
 #include "drivers/dualsense/dualsense_protocol.h"
 #include "drivers/dualshock4/dualshock4_protocol.h"
 #include "drivers/hid/hid_bytes.h"
+#include "drivers/polhem/polhem_bus.h"
 #include "drivers/spacemouse/spacemouse_protocol.h"
 
 namespace fulcrum {
@@ -41,6 +44,59 @@ void feed(hid::HidProtocol& device, std::span<const std::uint8_t> report) {
   require(length == 0 || length == 32 || length == 63 || length == 78);
 }
 
+// Its arm, as content/devices/polhem.yaml has it.
+DeviceDesc polhem_desc() {
+  DeviceDesc desc;
+  desc.mechanism.q_DK = Quat(0.5, -0.5, -0.5, -0.5);
+  desc.mechanism.arms = {
+      {"arm",
+       {{.axis_K = {0, 0, 1}},
+        {.axis_K = {0, -1, 0}, .point_K = {0, 0, 0.058}, .home = -0.4393498},
+        {.axis_K = {0, -1, 0}, .point_K = {0, 0, 0.232}, .home = 0.9585170, .through_parallelogram = true}},
+       Vec3(0, 0, 0.099)}};
+  return desc;
+}
+
+// The bytes as reports, one after another, each with its length before it.
+class BytesPort final : public hid::HidPort {
+public:
+  explicit BytesPort(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  int read(std::span<std::uint8_t> report, int) override {
+    if (bytes_.empty()) return -1;
+    const std::size_t length = std::min<std::size_t>({bytes_[0] % 32u, bytes_.size() - 1, report.size()});
+    std::copy_n(bytes_.begin() + 1, length, report.begin());
+    bytes_ = bytes_.subspan(1 + length);
+    return static_cast<int>(length);
+  }
+  bool write(std::span<const std::uint8_t> report) override {
+    require(report.size() == 15 && report[0] == 0);
+    const auto number = [&](std::size_t i) {
+      return static_cast<std::int16_t>(
+          static_cast<std::uint16_t>(report[1 + 2 * i] | report[2 + 2 * i] << 8));
+    };
+    if (number(3) == 0)
+      for (std::size_t i = 0; i < 3; ++i) require(std::abs(number(i)) <= polhem::kMostCurrent_mA);
+    return true;
+  }
+  int read_feature(std::span<std::uint8_t>) override { return -1; }
+
+private:
+  std::span<const std::uint8_t> bytes_;
+};
+
+void feed_polhem(std::span<const std::uint8_t> bytes) {
+  static const DeviceDesc desc = polhem_desc();
+  polhem::PolhemBus bus(std::make_unique<BytesPort>(bytes), desc);
+  DeviceSample sample;
+  DeviceCommand command;
+  if (bytes.size() >= 24) std::memcpy(command.effort.data(), bytes.data(), 24);
+  for (ForceBus::Turn turn = ForceBus::Turn::none; turn != ForceBus::Turn::lost;) {
+    turn = bus.exchange(command, sample);
+    require(sample.X_DH.is_finite() && sample.X_DH.p.norm() < 1 && std::abs(sample.X_DH.q.norm() - 1) < 1e-9);
+    (void)bus.trouble();
+  }
+}
+
 }  // namespace
 }  // namespace fulcrum
 
@@ -50,6 +106,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::uint8_t> report(data + 1, data + size);
   if (data[0] % 2 == 1 && report.size() >= 78)
     hid::put_u32(report, 74, hid::crc32(0xA1, std::span(report).first(74)));
+  feed_polhem(report);
   SpaceMouseProtocol mouse;
   feed(mouse, report);
   for (const sony::Link link : {sony::Link::usb, sony::Link::bluetooth}) {

@@ -28,6 +28,15 @@ std::string bold(std::string_view text) {
 std::string dim(std::string_view text) {
   return styled("2", text);
 }
+std::string green(std::string_view text) {
+  return styled("32", text);
+}
+std::string yellow(std::string_view text) {
+  return styled("33", text);
+}
+std::string red(std::string_view text) {
+  return styled("31", text);
+}
 
 void complain(std::string_view sentence) {
   std::fprintf(stderr, "fulcrum: %.*s\n", static_cast<int>(sentence.size()), sentence.data());

@@ -7,9 +7,12 @@
 
 namespace fulcrum::app {
 
-// Text for stdout in bold, red or grey; plain when stdout is no terminal or NO_COLOR is set.
+// Text for stdout in bold, grey or a colour; plain when stdout is no terminal or NO_COLOR is set.
 std::string bold(std::string_view text);
 std::string dim(std::string_view text);
+std::string green(std::string_view text);
+std::string yellow(std::string_view text);
+std::string red(std::string_view text);
 
 // "fulcrum: sentence" on stderr.
 void complain(std::string_view sentence);
