@@ -4,6 +4,7 @@ function(fulcrum_scene_tests name)
   add_executable(${name}_tests picture_test.cpp ${CMAKE_SOURCE_DIR}/tests/support/scene_picture.cpp $<TARGET_OBJECTS:fulcrum_vulkan_main>)
   target_link_libraries(${name}_tests PRIVATE fulcrum::app fulcrum_image_compare GTest::gtest fulcrum::options)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_SOURCE_DIR})
+  fulcrum_precompile_tests(${name}_tests)
   target_compile_definitions(${name}_tests PRIVATE FULCRUM_GOLDENS="${CMAKE_CURRENT_SOURCE_DIR}/golden"
                              FULCRUM_FAILURES="${CMAKE_BINARY_DIR}/tests/failures/${name}")
   add_dependencies(${name}_tests content)
