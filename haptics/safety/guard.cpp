@@ -70,7 +70,7 @@ Wrench Guard::limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept 
 
   const Vec3 force_step = clamp_norm(F.force - last_.force, steps_.force);
   const Vec3 torque_step = clamp_norm(F.torque - last_.torque, steps_.torque);
-  const Wrench slewed{last_.force + force_step, last_.torque + torque_step};
+  Wrench slewed{last_.force + force_step, last_.torque + torque_step};
   constexpr double rounding = 1e-12;
   if ((slewed.force - F.force).norm() > rounding || (slewed.torque - F.torque).norm() > rounding) {
     faults |= kSlewLimited;

@@ -68,7 +68,7 @@ Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
   clutched_ = held;
   // The turn is added on the handle's side: the tool turns about the axis in the world about which the hand
   // turns, and a torque does the same work on both.
-  const Pose X_WH{(raw.q * clutch_X_.q).normalized(), raw.p + clutch_X_.p};
+  Pose X_WH{(raw.q * clutch_X_.q).normalized(), raw.p + clutch_X_.p};
   if (held || changed) velocity_.reset(X_WH);
   return X_WH;
 }
