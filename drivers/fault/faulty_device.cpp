@@ -10,7 +10,7 @@
 namespace fulcrum {
 namespace {
 
-// s.
+// How long each fault lasts, and what it does, in s.
 constexpr double kForGood = std::numeric_limits<double>::infinity();
 constexpr double kGone = 0.5, kSilent = 0.5, kCutShort = 0.01, kFrozen = 4.0, kDelay = 15e-3, kDelayed = 0.5,
                  kDeaf = 0.5, kBlind = 1.0, kLateFor = 0.5, kLateBy = 5e-3, kLateEvery = 20e-3, kPause = 0.3;

@@ -41,13 +41,13 @@ struct InjectedFault {
   double at;  // s, of the device's samples: one a tick
 };
 
-// "NAME@T". Errors: there is no such fault, with the nearest; T is no time.
+// "NAME@T". Errors: there is no such fault, with those that there are; T is no time.
 Result<InjectedFault> read_injected_fault(const std::string& text);
 
 // It delays the haptic thread itself: ticks have to come by the clock.
 bool needs_clock(Injection kind);
 
-// It lies between a device and its driver.
+// It befalls the device, not the program.
 bool is_of_device(Injection kind);
 
 }  // namespace fulcrum
