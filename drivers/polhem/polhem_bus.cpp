@@ -14,8 +14,8 @@ constexpr int kMostWaiting = 64;  // reports; hidraw keeps 63 and drops what is 
 PolhemBus::PolhemBus(std::unique_ptr<hid::HidPort> port, const DeviceDesc& desc)
     : port_(std::move(port)), arm_(desc) {}
 
-// Switched on, the board counts from nought wherever its arm is: until it was told its place, all six are
-// nought, which no calibrated arm is at rest.
+// Switched on, the board counts from nought wherever its arm is, and no report tells whether it was told its
+// place since. So it is pushed with only after this program has told it, when its button asked for that.
 ForceBus::Turn PolhemBus::exchange(const DeviceCommand& command, DeviceSample& sample) {
   const BoardHears hears = calibrates_
                                ? encode_calibration(kRestCounts)
@@ -36,8 +36,8 @@ ForceBus::Turn PolhemBus::exchange(const DeviceCommand& command, DeviceSample& s
   }
   if (!says) return Turn::none;
   if (!told) return Turn::lost;  // what cannot be told to rest is not to be pushed with
+  if (calibrates_ && !says->asks_calibration) calibrated_ = true;
   calibrates_ = says->asks_calibration;
-  if (!calibrates_ && says->counts != std::array<int, 6>{}) calibrated_ = true;
   if (!calibrated_ || calibrates_) return Turn::none;
   sample.X_DH = arm_.X_DH(says->counts);
   sample.age = 0;
@@ -51,8 +51,7 @@ std::string PolhemBus::trouble() const {
            "here.";
   if (spoke_)
     return "it is not calibrated: bring its arm to rest, upper link upright, lower link level, stylus "
-           "straight, and press the "
-           "button on its board.";
+           "straight, press the button on its board, and start again while it rests there.";
   return {};
 }
 

@@ -215,6 +215,8 @@ TEST(Polhem, UntilItIsCalibratedItIsNotPushedWith) {
   push.effort[0] = 1;
   for (int n = 0; n < 10; ++n) EXPECT_EQ(polhem.bus.exchange(push, sample), ForceBus::Turn::none);
   EXPECT_NE(polhem.bus.trouble().find("press the button"), std::string::npos);
+  polhem.board->counts = {300, -40, 7, 0, 0, 0};  // its arm was moved since it was switched on
+  for (int n = 0; n < 10; ++n) EXPECT_EQ(polhem.bus.exchange(push, sample), ForceBus::Turn::none);
   for (const Bytes& heard : polhem.board->heard)
     for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(number_in(heard, i), 0);
   polhem.board->asks = 1;  // the button
@@ -227,11 +229,18 @@ TEST(Polhem, UntilItIsCalibratedItIsNotPushedWith) {
   EXPECT_EQ(number_in(polhem.board->heard.back(), 0), -1033) << "mA: 1 N m over 18 turns and 0.0538 N m/A";
 }
 
+void calibrate(OnBoard& polhem) {
+  DeviceSample sample;
+  polhem.board->asks = 1;
+  EXPECT_EQ(polhem.bus.exchange({}, sample), ForceBus::Turn::none);
+  EXPECT_EQ(polhem.bus.exchange({}, sample), ForceBus::Turn::fresh);
+}
+
 TEST(Polhem, TheNewestOfWhatWaitsCounts) {
-  auto board = std::make_unique<Board>();
-  board->counts = {10, 20, -4000, 0, 0, 0};
-  for (int n = 0; n < 5; ++n) board->says.push_back(report_of({n, 0, -3000, 0, 0, 0}));
-  OnBoard polhem(std::move(board));
+  OnBoard polhem(std::make_unique<Board>());
+  calibrate(polhem);
+  polhem.board->counts = {10, 20, -4000, 0, 0, 0};
+  for (int n = 0; n < 5; ++n) polhem.board->says.push_back(report_of({n, 0, -3000, 0, 0, 0}));
   DeviceSample sample;
   ASSERT_EQ(polhem.bus.exchange({}, sample), ForceBus::Turn::fresh);
   EXPECT_NEAR((sample.X_DH.p - place_of({10, 20, -4000, 0, 0, 0})).norm(), 0, 1e-6);
@@ -239,6 +248,7 @@ TEST(Polhem, TheNewestOfWhatWaitsCounts) {
 
 TEST(Polhem, LostRefusedAndForeignAreSaid) {
   OnBoard polhem(std::make_unique<Board>());
+  calibrate(polhem);
   polhem.board->counts = {1, 0, -5000, 0, 0, 0};
   DeviceSample sample;
   EXPECT_EQ(polhem.bus.exchange({}, sample), ForceBus::Turn::fresh);

@@ -456,7 +456,7 @@ TEST_F(Mock, APolhemIsPushedWithAndLetGo) {
   EXPECT_EQ(best_device("").name, "polhem");
 
   // It answers what it hears, while it is plugged in.
-  std::atomic<bool> on{true}, plugged{true};
+  std::atomic<bool> on{true}, plugged{true}, asks{true};  // its button was pressed
   std::atomic<std::size_t> answered{0};
   std::atomic<int> yaw{100};
   std::thread firmware([&] {
@@ -464,7 +464,8 @@ TEST_F(Mock, APolhemIsPushedWithAndLetGo) {
       const std::size_t heard = board.times_written();
       if (!plugged || heard == answered || !board.all_read()) continue;
       answered = heard;
-      board.say(board_report({yaw, 0, -4000, 0, 0, 0, 0}));
+      if (board.written().back()[7] == 1) asks = false;
+      board.say(board_report({yaw, 0, -4000, 0, 0, 0, asks ? 1 : 0}));
     }
   });
   auto open = open_device("polhem", {.desc = polhem_desc(), .X_DH = Pose{}});
@@ -490,6 +491,7 @@ TEST_F(Mock, APolhemIsPushedWithAndLetGo) {
   board.unplug();
   wait_for([&] { return !open->device->read().connected; });
   answered = board.times_written();
+  asks = true;
   board.plug();
   plugged = true;
   wait_for([&] { return open->device->read().connected; });
