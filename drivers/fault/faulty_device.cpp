@@ -45,7 +45,9 @@ std::int64_t FaultyDevice::ticks(double seconds) const {
 DeviceSample FaultyDevice::read() noexcept {
   ++since_;
   const DeviceSample now = device_->read();
-  if (since_ < 0) before_ = now;
+  if (!begun_) std::ranges::fill(earlier_, now);
+  if (since_ < 0 || !begun_) before_ = now;
+  begun_ = true;
   DeviceSample shown = spoilt(now);
   if (!earlier_.empty()) {
     if (lasts(kDelayed)) {

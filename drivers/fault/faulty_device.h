@@ -36,6 +36,7 @@ private:
   DeviceSample before_;
   DeviceCommand heard_;                // the last command before the fault
   std::vector<DeviceSample> earlier_;  // a ring, of what comes late
+  bool begun_ = false;                 // a sample has come
   std::size_t at_ = 0;
   std::uint64_t noise_ = 1;
 };

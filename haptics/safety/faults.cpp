@@ -9,7 +9,7 @@ std::span<const FaultName> fault_names() {
        "The device or the simulation gave a value that is not a number, or that no handle can have."},
       {kSampleStale, "sample_stale",
        "The device has sent nothing for more than 20 ms, or 100 ms where it has no motors."},
-      {kDeviceLost, "device_lost", "The device is gone."},
+      {kDeviceLost, "device_lost", "The device is gone: plug it in again, and switch it on."},
       {kWatchdog, "watchdog", "The haptic thread stood still for a quarter of a second or more."},
       {kToolInside, "tool_inside",
        "The tool is deeper inside the scene than the contact model can push it out of."},

@@ -184,5 +184,15 @@ TEST(InjectedFault, IsReadOrRefusedWithASentence) {
   EXPECT_NE(read_injected_fault("nan").error().sentence.find("nan@1.5"), std::string::npos);
 }
 
+// There was no pose before it: the first one is kept, not a nought that no handle was at.
+TEST(FaultyDevice, AFaultFromTheStartKeepsTheFirstPose) {
+  for (const Injection kind :
+       {Injection::frozen, Injection::unplug, Injection::stall, Injection::late_reply}) {
+    const Trial trial = tried(kind, 0, 10);
+    for (const DeviceSample& sample : trial.samples)
+      EXPECT_EQ(sample.X_DH.p, Moving::pose(1).p) << name_of(kind);
+  }
+}
+
 }  // namespace
 }  // namespace fulcrum

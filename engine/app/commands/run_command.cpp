@@ -143,7 +143,7 @@ private:
         folder_(std::move(results.folder)),
         faults_(options.faults, folder_),
         sink_(prepared, std::move(results.recorder), limit, &faults_) {
-    if (!options.faults.empty()) sink_.watch_handle();
+    if (!options.faults.empty() || pushes_back(options.device)) sink_.watch_handle();
   }
 
   static std::unique_ptr<RunSession> refuse(const Error& error) {

@@ -1,7 +1,5 @@
 #include "engine/app/run/program_faults.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <csignal>
 #include <iterator>
@@ -11,11 +9,10 @@
 namespace fulcrum::app {
 namespace {
 
-void limit_files(rlim_t bytes) {
+rlimit file_limit() {
   rlimit limit{};
   getrlimit(RLIMIT_FSIZE, &limit);
-  limit.rlim_cur = std::min(bytes, limit.rlim_max);
-  setrlimit(RLIMIT_FSIZE, &limit);
+  return limit;
 }
 
 }  // namespace
@@ -28,7 +25,7 @@ ProgramFaults::ProgramFaults(const std::vector<InjectedFault>& faults, std::file
 }
 
 ProgramFaults::~ProgramFaults() {
-  if (full_) limit_files(RLIM_INFINITY);
+  if (limit_before_) setrlimit(RLIMIT_FSIZE, &*limit_before_);
 }
 
 void ProgramFaults::pass(double time) {
@@ -46,12 +43,14 @@ void ProgramFaults::pass(double time) {
 // The largest of the run's files can no longer grow, which is how a full disk looks from here: writing fails.
 // What is smaller may still be written.
 void ProgramFaults::fill_disk() {
-  full_ = true;
   std::uintmax_t largest = 0;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, none))
     if (const std::uintmax_t size = entry.file_size(none); !none) largest = std::max(largest, size);
-  limit_files(largest);
+  rlimit limit = file_limit();
+  if (!limit_before_) limit_before_ = limit;
+  limit.rlim_cur = std::min<rlim_t>(largest, limit.rlim_cur);
+  setrlimit(RLIMIT_FSIZE, &limit);
 }
 
 }  // namespace fulcrum::app

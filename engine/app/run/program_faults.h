@@ -1,7 +1,10 @@
 #pragma once
 // Faults that a run is given on purpose and that befall the program, not the device.
 
+#include <sys/resource.h>
+
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "drivers/fault/injected_fault.h"
@@ -27,7 +30,7 @@ private:
   std::vector<InjectedFault> waiting_;
   std::filesystem::path folder_;
   bool gpu_lost_ = false;
-  bool full_ = false;
+  std::optional<rlimit> limit_before_;  // of the files' sizes; set once the disk is full
 };
 
 }  // namespace fulcrum::app
