@@ -44,7 +44,7 @@ std::span<const std::uint8_t> bytes_of(const T& value) {
 }
 
 // Nothing can be tested where umockdev refuses, and a destructor throws nothing.
-void expect(bool done, const GError* error) {
+void succeeds(bool done, const GError* error) {
   if (done) return;
   std::fprintf(stderr, "umockdev refused: %s\n", error != nullptr ? error->message : "it does not say why");
   std::abort();
@@ -120,8 +120,8 @@ void MockHid::plug() {
   }
   nodes_.push_back(node_);
   GError* error = nullptr;
-  expect(umockdev_testbed_attach_ioctl(machine_.testbed_, node_.c_str(), handler_, &error) != FALSE, error);
-  expect(umockdev_testbed_add_from_string(machine_.testbed_, tree.c_str(), &error) != FALSE, error);
+  succeeds(umockdev_testbed_attach_ioctl(machine_.testbed_, node_.c_str(), handler_, &error) != FALSE, error);
+  succeeds(umockdev_testbed_add_from_string(machine_.testbed_, tree.c_str(), &error) != FALSE, error);
   const std::lock_guard lock(mutex_);
   bell_ = umockdev_testbed_get_dev_fd(machine_.testbed_, node_.c_str());
 }
@@ -136,7 +136,7 @@ void MockHid::unplug() {
   if (bell_ < 0) return;
   // The terminal's name is free again once this end is closed, but umockdev would stumble over it.
   char name[64];
-  expect(ptsname_r(bell_, name, sizeof name) == 0, nullptr);
+  succeeds(ptsname_r(bell_, name, sizeof name) == 0, nullptr);
   std::string terminal = name;
   std::ranges::replace(terminal, '/', '_');
   gchar* const root = umockdev_testbed_get_root_dir(machine_.testbed_);
@@ -151,7 +151,7 @@ void MockHid::unplug() {
 // The node is a terminal's end, on which reports would run together: it carries a byte that only wakes who
 // polls it, and on_read() puts the report in its place.
 void MockHid::ring() const {
-  expect(write(bell_, "!", 1) == 1, nullptr);
+  succeeds(write(bell_, "!", 1) == 1, nullptr);
 }
 
 void MockHid::say(Bytes report) {
@@ -174,6 +174,16 @@ void MockHid::take(bool takes) {
 void MockHid::go() {
   const std::lock_guard lock(mutex_);
   goes_ = true;
+}
+
+Bytes MockHid::last_written() const {
+  const std::lock_guard lock(mutex_);
+  return written_.back();
+}
+
+MockHid::Clock::time_point MockHid::written_at(std::size_t n) const {
+  const std::lock_guard lock(mutex_);
+  return written_at_[n];
 }
 
 std::size_t MockHid::times_written() const {
@@ -269,6 +279,7 @@ gboolean MockHid::on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpoi
   }
   const UMockdevIoctlData* const report = umockdev_ioctl_client_get_arg(client);
   hid.written_.emplace_back(report->data, report->data + report->data_len);
+  hid.written_at_.push_back(Clock::now());
   umockdev_ioctl_client_complete(client, report->data_len, 0);
   return TRUE;
 }

@@ -4,6 +4,7 @@
 
 #include <umockdev.h>
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -70,6 +71,9 @@ public:
   void go();
 
   std::vector<Bytes> written() const;
+  Bytes last_written() const;  // once anything was
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point written_at(std::size_t n) const;  // when the n-th came, from 0
   std::size_t times_written() const;
   std::vector<std::uint8_t> asked() const;  // numbers of feature reports
 
@@ -93,6 +97,7 @@ private:
   bool plugged_ = false, takes_ = true, goes_ = false;
   std::deque<Bytes> said_;  // while there are any, the bell has rung
   std::vector<Bytes> written_;
+  std::vector<Clock::time_point> written_at_;
   std::vector<std::uint8_t> asked_;
 };
 
