@@ -7,9 +7,11 @@
 
 #include "drivers/dualsense/dualsense_protocol.h"
 #include "drivers/dualshock4/dualshock4_protocol.h"
+#include "drivers/falcon/falcon_bus.h"
 #include "drivers/force/force_device.h"
 #include "drivers/hid/hid_link.h"
 #include "drivers/omega/omega_bus.h"
+#include "drivers/permission.h"
 #include "drivers/polhem/polhem_bus.h"
 #include "drivers/sony/pad_axes.h"
 #include "drivers/spacemouse/spacemouse_protocol.h"
@@ -57,10 +59,7 @@ Result<HidPlace> place_of(const HidFamily& family) {
                      : "none is plugged in, and none is paired and awake: plug one in."};
   const auto open = std::ranges::find(places, true, &HidPlace::permitted);
   if (open != places.end()) return *open;
-  return Error{
-      "it is plugged in (" + places.front().path +
-      "), and you may not open it: `tools/run --udev` installs the rule that lets you; then plug it in "
-      "again."};
+  return not_permitted(places.front().path);
 }
 
 HidOpened open_family(const HidFamily& family) {
@@ -110,7 +109,8 @@ struct Driver {
   Result<OpenDevice> (*open)(const std::string& argument, const DeviceOrder& order);
   // Where it has axes that are pushed.
   Result<std::shared_ptr<AxesSource>> (*axes)() = nullptr;
-  const HidFamily* family = nullptr;  // of a HID device
+  const HidFamily* family = nullptr;               // of a HID device
+  std::span<const hid::HidId> (*usb)() = nullptr;  // of one that speaks USB without HID
   std::uint32_t stop_buttons = 0, go_buttons = 0;
   bool in_hand = false;   // a person holds it
   bool table = false;     // content/devices has its figures
@@ -174,7 +174,7 @@ Result<OpenDevice> open_hid_force(const std::string& /*argument*/, const DeviceO
   return OpenDevice{.device = std::move(*device)};
 }
 
-// Bus: of a device with motors whose maker's library finds it.
+// Bus: of a device with motors that finds its device itself, or whose maker's library does.
 template <class Bus>
 Result<OpenDevice> open_force(const std::string& /*argument*/, const DeviceOrder& order) {
   Result<std::unique_ptr<Bus>> bus = Bus::open();
@@ -193,6 +193,9 @@ std::string why_no_omega(const std::string& /*no_window_reason*/) {
 }
 std::string why_no_touch(const std::string& /*no_window_reason*/) {
   return hd::why_no_touch();
+}
+std::string why_no_falcon(const std::string& /*no_window_reason*/) {
+  return falcon::why_no_falcon();
 }
 
 // Those in a hand in the order in which one is taken where none is asked for.
@@ -224,6 +227,15 @@ constexpr Driver kDrivers[] = {
      .what = "a 3D Systems Touch: six axes, pushes on three; by its maker's library",
      .why_not = &why_no_touch,
      .open = &open_force<hd::TouchBus>,
+     .in_hand = true,
+     .table = true,
+     .motors = true},
+    {.name = "falcon",
+     .shown = "falcon",
+     .what = "a Novint Falcon: where its grip is, and pushes on three axes; with its maker's firmware",
+     .why_not = &why_no_falcon,
+     .open = &open_force<falcon::FalconBus>,
+     .usb = &falcon::usb_ids,
      .in_hand = true,
      .table = true,
      .motors = true},
@@ -321,22 +333,44 @@ DeviceListing best_device(const std::string& no_window_reason) {
   return {};
 }
 
+namespace {
+
+// Its numbers on USB; none of a device that a maker's library finds.
+std::span<const hid::HidId> ids_of(const Driver& driver) {
+  if (driver.usb != nullptr) return driver.usb();
+  if (driver.family != nullptr) return driver.family->ids();
+  return {};
+}
+
+std::string usb_rule(const hid::HidId& id) {
+  char rule[160];
+  std::snprintf(rule, sizeof rule,
+                "SUBSYSTEM==\"usb\", ENV{DEVTYPE}==\"usb_device\", ATTR{idVendor}==\"%04x\", "
+                "ATTR{idProduct}==\"%04x\", MODE=\"0660\", TAG+=\"uaccess\"\n",
+                id.vendor, id.product);
+  return rule;
+}
+
 // A node of hidraw by USB has the numbers of the device above it; by Bluetooth they are in that one's name.
+std::string hid_rules(const hid::HidId& id) {
+  char rules[240];
+  std::snprintf(rules, sizeof rules,
+                "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", "
+                "MODE=\"0660\", TAG+=\"uaccess\"\n"
+                "KERNEL==\"hidraw*\", KERNELS==\"0005:%04X:%04X.*\", MODE=\"0660\", TAG+=\"uaccess\"\n",
+                id.vendor, id.product, id.vendor, id.product);
+  return rules;
+}
+
+}  // namespace
+
 std::string udev_rules() {
   std::string rules =
       "# Devices that Fulcrum opens: the person at the seat may. Written by `fulcrum devices --udev`.\n";
   for (const Driver& driver : kDrivers) {
-    if (driver.family == nullptr) continue;
+    if (ids_of(driver).empty()) continue;
     rules += "\n# " + std::string(driver.what) + "\n";
-    for (const hid::HidId& id : driver.family->ids()) {
-      char rule[240];
-      std::snprintf(rule, sizeof rule,
-                    "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", "
-                    "MODE=\"0660\", TAG+=\"uaccess\"\n"
-                    "KERNEL==\"hidraw*\", KERNELS==\"0005:%04X:%04X.*\", MODE=\"0660\", TAG+=\"uaccess\"\n",
-                    id.vendor, id.product, id.vendor, id.product);
-      rules += rule;
-    }
+    for (const hid::HidId& id : ids_of(driver)) rules += driver.usb != nullptr ? usb_rule(id) : hid_rules(id);
   }
   return rules;
 }
@@ -345,9 +379,8 @@ bool knows_usb(std::uint16_t vendor, std::uint16_t product) {
   return std::ranges::any_of(
       kDrivers,
       [&](const Driver& driver) {
-        return driver.family != nullptr &&
-               std::ranges::find(driver.family->ids(), hid::HidId{vendor, product}) !=
-                   driver.family->ids().end();
+        const std::span<const hid::HidId> ids = ids_of(driver);
+        return std::ranges::find(ids, hid::HidId{vendor, product}) != ids.end();
       });
 }
 

@@ -22,6 +22,8 @@ public:
   virtual Turn exchange(const DeviceCommand& command, DeviceSample& sample) = 0;
   // Why nothing comes though the device is there, and what would cure it; empty: it is not known to be so.
   virtual std::string trouble() const { return {}; }
+  // It is being made ready, which may take longer than a first sample does, and ends by itself.
+  virtual bool starts() const { return false; }
 };
 
 }  // namespace fulcrum

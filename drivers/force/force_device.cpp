@@ -30,9 +30,12 @@ double seconds_since(std::int64_t then_ns) noexcept {
 Result<std::unique_ptr<ForceDevice>> ForceDevice::start(const DeviceDesc& desc, std::unique_ptr<ForceBus> bus,
                                                         Open open) {
   DeviceSample first;
-  const std::int64_t begun = steady_ns();
+  std::int64_t begun = steady_ns();
   ForceBus::Turn turn = ForceBus::Turn::none;
-  while (turn == ForceBus::Turn::none && steady_ns() - begun < kFirst_ns) turn = bus->exchange({}, first);
+  while (turn == ForceBus::Turn::none && steady_ns() - begun < kFirst_ns) {
+    turn = bus->exchange({}, first);
+    if (bus->starts()) begun = steady_ns();
+  }
   if (turn == ForceBus::Turn::fresh)
     return std::unique_ptr<ForceDevice>(new ForceDevice(desc, std::move(bus), std::move(open), first));
   if (std::string trouble = bus->trouble(); !trouble.empty()) return Error{std::move(trouble)};

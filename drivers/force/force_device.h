@@ -24,7 +24,8 @@ public:
   // Null where the device is not there.
   using Open = std::function<std::unique_ptr<ForceBus>()>;
 
-  // Waits for the first sample, a second at most. Errors: none came, and why. bus: not null.
+  // Waits for the first sample, a second at most once the bus is ready. Errors: none came, and why. bus: not
+  // null.
   static Result<std::unique_ptr<ForceDevice>> start(const DeviceDesc& desc, std::unique_ptr<ForceBus> bus,
                                                     Open open);
   ~ForceDevice() override;  // the motors rest; then the thread ends

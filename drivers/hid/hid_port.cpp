@@ -12,6 +12,8 @@
 #include <set>
 #include <system_error>
 
+#include "drivers/permission.h"
+
 namespace fulcrum::hid {
 namespace {
 
@@ -120,10 +122,7 @@ std::vector<HidPlace> find_hid(std::span<const HidId> ids, Nodes nodes) {
 Result<std::unique_ptr<HidPort>> open_hid(const HidPlace& place) {
   if (access(place.path.c_str(), R_OK | W_OK) != 0) {
     const int why = errno;
-    if (why == EACCES)
-      return Error{place.path +
-                   " may not be opened by you: `tools/run --udev` installs the rule that permits it; "
-                   "then plug the device in again."};
+    if (why == EACCES) return not_permitted(place.path);
     return Error{place.path + " cannot be opened (" + std::generic_category().message(why) +
                  "): plug the device in again."};
   }

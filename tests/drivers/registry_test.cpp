@@ -56,7 +56,7 @@ TEST(Registry, WhatMovesAsItIsSeenIsHeldInAHand) {
     EXPECT_TRUE(moves_as_seen(name)) << name;
   for (const char* name : {"simulated", "replay:run.tape", "scenario:arm", "nothing", "polhem"})
     EXPECT_FALSE(moves_as_seen(name)) << name;
-  for (const char* name : {"polhem", "polhem+dualsense"}) EXPECT_TRUE(pushes_back(name)) << name;
+  for (const char* name : {"polhem", "polhem+dualsense", "falcon"}) EXPECT_TRUE(pushes_back(name)) << name;
   for (const char* name : {"simulated", "mouse", "dualsense", "nothing"})
     EXPECT_FALSE(pushes_back(name)) << name;
 }
@@ -112,8 +112,14 @@ TEST(Registry, TheRulesNameEachDeviceByEitherBus) {
   const std::string rules = udev_rules();
   for (const char* part :
        {"ATTRS{idVendor}==\"256f\", ATTRS{idProduct}==\"c635\"", "KERNELS==\"0005:054C:0CE6.*\"",
-        "ATTRS{idVendor}==\"054c\", ATTRS{idProduct}==\"09cc\"", "TAG+=\"uaccess\""})
+        "ATTRS{idVendor}==\"054c\", ATTRS{idProduct}==\"09cc\"", "TAG+=\"uaccess\"",
+        "SUBSYSTEM==\"usb\", ENV{DEVTYPE}==\"usb_device\", ATTR{idVendor}==\"0403\", "
+        "ATTR{idProduct}==\"cb48\""})
     EXPECT_NE(rules.find(part), std::string::npos) << part;
+  EXPECT_EQ(rules.find("cb48"), rules.rfind("cb48")) << "no rule of hidraw for what speaks no HID";
+  EXPECT_TRUE(knows_usb(0x0403, 0xcb48));
+  EXPECT_TRUE(knows_usb(0x256f, 0xc635));
+  EXPECT_FALSE(knows_usb(0x0403, 0x6001)) << "any other FTDI";
 }
 
 }  // namespace

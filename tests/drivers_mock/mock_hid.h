@@ -32,6 +32,7 @@ public:
 
 private:
   friend class MockHid;
+  friend class MockUsb;
   UMockdevTestbed* testbed_;
   bool stands_in_;
   // No number is given twice, since umockdev keeps each node's end until it ends itself. High ones, so that

@@ -113,6 +113,21 @@ TEST(DeviceFiles, ThePolhemGivesItsForceAlongEveryAxis) {
     EXPECT_NEAR(Mechanism::motor_limit(device.mechanism, link), 2 * 0.0538 * 10, 1e-3);
 }
 
+// Its data sheet says more than 8.9 N along one axis, and 400 dpi. What its motors of 0.4096 N m give in the
+// middle, whatever the direction, is less: tests/drivers/falcon_arm_test.cpp has it from the geometry.
+TEST(DeviceFiles, AFalconGivesItsForceAlongEveryAxisAndSensesNoTurn) {
+  const DeviceDesc device = shipped("falcon");
+  EXPECT_FALSE(device.senses_rotation);
+  EXPECT_FALSE(device.renders_torque);
+  EXPECT_EQ(Actuators::count(device), 3);
+  EXPECT_LT(device.max_force, 8.9);
+  EXPECT_LT(device.encoder_step, 0.0254 / 400);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(Actuators(device).limits()[axis], 6) << axis;
+    EXPECT_LE(2 * device.workspace[axis], 4 * 0.0254) << "the data sheet's";
+  }
+}
+
 // Two vibrators of 1.31 g at 233 Hz, as in "Virtual vibrotactile motion as lateral force", alone and on an
 // arm.
 TEST(DeviceFiles, TheFingertipsVibratorsDoWhatThePaperAsksFor) {

@@ -1,0 +1,70 @@
+#include "drivers/falcon/falcon_bus.h"
+
+#include <array>
+#include <utility>
+
+namespace fulcrum::falcon {
+namespace {
+
+constexpr int kTurnWait_ms = 5;
+constexpr int kMostWaiting = 64;  // packets of the port
+
+}  // namespace
+
+FalconBus::FalconBus(std::unique_ptr<usb::UsbPort> port, FalconBoot::Firmware firmware)
+    : port_(std::move(port)), line_(*port_), boot_(std::move(firmware)) {}
+
+ForceBus::Turn FalconBus::start() {
+  const FalconBoot::State state = boot_.advance(line_);
+  return state == FalconBoot::State::failed ? Turn::lost : Turn::none;
+}
+
+bool FalconBus::listen(std::optional<FalconSays>& says) {
+  std::array<std::uint8_t, FalconLine::kMostRead> bytes{};
+  for (int count = 0; count < kMostWaiting; ++count) {
+    const int length = line_.read(bytes, says ? 0 : kTurnWait_ms);
+    if (length < 0) return false;
+    if (length == 0) break;
+    if (const auto next = packets_.feed(std::span(bytes).first(static_cast<std::size_t>(length))))
+      says = next;
+  }
+  return true;
+}
+
+// A packet without an answer is followed by one without force: who cannot be seen is not pushed.
+ForceBus::Turn FalconBus::exchange(const DeviceCommand& command, DeviceSample& sample) {
+  if (boot_.state() != FalconBoot::State::done) return start();
+  line_.drop();  // an answer that comes late is older than the one to this packet
+  const std::array<int, 3> motors =
+      stance_ ? motors_for(*stance_, command.F_H_D.force) : std::array<int, 3>{};
+  const bool told = line_.write(encode(motors, homed_ ? kGreen : kHoming | kRed));
+  stance_.reset();
+  std::optional<FalconSays> says;
+  if (!listen(says)) return Turn::lost;
+  answered_ = says.has_value();
+  if (!says || !told) return Turn::none;
+  homed_ = says->homed;
+  if (!homed_) return Turn::none;
+  stance_ = stance_at(says->counts);
+  impossible_ = !stance_;
+  if (!stance_) return Turn::none;
+  sample.X_DH = {Quat::Identity(), stance_->p_DH};
+  sample.age = 0;
+  sample.buttons = says->buttons;
+  return Turn::fresh;
+}
+
+std::string FalconBus::trouble() const {
+  if (boot_.state() == FalconBoot::State::failed) return boot_.why();
+  if (boot_.state() == FalconBoot::State::going || !answered_) return {};
+  if (!homed_)
+    return "it does not know yet where its grip is: pull the grip out as far as it goes, push it in as far "
+           "as "
+           "it goes, let it come back to the middle, and start again. Its ring is red until then.";
+  if (impossible_)
+    return "its legs are where none of its kind can have them: switch it off and on, pull its grip out and "
+           "push it in, and start again.";
+  return {};
+}
+
+}  // namespace fulcrum::falcon
