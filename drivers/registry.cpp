@@ -10,11 +10,15 @@
 #include "drivers/falcon/falcon_bus.h"
 #include "drivers/force/force_device.h"
 #include "drivers/hid/hid_link.h"
+#include "drivers/joycon/joycon_pair.h"
+#include "drivers/joycon/joycon_protocol.h"
 #include "drivers/omega/omega_bus.h"
 #include "drivers/permission.h"
 #include "drivers/polhem/polhem_bus.h"
 #include "drivers/sony/pad_axes.h"
 #include "drivers/spacemouse/spacemouse_protocol.h"
+#include "drivers/strip/strip_bus.h"
+#include "drivers/strip/strip_device.h"
 #include "drivers/touch/touch_bus.h"
 #include "drivers/vibrating/vibrating_device.h"
 
@@ -27,34 +31,50 @@ using hid::HidPlace;
 // A family of HID devices that speak the same.
 struct HidFamily {
   std::span<const hid::HidId> (*ids)();
-  std::unique_ptr<hid::HidProtocol> (*protocol)(const HidPlace&) = nullptr;  // of those that are pushed
+  // Of those that are pushed. signal: what their channels are to render.
+  std::unique_ptr<hid::HidProtocol> (*protocol)(const HidPlace&, const VibrotactileSignal& signal) = nullptr;
   hid::Nodes nodes = hid::Nodes::of_axes;
+  std::string_view product{};  // what it calls itself, where its numbers may be others', too
 };
 
 sony::Link link_of(const HidPlace& place) {
   return place.bluetooth ? sony::Link::bluetooth : sony::Link::usb;
 }
 
-constexpr HidFamily kSpaceMouse{&spacemouse_ids,
-                                [](const HidPlace&) -> std::unique_ptr<hid::HidProtocol> {
-                                  return std::make_unique<SpaceMouseProtocol>();
-                                }};
-constexpr HidFamily kDualSense{&dualsense::usb_ids,
-                               [](const HidPlace& place) -> std::unique_ptr<hid::HidProtocol> {
-                                 return std::make_unique<dualsense::DualSenseProtocol>(link_of(place));
-                               }};
-constexpr HidFamily kDualShock4{&dualshock4::usb_ids,
-                                [](const HidPlace& place) -> std::unique_ptr<hid::HidProtocol> {
-                                  return std::make_unique<dualshock4::DualShock4Protocol>(link_of(place));
-                                }};
+constexpr HidFamily kSpaceMouse{
+    &spacemouse_ids,
+    [](const HidPlace&, const VibrotactileSignal&) -> std::unique_ptr<hid::HidProtocol> {
+      return std::make_unique<SpaceMouseProtocol>();
+    }};
+constexpr HidFamily kDualSense{
+    &dualsense::usb_ids,
+    [](const HidPlace& place, const VibrotactileSignal&) -> std::unique_ptr<hid::HidProtocol> {
+      return std::make_unique<dualsense::DualSenseProtocol>(link_of(place));
+    }};
+constexpr HidFamily kDualShock4{
+    &dualshock4::usb_ids,
+    [](const HidPlace& place, const VibrotactileSignal&) -> std::unique_ptr<hid::HidProtocol> {
+      return std::make_unique<dualshock4::DualShock4Protocol>(link_of(place));
+    }};
 
+template <joycon::Side kSide>
+std::unique_ptr<hid::HidProtocol> joycon_protocol(const HidPlace&, const VibrotactileSignal& signal) {
+  return std::make_unique<joycon::JoyConProtocol>(kSide, signal.carrier_Hz);
+}
+template <joycon::Side kSide>
+constexpr HidFamily kJoyCon{[] { return joycon::ids(kSide); }, &joycon_protocol<kSide>};
+constexpr HidFamily kJoyConPair{.ids = &joycon::pair_ids};  // each half has a node of its own
+
+constexpr HidFamily kStrip{
+    .ids = &strip::usb_ids, .nodes = hid::Nodes::of_vendor, .product = strip::kProduct};
 constexpr HidFamily kPolhem{.ids = &polhem::usb_ids, .nodes = hid::Nodes::all};
 
 // Where it is, or why it is not; what is wrong with one matters only if there is no other.
 Result<HidPlace> place_of(const HidFamily& family) {
-  const std::vector<HidPlace> places = hid::find_hid(family.ids(), family.nodes);
+  std::vector<HidPlace> places = hid::find_hid(family.ids(), family.nodes);
+  std::erase_if(places, [&](const HidPlace& p) { return !p.product.starts_with(family.product); });
   if (places.empty())
-    return Error{family.nodes == hid::Nodes::all
+    return Error{family.nodes != hid::Nodes::of_axes
                      ? "none is plugged in: plug one in, and switch it on."
                      : "none is plugged in, and none is paired and awake: plug one in."};
   const auto open = std::ranges::find(places, true, &HidPlace::permitted);
@@ -62,12 +82,12 @@ Result<HidPlace> place_of(const HidFamily& family) {
   return not_permitted(places.front().path);
 }
 
-HidOpened open_family(const HidFamily& family) {
+HidOpened open_family(const HidFamily& family, const VibrotactileSignal& signal) {
   const Result<HidPlace> place = place_of(family);
   if (!place) return {};
   Result<std::unique_ptr<hid::HidPort>> port = hid::open_hid(*place);
   if (!port) return {};
-  return {std::move(*port), family.protocol(*place)};
+  return {std::move(*port), family.protocol(*place, signal)};
 }
 
 template <const HidFamily& kFamily>
@@ -77,13 +97,39 @@ std::string why_no_hid(const std::string& /*no_window_reason*/) {
 }
 
 template <const HidFamily& kFamily>
-Result<std::shared_ptr<AxesSource>> hid_axes() {
+Result<std::shared_ptr<AxesSource>> hid_axes(const VibrotactileSignal& signal) {
   const Result<HidPlace> place = place_of(kFamily);
   if (!place) return place.error();
   Result<std::unique_ptr<hid::HidPort>> port = hid::open_hid(*place);
   if (!port) return port.error();
-  return std::shared_ptr<AxesSource>(std::make_shared<hid::HidLink>(
-      HidOpened{std::move(*port), kFamily.protocol(*place)}, [] { return open_family(kFamily); }));
+  return std::shared_ptr<AxesSource>(
+      std::make_shared<hid::HidLink>(HidOpened{std::move(*port), kFamily.protocol(*place, signal)},
+                                     [signal] { return open_family(kFamily, signal); }));
+}
+
+// One half alone has neither six axes nor two channels.
+std::string why_no_joycons(const std::string& no_window_reason) {
+  const auto why_not = [](const char* half, const HidFamily& family, std::string reason) {
+    if (reason.empty() || !hid::find_hid(family.ids()).empty()) return reason;
+    return std::string(half) +
+           " is not paired and awake, and both halves are needed: hold the button between its SL and SR "
+           "until its "
+           "lights run, pair it by Bluetooth, then press one of its keys.";
+  };
+  std::string left = why_not("the left one", kJoyCon<joycon::Side::left>,
+                             why_no_hid<kJoyCon<joycon::Side::left>>(no_window_reason));
+  return !left.empty() ? left
+                       : why_not("the right one", kJoyCon<joycon::Side::right>,
+                                 why_no_hid<kJoyCon<joycon::Side::right>>(no_window_reason));
+}
+
+Result<std::shared_ptr<AxesSource>> joycon_axes(const VibrotactileSignal& signal) {
+  auto left = hid_axes<kJoyCon<joycon::Side::left>>(signal);
+  if (!left) return left.error();
+  auto right = hid_axes<kJoyCon<joycon::Side::right>>(signal);
+  if (!right) return right.error();
+  return std::shared_ptr<AxesSource>(
+      std::make_shared<joycon::JoyConPair>(std::move(*left), std::move(*right)));
 }
 
 std::string always(const std::string& /*no_window_reason*/) {
@@ -107,14 +153,15 @@ struct Driver {
   std::string (*why_not)(const std::string& no_window_reason);  // empty: it is there
   // argument: what follows the colon.
   Result<OpenDevice> (*open)(const std::string& argument, const DeviceOrder& order);
-  // Where it has axes that are pushed.
-  Result<std::shared_ptr<AxesSource>> (*axes)() = nullptr;
+  // Where it has axes that are pushed. signal: what its channels are to render.
+  Result<std::shared_ptr<AxesSource>> (*axes)(const VibrotactileSignal& signal) = nullptr;
   const HidFamily* family = nullptr;               // of a HID device
   std::span<const hid::HidId> (*usb)() = nullptr;  // of one that speaks USB without HID
   std::uint32_t stop_buttons = 0, go_buttons = 0;
   bool in_hand = false;   // a person holds it
   bool table = false;     // content/devices has its figures
   bool vibrates = false;  // beside another device, too
+  bool senses = false;    // where another device is held, beside that one alone
   bool motors = false;    // it pushes back
 };
 
@@ -143,9 +190,9 @@ Result<OpenDevice> open_keyboard(const std::string& /*argument*/, const DeviceOr
   return opened;
 }
 
-template <const HidFamily& kFamily>
-Result<OpenDevice> open_hid_axes(const std::string& /*argument*/, const DeviceOrder& order) {
-  Result<std::shared_ptr<AxesSource>> axes = hid_axes<kFamily>();
+template <auto kAxes>
+Result<OpenDevice> open_axes(const std::string& /*argument*/, const DeviceOrder& order) {
+  Result<std::shared_ptr<AxesSource>> axes = kAxes(order.signal.value_or(VibrotactileSignal()));
   if (!axes) return axes.error();
   return by_axes(std::move(*axes), order);
 }
@@ -243,7 +290,7 @@ constexpr Driver kDrivers[] = {
      .shown = "spacemouse",
      .what = "a 3Dconnexion SpaceMouse: six axes by its cap, no force",
      .why_not = &why_no_hid<kSpaceMouse>,
-     .open = &open_hid_axes<kSpaceMouse>,
+     .open = &open_axes<&hid_axes<kSpaceMouse>>,
      .axes = &hid_axes<kSpaceMouse>,
      .family = &kSpaceMouse,
      .in_hand = true,
@@ -252,7 +299,7 @@ constexpr Driver kDrivers[] = {
      .shown = "dualsense",
      .what = "a Sony DualSense: six axes by its sticks; vibrates left and right, no force",
      .why_not = &why_no_hid<kDualSense>,
-     .open = &open_hid_axes<kDualSense>,
+     .open = &open_axes<&hid_axes<kDualSense>>,
      .axes = &hid_axes<kDualSense>,
      .family = &kDualSense,
      .stop_buttons = sony::kShare,
@@ -264,7 +311,7 @@ constexpr Driver kDrivers[] = {
      .shown = "dualshock4",
      .what = "a Sony DualShock 4: six axes by its sticks; vibrates left and right, no force",
      .why_not = &why_no_hid<kDualShock4>,
-     .open = &open_hid_axes<kDualShock4>,
+     .open = &open_axes<&hid_axes<kDualShock4>>,
      .axes = &hid_axes<kDualShock4>,
      .family = &kDualShock4,
      .stop_buttons = sony::kShare,
@@ -272,6 +319,38 @@ constexpr Driver kDrivers[] = {
      .in_hand = true,
      .table = true,
      .vibrates = true},
+    {.name = "joycon",
+     .shown = "joycon",
+     .what = "a pair of Nintendo Joy-Cons: six axes by their sticks; vibrates left and right, no force",
+     .why_not = &why_no_joycons,
+     .open = &open_axes<&joycon_axes>,
+     .axes = &joycon_axes,
+     .family = &kJoyConPair,
+     .stop_buttons = joycon::kMinus,
+     .go_buttons = joycon::kPlus,
+     .in_hand = true,
+     .table = true,
+     .vibrates = true},
+    {.name = "switch_pro",
+     .shown = "switch_pro",
+     .what = "a Nintendo Pro Controller: six axes by its sticks; vibrates left and right, no force",
+     .why_not = &why_no_hid<kJoyCon<joycon::Side::both>>,
+     .open = &open_axes<&hid_axes<kJoyCon<joycon::Side::both>>>,
+     .axes = &hid_axes<kJoyCon<joycon::Side::both>>,
+     .family = &kJoyCon<joycon::Side::both>,
+     .stop_buttons = joycon::kMinus,
+     .go_buttons = joycon::kPlus,
+     .in_hand = true,
+     .table = true,
+     .vibrates = true},
+    {.name = "strip",
+     .shown = "strip",
+     .what = "a strip that knows where a stick is held, beside another device: polhem+strip",
+     .why_not = &why_no_hid<kStrip>,
+     .open = &open_hid_force<kStrip, strip::StripBus>,
+     .family = &kStrip,
+     .table = true,
+     .senses = true},
     {.name = "mouse",
      .shown = "mouse",
      .what = "six axes by dragging, in a window; no force",
@@ -298,9 +377,10 @@ const Driver* driver_of(std::string_view name) {
   return found == std::end(kDrivers) ? nullptr : &*found;
 }
 
-std::string all_names() {
+std::string names_where(bool (*counts)(const Driver&)) {
   std::string names;
-  for (const Driver& driver : kDrivers) names += (names.empty() ? "" : ", ") + std::string(driver.shown);
+  for (const Driver& driver : kDrivers)
+    if (counts(driver)) names += (names.empty() ? "" : ", ") + std::string(driver.shown);
   return names;
 }
 
@@ -389,14 +469,20 @@ Result<DeviceName> read_device_name(const std::string& name) {
   const DeviceName parts{name.substr(0, plus), plus == std::string::npos ? "" : name.substr(plus + 1)};
   const Driver* const moves = driver_of(parts.moves);
   if (moves == nullptr)
-    return Error{"There is no device '" + parts.moves + "'; there are " + all_names() +
+    return Error{"There is no device '" + parts.moves + "'; there are " +
+                 names_where([](const Driver&) { return true; }) +
                  ". `fulcrum devices` says what is there and what is not."};
+  if (moves->senses)
+    return Error{"'" + parts.moves +
+                 "' moves nothing: put the device that it is fixed to before it, such as polhem+" +
+                 parts.moves + "."};
   if (plus == std::string::npos) return parts;
   const Driver* const beside = driver_of(parts.beside);
-  if (beside == nullptr || !beside->vibrates)
-    return Error{
-        "Nothing vibrates by '" + parts.beside +
-        "': after the + comes what vibrates beside the device in the hand, dualsense or dualshock4."};
+  if (beside == nullptr || !(beside->vibrates || beside->senses))
+    return Error{"Nothing vibrates by '" + parts.beside +
+                 "', and it senses nothing: after the + comes what does either beside the device in the "
+                 "hand, one of " +
+                 names_where([](const Driver& driver) { return driver.vibrates || driver.senses; }) + "."};
   if (!moves->in_hand || moves == beside)
     return Error{"'" + parts.moves +
                  "' takes nothing beside it: before the + comes another device in the hand, "
@@ -426,6 +512,11 @@ bool moves_as_seen(const std::string& name) {
   return driver != nullptr && driver->in_hand && !driver->motors;
 }
 
+bool senses_beside(const std::string& name) {
+  const Result<DeviceName> parts = read_device_name(name);
+  return parts && !parts->beside.empty() && driver_of(parts->beside)->senses;
+}
+
 bool pushes_back(const std::string& name) {
   const Driver* const driver = driver_of(name.substr(0, name.find('+')));
   return driver != nullptr && driver->motors;
@@ -438,25 +529,38 @@ bool has_table(const std::string& name) {
 
 namespace {
 
+Result<OpenDevice> open_alone(const Driver& moves, const std::string& argument, const DeviceOrder& order) {
+  Result<OpenDevice> opened = moves.open(argument, order);
+  if (opened || !moves.in_hand) return opened;
+  return cannot_be_had(std::string(moves.name), opened.error().sentence);
+}
+
+// by: what vibrates; it may be what moves, which has one link for both then.
+Result<OpenDevice> open_vibrating(const Driver& moves, const std::string& argument, const Driver& by,
+                                  const DeviceOrder& order) {
+  Result<std::shared_ptr<AxesSource>> channels = by.axes(*order.signal);
+  if (!channels) return cannot_be_had(std::string(by.name), channels.error().sentence);
+  Result<OpenDevice> opened =
+      &by == &moves ? Result<OpenDevice>(by_axes(*channels, order)) : open_alone(moves, argument, order);
+  if (!opened) return opened;
+  opened->device = std::make_unique<VibratingDevice>(std::move(opened->device), std::move(*channels),
+                                                     *order.signal, order.tick_s);
+  return opened;
+}
+
 Result<OpenDevice> open_parts(const DeviceName& parts, const DeviceOrder& order) {
   const Driver& moves = *driver_of(parts.moves);
   const auto colon = parts.moves.find(':');
   const std::string argument = colon == std::string::npos ? "" : parts.moves.substr(colon + 1);
-  // A pad that vibrates by itself has one link for both.
-  const bool itself = moves.vibrates && order.signal && order.desc.vibrotactile;
-  if (parts.beside.empty() && !itself) {
-    Result<OpenDevice> opened = moves.open(argument, order);
-    return opened || !moves.in_hand ? std::move(opened) : cannot_be_had(parts.moves, opened.error().sentence);
-  }
-  const std::string& by = parts.beside.empty() ? parts.moves : parts.beside;
-  Result<std::shared_ptr<AxesSource>> beside = driver_of(by)->axes();
-  if (!beside) return cannot_be_had(by, beside.error().sentence);
+  const Driver& beside = parts.beside.empty() ? moves : *driver_of(parts.beside);
+  const Driver& vibrating = beside.vibrates ? beside : moves;
+  const bool vibrates = vibrating.vibrates && order.signal && order.desc.vibrotactile;
   Result<OpenDevice> opened =
-      parts.beside.empty() ? Result<OpenDevice>(by_axes(*beside, order)) : moves.open(argument, order);
-  if (!opened) return cannot_be_had(parts.moves, opened.error().sentence);
-  if (order.signal && order.desc.vibrotactile)
-    opened->device = std::make_unique<VibratingDevice>(std::move(opened->device), std::move(*beside),
-                                                       *order.signal, order.tick_s);
+      vibrates ? open_vibrating(moves, argument, vibrating, order) : open_alone(moves, argument, order);
+  if (!opened || !beside.senses) return opened;
+  Result<OpenDevice> strip = beside.open("", order);
+  if (!strip) return cannot_be_had(parts.beside, strip.error().sentence);
+  opened->device = std::make_unique<strip::StripDevice>(std::move(opened->device), std::move(strip->device));
   return opened;
 }
 

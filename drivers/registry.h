@@ -3,7 +3,7 @@
 // it.
 //
 // A name on the command line is one of them, or two: "spacemouse+dualsense" moves by the first and vibrates
-// by the second.
+// by the second, "polhem+strip" learns from the second where the first is held.
 
 #include <cstdint>
 #include <functional>
@@ -44,7 +44,7 @@ bool knows_usb(std::uint16_t vendor, std::uint16_t product);
 // What the two parts of a name stand for.
 struct DeviceName {
   std::string moves;   // the device that the hand moves
-  std::string beside;  // what vibrates beside it; may be empty
+  std::string beside;  // what vibrates or senses beside it; may be empty
 };
 // Errors: there is no such device, or one of the two cannot do what is asked of it.
 Result<DeviceName> read_device_name(const std::string& name);
@@ -52,6 +52,9 @@ Result<DeviceName> read_device_name(const std::string& name);
 // The device moves the handle as the trainee sees it, not in a frame of its own: a mouse, a cap, sticks,
 // keys.
 bool moves_as_seen(const std::string& name);
+
+// Beside the device, something senses where its handle is held.
+bool senses_beside(const std::string& name);
 
 // The device has motors of its own, and a person holds it.
 bool pushes_back(const std::string& name);

@@ -13,10 +13,8 @@ namespace {
 constexpr int kReadWait_ms = 5;  // how long the reader waits: so old is what is known of a silent device
 constexpr std::int64_t kShortestTurn_ns = 500'000;  // of the reader; USB brings at most a report each ms
 constexpr int kLookAgain_ms = 250;                  // between two looks for a device that is away
-constexpr int kWriteEvery_ms = 4;
-constexpr int kRepeat_ms = 200;   // a report that vibrates is sent again: a pad may have missed one
-constexpr double kLetGo = 0.1;    // s, of silence
-constexpr int kMostWaiting = 64;  // reports; hidraw keeps 63 and drops what is newer
+constexpr double kLetGo = 0.1;                      // s, of silence
+constexpr int kMostWaiting = 64;                    // reports; hidraw keeps 63 and drops what is newer
 
 std::int64_t now_ns() noexcept {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -141,20 +139,30 @@ void HidLink::write_on() {
   HidProtocol::Report report{};
   ChannelDrives sent{};
   int since_ms = 0;
-  const auto send = [&](const ChannelDrives& drives) {
-    const std::shared_ptr<HidOpened> at = opened();
-    const std::size_t length = at ? at->protocol->encode(drives, report) : 0;
-    if (length == 0 || !at->port->write(std::span(report).first(length))) return;
+  const auto send = [&](HidOpened& at, const ChannelDrives& drives) {
+    const std::size_t length = at.protocol->encode(drives, report);
+    if (length == 0 || !at.port->write(std::span(report).first(length))) return;
     sent = drives;
     since_ms = 0;
   };
-  while (rest(kWriteEvery_ms)) {
-    since_ms += kWriteEvery_ms;
+  const auto pace = [this] {
+    const std::shared_ptr<HidOpened> at = opened();
+    return at ? at->protocol->pace() : HidProtocol::Pace();
+  };
+  for (HidProtocol::Pace now = pace(); rest(now.write_ms); now = pace()) {
+    since_ms += now.write_ms;
     const ChannelDrives& wanted = drives_.newest();
+    const std::shared_ptr<HidOpened> at = opened();
+    if (!at) continue;
+    if (const std::size_t length = at->protocol->ask(report)) {
+      at->port->write(std::span(report).first(length));
+      continue;
+    }
     const bool vibrates = std::ranges::any_of(wanted, [](double drive) { return drive > 0; });
-    if (wanted != sent || (vibrates && since_ms >= kRepeat_ms)) send(wanted);
+    if (wanted != sent || (vibrates && since_ms >= now.repeat_ms)) send(*at, wanted);
   }
-  if (sent != ChannelDrives{}) send({});
+  const std::shared_ptr<HidOpened> at = opened();
+  if (at && sent != ChannelDrives{}) send(*at, {});
 }
 
 }  // namespace fulcrum::hid

@@ -81,13 +81,17 @@ bool is_bluetooth(const std::string& node) {
   return path.substr(path.rfind('/') + 1).starts_with("0005:");
 }
 
-constexpr unsigned short kGenericDesktop = 1;
+constexpr unsigned short kGenericDesktop = 1, kVendors = 0xFF00;
 constexpr unsigned short kJoystick = 4, kGamepad = 5, kMultiAxis = 8;
 
 bool reports_axes(const hid_device_info& info) {
   if (info.usage_page == 0) return true;  // where it is not known
   return info.usage_page == kGenericDesktop &&
          (info.usage == kJoystick || info.usage == kGamepad || info.usage == kMultiAxis);
+}
+
+bool is_of(const hid_device_info& info, Nodes nodes) {
+  return nodes == Nodes::all || (nodes == Nodes::of_axes ? reports_axes(info) : info.usage_page == kVendors);
 }
 
 }  // namespace
@@ -105,7 +109,7 @@ std::vector<HidPlace> find_hid(std::span<const HidId> ids, Nodes nodes) {
     for (const hid_device_info* info = all; info != nullptr; info = info->next) {
       const HidId id{info->vendor_id, info->product_id};
       if (std::ranges::find(ids, id) == ids.end()) continue;
-      if (nodes == Nodes::of_axes && !reports_axes(*info)) continue;
+      if (!is_of(*info, nodes)) continue;
       if (info->path == nullptr) continue;  // it is being unplugged
       const std::string path = info->path;
       const bool known = std::ranges::any_of(places, [&](const HidPlace& p) { return p.path == path; });

@@ -36,7 +36,8 @@ struct HidPlace {
 
 // One device may have several nodes.
 enum class Nodes {
-  of_axes,  // those that report a joystick's, a pad's or a cap's axes
+  of_axes,    // those that report a joystick's, a pad's or a cap's axes
+  of_vendor,  // those of the usage page that is free to everybody, 0xFF00
   all
 };
 // Those of `ids` that are there now, in the order of their paths.

@@ -31,6 +31,14 @@ public:
   };
   virtual std::span<const Feature> features() const noexcept { return {}; }
   virtual void learn(std::span<const std::uint8_t> /*feature*/) noexcept {}
+  // A report that it is to be sent besides, of the length that is answered; 0: none now. It is asked for
+  // before each report of the channels, by the thread that sends, while another one decodes.
+  virtual std::size_t ask(Report& /*report*/) noexcept { return 0; }
+  struct Pace {
+    int write_ms = 4;     // from one report that is sent to the next
+    int repeat_ms = 200;  // one that vibrates is sent again: it may have been missed
+  };
+  virtual Pace pace() const noexcept { return {}; }
   // Whether reports come all the time, or only while something is pushed.
   virtual bool streams() const noexcept = 0;
 };

@@ -1,23 +1,20 @@
 #include "drivers/sony/pad_axes.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace fulcrum::sony {
 namespace {
 
-constexpr double kRests = 0.1;  // of a stick's way: worn ones do not come back to the middle
+constexpr double kRests = 0.1;  // of a stick's way
 constexpr std::uint32_t kL1 = 1U << 8, kR1 = 1U << 9;
 
 // -1 to 1, and exactly 0 where the stick rests.
 double pushed(std::uint8_t reading) {
-  const double part = std::clamp((reading - 128) / 127.0, -1.0, 1.0);
-  const double beyond = std::abs(part) - kRests;
-  return beyond > 0 ? std::copysign(beyond / (1 - kRests), part) : 0;
+  return beyond_rest(std::clamp((reading - 128) / 127.0, -1.0, 1.0), kRests);
 }
 
 double pulled(std::uint8_t reading) {
-  return std::max(0.0, reading / 255.0 - kRests) / (1 - kRests);
+  return beyond_rest(reading / 255.0, kRests);
 }
 
 }  // namespace

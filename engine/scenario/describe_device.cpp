@@ -50,7 +50,7 @@ void describe_channel(KeyVisitor& visitor, ChannelDesc& channel, std::string_vie
   channel.name = name;
   visitor.choice_of({"kind", "",
                      "rumble: a motor that is told an amplitude; pcm: a voice coil or an audio channel, that "
-                     "is told samples",
+                     "is told samples; tone: an actuator that is told a frequency and an amplitude",
                      true},
                     channel.kind);
   visitor.number(
@@ -61,7 +61,8 @@ void describe_channel(KeyVisitor& visitor, ChannelDesc& channel, std::string_vie
                  from_to(0, 20000));
   visitor.number({"quality", "", "pcm: of the resonance, above 0.5; it needs it"}, channel.quality,
                  from_to(0, 1000));
-  visitor.number({"lag", "s", "rumble: time constant of the amplitude"}, channel.lag, from_to(0, 10));
+  visitor.number({"lag", "s", "rumble and tone: time constant of the amplitude"}, channel.lag,
+                 from_to(0, 10));
   const bool pcm = channel.kind == ChannelKind::pcm;
   visitor.rule("resonance_Hz", !pcm || channel.resonance_Hz > 0, "must be positive for the kind pcm");
   visitor.rule("quality", !pcm || channel.quality > 0.5, "must be above 0.5 for the kind pcm");

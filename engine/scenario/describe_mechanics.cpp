@@ -66,10 +66,11 @@ void describe_device(KeyVisitor& visitor, DeviceEntry& device) {
       {"model", "",
        "of the simulated device: content/devices/MODEL.yaml, or the scenario's own devices/MODEL.yaml", true},
       device.model);
-  visitor.word({"beside", "",
-                "of what vibrates besides: content/devices/BESIDE.yaml, whose channels take the place of the "
-                "model's"},
-               device.beside);
+  visitor.word(
+      {"beside", "",
+       "of what vibrates or senses besides: content/devices/BESIDE.yaml, whose channels or strip take "
+       "the place of the model's"},
+      device.beside);
   visitor.number({"position_scale", "", "scene movement for device movement"}, mapping.position_scale,
                  above_to(0, 1000));
   visitor.number({"force_scale", "", "device force for scene force"}, mapping.force_scale, above_to(0, 1000));

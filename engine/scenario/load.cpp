@@ -66,7 +66,7 @@ Faults read_content(const ContentFile& file, const std::string& key, const std::
   return read_keys(*text, file.name(), folder, describe);
 }
 
-// What vibrates beside the model: an installed device, of which only the channels matter.
+// What vibrates or senses beside the model: an installed device, of which only channels and strip matter.
 Faults read_beside(DeviceEntry& device, const Node& root, const std::filesystem::path& folder,
                    TextStore& texts) {
   if (device.beside.empty()) return {};
@@ -78,10 +78,13 @@ Faults read_beside(DeviceEntry& device, const Node& root, const std::filesystem:
   DeviceDesc beside;
   Faults faults = read_content(file, file.name(), device.beside, root, {"device", "beside"}, folder, texts,
                                [&](KeyVisitor& visitor) { describe_device_file(visitor, beside); });
-  if (faults.empty() && !beside.vibrotactile)
-    faults.push_back(mark_of(root, {"device", "beside"})
-                         .fault(in_quotes(device.beside) + " has no channels: name a device that vibrates"));
-  device.desc.vibrotactile = std::move(beside.vibrotactile);
+  if (faults.empty() && !beside.vibrotactile && !beside.strip)
+    faults.push_back(
+        mark_of(root, {"device", "beside"})
+            .fault(in_quotes(device.beside) +
+                   " has neither channels nor a strip: name a device that vibrates, or a strip"));
+  if (beside.vibrotactile) device.desc.vibrotactile = std::move(beside.vibrotactile);
+  if (beside.strip) device.desc.strip = beside.strip;
   return faults;
 }
 

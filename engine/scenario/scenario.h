@@ -62,7 +62,7 @@ struct ToolEntry {
 struct DeviceEntry {
   std::string model;   // devices/MODEL.yaml, of the program's content
   bool own = false;    // of the scenario's folder instead: it is simulated only
-  std::string beside;  // devices/BESIDE.yaml: its channels stand in `desc`; empty: those of the model
+  std::string beside;  // devices/BESIDE.yaml: its channels, its strip stand in `desc`; empty: the model's own
   DeviceDesc desc;     // what that file says
   MappingDesc mapping;
   AllocationDesc allocation;

@@ -128,7 +128,7 @@ int hardness_command(const HardnessOptions& options) {
   constexpr std::string_view files[] = {analysis::hardness::kHardnessCsvName,
                                         analysis::hardness::kHardnessJsonName,
                                         analysis::hardness::kHardnessPageName};
-  std::optional<DeviceDesc> device = device_named(options.device);
+  std::optional<DeviceDesc> device = pushing_device_named(options.device);
   if (!device) return kError;
   std::string command = "fulcrum hardness --device " + options.device;
   analysis::hardness::StrikeSetting setting;

@@ -29,7 +29,7 @@ analysis::stability::NamedAxis axis_of(const std::string& name, const DeviceDesc
 std::optional<std::vector<analysis::stability::NamedAxis>> device_axes(const std::string& only) {
   std::vector<analysis::stability::NamedAxis> axes;
   if (!only.empty()) {
-    const std::optional<DeviceDesc> device = device_named(only);
+    const std::optional<DeviceDesc> device = pushing_device_named(only);
     if (!device) return std::nullopt;
     return std::vector{axis_of(only, *device)};
   }

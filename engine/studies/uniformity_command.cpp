@@ -20,7 +20,7 @@ int uniformity_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::uniformity::kUniformityCsvName,
                                         analysis::uniformity::kFilterCsvName,
                                         analysis::uniformity::kUniformityPageName};
-  const std::optional<DeviceDesc> device = device_named(kDevice);
+  const std::optional<DeviceDesc> device = pushing_device_named(kDevice);
   if (!device) return kError;
   const std::optional<std::filesystem::path> folder = report_folder("uniformity", options, files);
   if (!folder) return kError;

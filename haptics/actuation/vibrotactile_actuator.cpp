@@ -6,15 +6,14 @@
 namespace fulcrum {
 
 double actuator_response(const ChannelDesc& channel, double frequency_Hz) noexcept {
-  if (channel.kind == ChannelKind::rumble) return 1;
+  if (channel.kind != ChannelKind::pcm) return 1;
   const double r = frequency_Hz / channel.resonance_Hz;
   return r * r / math::hypot(channel.quality * (1 - r * r), r);
 }
 
 double actuator_reach(const ChannelDesc& channel, double carrier_Hz) noexcept {
   const double full = channel.largest * actuator_response(channel, carrier_Hz);
-  return channel.kind == ChannelKind::rumble ? full
-                                             : full / HeldSine(carrier_Hz, 1 / channel.rate_Hz).largest();
+  return channel.kind == ChannelKind::pcm ? full / HeldSine(carrier_Hz, 1 / channel.rate_Hz).largest() : full;
 }
 
 }  // namespace fulcrum

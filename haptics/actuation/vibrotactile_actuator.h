@@ -10,13 +10,14 @@
 // once it has swollen, which near its resonance takes Q / (pi f_0) s, 4 ms at Q = 3 and 233 Hz.
 //
 // A rumble motor turns an eccentric mass: its amplitude follows the drive with a first-order lag, at a
-// frequency that follows its speed and that nobody can choose.
+// frequency that follows its speed and that nobody can choose. One that is told a tone makes the frequency
+// by itself; its amplitude is taken to follow in the same way, as strongly at any carrier.
 
 #include "haptics/device/vibrotactile_desc.h"
 
 namespace fulcrum {
 
-// Of the acceleration at the resonance with the same drive; of a rumble motor 1.
+// Of the acceleration at the resonance with the same drive; of what is no pcm 1.
 double actuator_response(const ChannelDesc& channel, double frequency_Hz) noexcept;
 
 // m/s^2, the largest amplitude that the channel can be asked for. A pcm channel holds each sample and gets

@@ -17,7 +17,7 @@ ChannelOutput::ChannelOutput(const ChannelDesc& channel, const VibrotactileSigna
 
 std::span<const double> ChannelOutput::process(double level, const VibrotactileCommand& command) noexcept {
   if (command.stopping) level = std::min(level, envelope_);  // it may still be on its way up
-  if (kind_ == ChannelKind::rumble) {
+  if (kind_ != ChannelKind::pcm) {
     envelope_ = level;
     drives_[0] = std::min(1.0, level * drive_per_level_);
     return {drives_.data(), 1};

@@ -1,5 +1,5 @@
 #pragma once
-// From levels to what a channel gets, once a tick, by one interface for both kinds.
+// From levels to what a channel gets, once a tick, by one interface for all kinds.
 //
 // pcm: samples at the channel's own rate, carrier x envelope, as drive from -1 to 1. The envelope goes to
 // each new level in a straight line, in the time that the command gives it, and never by more than kStep of
@@ -7,7 +7,7 @@
 // never rises. From nothing to the
 // whole that is 100 samples: 2.1 ms at 48 kHz, and 100 ms at 1 kHz. A burst begins at phase 0.
 //
-// rumble: one sample a tick, the amplitude as drive from 0 to 1.
+// rumble, tone: one sample a tick, the amplitude as drive from 0 to 1.
 
 #include <cstdint>
 #include <optional>

@@ -16,10 +16,11 @@ inline constexpr std::size_t kMaxChannels = 4;
 
 enum class ChannelKind {
   rumble,  // a motor with an eccentric mass: an amplitude is all that it is told
-  pcm      // a voice coil, or an audio channel: it is told samples
+  pcm,     // a voice coil, or an audio channel: it is told samples
+  tone     // a resonant actuator with a generator of its own: the carrier's frequency, then amplitudes
 };
 template <>
-inline constexpr std::array<std::string_view, 2> names_of<ChannelKind>{"rumble", "pcm"};
+inline constexpr std::array<std::string_view, 3> names_of<ChannelKind>{"rumble", "pcm", "tone"};
 
 // Figures from a data sheet or measured.
 struct ChannelDesc {
@@ -29,7 +30,7 @@ struct ChannelDesc {
   double rate_Hz = 48000;   // pcm: samples
   double resonance_Hz = 0;  // pcm
   double quality = 0;       // pcm: Q of the resonance, above 0.5
-  double lag = 0;           // s, rumble: time constant of its amplitude
+  double lag = 0;           // s, rumble and tone: time constant of the amplitude
 };
 
 // Two channels or more; `left` and `right` are those on either side, along D's x.

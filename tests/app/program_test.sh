@@ -30,7 +30,13 @@ expect_each 0 '^scheduling +(good|fair)' '^memory +(good|fair)' '^wake-ups +(goo
 expect 0 'display +bad .*--headless|no display' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" doctor
 expect 0 '"health": "fair"' "$FULCRUM" doctor --json
 expect_each 0 'vibrotactile motion .*on left .rumble.*right .rumble' 'lateral force .*has no motors' -- "$FULCRUM" explain sweep --device dualsense
+expect_each 0 'vibrotactile motion .* at 233 Hz on left .tone: a frequency.*right .tone' -- "$FULCRUM" explain sweep --device joycon
 expect_each 0 "On mouse" -- "$FULCRUM" explain sweep --device mouse
+expect_each 0 "strip .*'mouse' has none" -- "$FULCRUM" explain stick --device mouse
+for held in mouse+strip polhem+strip; do # the strip has a board of its own
+  "$FULCRUM" explain stick --device $held >explained || fail "stick is not explained with $held"
+  grep -q 'strip .* has none' explained && fail "$held has a strip, and explain says it has none"
+done
 expect 1 'no device' "$FULCRUM" explain sweep --device nothing
 expect 0 'json-schema.org' "$FULCRUM" schema
 expect 0 'llvmpipe' "$FULCRUM" run piping --gpu list
@@ -100,6 +106,8 @@ expect 1 "'keyboard' cannot be had: it needs a window" "$FULCRUM" run piping --h
 expect 1 "'spacemouse' cannot be had: none is plugged in" "$FULCRUM" run piping --headless --realtime --device spacemouse --out X
 expect 1 "'spacemouse' cannot be had" "$FULCRUM" run piping --device spacemouse+dualsense --headless --realtime --out X
 expect 1 "Nothing vibrates by 'mouse'" "$FULCRUM" run piping --headless --device spacemouse+mouse --out X
+expect 1 "'strip' moves nothing: .*polhem.strip" "$FULCRUM" run stick --headless --device strip --out X
+expect 1 "'joycon' cannot be had: the left one is not paired" "$FULCRUM" run piping --headless --realtime --device joycon --out X
 expect 1 'display' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" run piping --out X
 expect 1 'pip' "$FULCRUM" run pipin --headless
 expect 1 'stiffness' "$FULCRUM" run piping --headless --set contact.stifness=1

@@ -11,6 +11,7 @@ printf 'place_m,ohm\n0.03,120\n0.1,4910\n0.17,9700\r\n\n' > presses.csv
 expect 0 'low_ohm: 120' "$FULCRUM" strip presses.csv
 expect 0 'high_ohm: 9700' "$FULCRUM" strip presses.csv --device freedom6s
 expect 0 '3 presses lie .*mm rms' "$FULCRUM" strip presses.csv
+expect 0 'high_ohm: 9700' "$FULCRUM" strip presses.csv --device strip
 printf '0.03,120\n0.1,6000\n0.17,9700\n' > bent.csv
 expect 0 'more than a finger errs' "$FULCRUM" strip bent.csv
 

@@ -40,11 +40,17 @@ TEST(Registry, ANameIsOneDeviceOrOneThatVibratesBesideAnother) {
   ASSERT_TRUE(two);
   EXPECT_EQ(two->moves, "mouse");
   EXPECT_EQ(two->beside, "dualsense");
+  const auto held = read_device_name("polhem+strip");
+  ASSERT_TRUE(held);
+  EXPECT_EQ(held->moves, "polhem");
+  EXPECT_EQ(held->beside, "strip");
   const auto file = read_device_name("replay:a+b.tape");
   ASSERT_TRUE(file);
   EXPECT_EQ(file->moves, "replay:a+b.tape") << "a file may be called so";
-  for (const char* name : {"", "+", "spacemaus", "spacemouse+", "spacemouse+mouse", "simulated+dualsense",
-                           "dualsense+dualsense", "mouse+dualsense+dualshock4", "mouse:left", "replay"}) {
+  for (const char* name :
+       {"", "+", "spacemaus", "spacemouse+", "spacemouse+mouse", "simulated+dualsense", "dualsense+dualsense",
+        "mouse+dualsense+dualshock4", "mouse:left", "replay", "strip", "strip+dualsense", "strip+strip",
+        "simulated+strip", "polhem+strip+strip"}) {
     const auto refused = read_device_name(name);
     ASSERT_FALSE(refused) << name;
     EXPECT_GT(refused.error().sentence.size(), 40U) << refused.error().sentence;
@@ -52,13 +58,25 @@ TEST(Registry, ANameIsOneDeviceOrOneThatVibratesBesideAnother) {
 }
 
 TEST(Registry, WhatMovesAsItIsSeenIsHeldInAHand) {
-  for (const char* name : {"mouse", "spacemouse", "keyboard", "spacemouse+dualsense"})
+  for (const char* name :
+       {"mouse", "spacemouse", "keyboard", "spacemouse+dualsense", "joycon", "switch_pro", "mouse+strip"})
     EXPECT_TRUE(moves_as_seen(name)) << name;
   for (const char* name : {"simulated", "replay:run.tape", "scenario:arm", "nothing", "polhem"})
     EXPECT_FALSE(moves_as_seen(name)) << name;
-  for (const char* name : {"polhem", "polhem+dualsense", "falcon"}) EXPECT_TRUE(pushes_back(name)) << name;
+  for (const char* name : {"polhem", "polhem+dualsense", "polhem+strip", "falcon"})
+    EXPECT_TRUE(pushes_back(name)) << name;
   for (const char* name : {"simulated", "mouse", "dualsense", "nothing"})
     EXPECT_FALSE(pushes_back(name)) << name;
+}
+
+TEST(Registry, AStripSensesBesideWhatMovesAndIsNothingAlone) {
+  for (const char* name : {"polhem+strip", "mouse+strip", "dualsense+strip"})
+    EXPECT_TRUE(senses_beside(name)) << name;
+  for (const char* name : {"strip", "polhem", "spacemouse+dualsense", "replay:a+strip", "mouse+"})
+    EXPECT_FALSE(senses_beside(name)) << name;
+  EXPECT_NE(read_device_name("strip").error().sentence.find("polhem+strip"), std::string::npos);
+  EXPECT_FALSE(moves_as_seen("strip"));
+  EXPECT_NE(best_device("").name, "strip");
 }
 
 TEST(Registry, TheMouseIsTakenWhereNothingElseIsThere) {
@@ -112,7 +130,9 @@ TEST(Registry, TheRulesNameEachDeviceByEitherBus) {
   const std::string rules = udev_rules();
   for (const char* part :
        {"ATTRS{idVendor}==\"256f\", ATTRS{idProduct}==\"c635\"", "KERNELS==\"0005:054C:0CE6.*\"",
-        "ATTRS{idVendor}==\"054c\", ATTRS{idProduct}==\"09cc\"", "TAG+=\"uaccess\"",
+        "ATTRS{idVendor}==\"054c\", ATTRS{idProduct}==\"09cc\"", "KERNELS==\"0005:057E:2006.*\"",
+        "KERNELS==\"0005:057E:2007.*\"", "ATTRS{idVendor}==\"057e\", ATTRS{idProduct}==\"2009\"",
+        "ATTRS{idVendor}==\"1209\", ATTRS{idProduct}==\"0001\"", "TAG+=\"uaccess\"",
         "SUBSYSTEM==\"usb\", ENV{DEVTYPE}==\"usb_device\", ATTR{idVendor}==\"0403\", "
         "ATTR{idProduct}==\"cb48\""})
     EXPECT_NE(rules.find(part), std::string::npos) << part;

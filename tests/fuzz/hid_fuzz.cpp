@@ -1,7 +1,9 @@
-// Reference: none; any bytes as the reports of each device that is pushed, and of one that pushes.
-// Invariants: axes are from -1 to 1, what is refused changes nothing, and what is sent is as long as its
-// kind; a pose is one, within the reach of its arm, and currents are what the motors take. A first byte of
-// odd value has the checksum of a Bluetooth report put right, so that what stands behind it is reached.
+// Reference: none; any bytes as the reports of each device that is pushed, of one that pushes, and of a
+// strip. Invariants: axes are from -1 to 1, what is refused changes nothing, and what is sent is as long as
+// its kind; a pose is one, within the reach of its arm, currents are what the motors take, and actuators are
+// told nothing that harms them; a reading is no negative resistance, and a strip is told nothing. A first
+// byte of odd value has the checksum of a Bluetooth report put right, so that what stands behind it is
+// reached.
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +16,10 @@
 #include "drivers/dualsense/dualsense_protocol.h"
 #include "drivers/dualshock4/dualshock4_protocol.h"
 #include "drivers/hid/hid_bytes.h"
+#include "drivers/joycon/joycon_protocol.h"
 #include "drivers/polhem/polhem_bus.h"
 #include "drivers/spacemouse/spacemouse_protocol.h"
+#include "drivers/strip/strip_bus.h"
 
 namespace fulcrum {
 namespace {
@@ -41,7 +45,12 @@ void feed(hid::HidProtocol& device, std::span<const std::uint8_t> report) {
   if (report.size() >= sizeof drives) std::memcpy(drives.data(), report.data(), sizeof drives);
   hid::HidProtocol::Report sent{};
   const std::size_t length = device.encode(drives, sent);
-  require(length == 0 || length == 32 || length == 63 || length == 78);
+  require(length == 0 || length == 10 || length == 32 || length == 63 || length == 78);
+  if (length == 10)
+    for (std::size_t at = 2; at < length; at += 4)
+      require((sent[at + 1] & 0xFE) <= 0xC8 && sent[at + 3] >= 0x40 && sent[at + 3] <= 0x72);
+  const std::size_t asked = device.ask(sent);
+  require(asked == 0 || asked == 12 || asked == 16);
 }
 
 // Its arm, as content/devices/polhem.yaml has it.
@@ -60,15 +69,17 @@ DeviceDesc polhem_desc() {
 // The bytes as reports, one after another, each with its length before it.
 class BytesPort final : public hid::HidPort {
 public:
-  explicit BytesPort(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  // pushes: it may be told something.
+  BytesPort(std::span<const std::uint8_t> bytes, bool pushes) : bytes_(bytes), pushes_(pushes) {}
   int read(std::span<std::uint8_t> report, int) override {
     if (bytes_.empty()) return -1;
-    const std::size_t length = std::min<std::size_t>({bytes_[0] % 32u, bytes_.size() - 1, report.size()});
+    const std::size_t length = std::min<std::size_t>({bytes_[0] % 72u, bytes_.size() - 1, report.size()});
     std::copy_n(bytes_.begin() + 1, length, report.begin());
     bytes_ = bytes_.subspan(1 + length);
     return static_cast<int>(length);
   }
   bool write(std::span<const std::uint8_t> report) override {
+    require(pushes_);
     require(report.size() == 15 && report[0] == 0);
     const auto number = [&](std::size_t i) {
       return static_cast<std::int16_t>(
@@ -82,17 +93,28 @@ public:
 
 private:
   std::span<const std::uint8_t> bytes_;
+  bool pushes_;
 };
 
 void feed_polhem(std::span<const std::uint8_t> bytes) {
   static const DeviceDesc desc = polhem_desc();
-  polhem::PolhemBus bus(std::make_unique<BytesPort>(bytes), desc);
+  polhem::PolhemBus bus(std::make_unique<BytesPort>(bytes, true), desc);
   DeviceSample sample;
   DeviceCommand command;
   if (bytes.size() >= 24) std::memcpy(command.effort.data(), bytes.data(), 24);
   for (ForceBus::Turn turn = ForceBus::Turn::none; turn != ForceBus::Turn::lost;) {
     turn = bus.exchange(command, sample);
     require(sample.X_DH.is_finite() && sample.X_DH.p.norm() < 1 && std::abs(sample.X_DH.q.norm() - 1) < 1e-9);
+    (void)bus.trouble();
+  }
+}
+
+void feed_strip(std::span<const std::uint8_t> bytes) {
+  strip::StripBus bus(std::make_unique<BytesPort>(bytes, false), DeviceDesc());
+  DeviceSample sample;
+  for (ForceBus::Turn turn = ForceBus::Turn::none; turn != ForceBus::Turn::lost;) {
+    turn = bus.exchange({}, sample);
+    require(!(sample.strip_ohm < 0) && sample.age == 0 && sample.connected);
     (void)bus.trouble();
   }
 }
@@ -107,6 +129,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (data[0] % 2 == 1 && report.size() >= 78)
     hid::put_u32(report, 74, hid::crc32(0xA1, std::span(report).first(74)));
   feed_polhem(report);
+  feed_strip(report);
+  for (const joycon::Side side : {joycon::Side::left, joycon::Side::right, joycon::Side::both}) {
+    joycon::JoyConProtocol half(side, data[0] * 6.0);
+    for (int time = 0; time < 6; ++time) feed(half, report);
+  }
   SpaceMouseProtocol mouse;
   feed(mouse, report);
   for (const sony::Link link : {sony::Link::usb, sony::Link::bluetooth}) {

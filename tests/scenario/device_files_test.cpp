@@ -149,5 +149,32 @@ TEST(DeviceFiles, TheFingertipsVibratorsDoWhatThePaperAsksFor) {
   for (const ChannelDesc& channel : pad.vibrotactile->channels) EXPECT_EQ(channel.kind, ChannelKind::rumble);
 }
 
+// What is asked of them at any carrier, and the sides that their drivers know.
+TEST(DeviceFiles, TheJoyConsAreToldTones) {
+  for (const char* name : {"joycon", "switch_pro"}) {
+    const DeviceDesc device = shipped(name);
+    EXPECT_EQ(Actuators::count(device), 0) << name;
+    ASSERT_TRUE(device.vibrotactile) << name;
+    ASSERT_EQ(device.vibrotactile->channels.size(), 2U) << name;
+    EXPECT_EQ(device.vibrotactile->find("left"), 0U) << name;
+    for (const ChannelDesc& channel : device.vibrotactile->channels) {
+      EXPECT_EQ(channel.kind, ChannelKind::tone) << name;
+      EXPECT_EQ(actuator_reach(channel, 160), channel.largest) << name;
+      EXPECT_EQ(actuator_reach(channel, 320), channel.largest) << name;
+    }
+  }
+}
+
+// It is the strip that its maker's data sheet describes, as that of the Freedom 6S is.
+TEST(DeviceFiles, TheStripIsAStripAndPushesNothing) {
+  const DeviceDesc device = shipped("strip");
+  EXPECT_EQ(Actuators::count(device), 0);
+  EXPECT_FALSE(device.vibrotactile);
+  ASSERT_TRUE(device.strip);
+  EXPECT_FALSE(refuse_strip(*device.strip));
+  EXPECT_NEAR(place_of(*device.strip, 100), 0.03, 1e-12);
+  EXPECT_NEAR(place_of(*device.strip, 10000), 0.17, 1e-12);
+}
+
 }  // namespace
 }  // namespace fulcrum::scenario

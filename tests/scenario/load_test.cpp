@@ -272,6 +272,37 @@ TEST(Devices, OfAScenarioDoNotReplaceInstalledOnes) {
   EXPECT_TRUE(real->texts.files.contains("devices/test_arm.yaml"));
 }
 
+TEST(Devices, BesideBringTheirChannelsOrTheirStrip) {
+  const Folder folder, installed;
+  const Installed content(installed.root());
+  std::filesystem::remove(folder.peg() / "devices" / "test_arm.yaml");
+  const std::string motor = ": {kind: tone, largest: 10}\n";
+  installed.write("devices/test_pad.yaml",
+                  "fulcrum: 1\nname: Pad\nchannels:\n  left" + motor + "  right" + motor);
+  installed.write("devices/test_strip.yaml",
+                  "fulcrum: 1\nname: Strip\nstrip: {low_place: 0.02, high_place: 0.1}\n");
+  installed.write("devices/test_cap.yaml", "fulcrum: 1\nname: Cap\n");
+  const auto beside = [&](const std::string& name) {
+    return load_scenario_text(replaced(kScenario, "test_arm", "test_arm\n  beside: " + name), folder.peg());
+  };
+  const auto pad = beside("test_pad");
+  ASSERT_TRUE(pad) << to_text(pad.faults());
+  EXPECT_EQ(pad->device.desc.name, "Test arm");
+  ASSERT_TRUE(pad->device.desc.vibrotactile);
+  EXPECT_EQ(pad->device.desc.vibrotactile->channels[1].kind, ChannelKind::tone);
+  EXPECT_FALSE(pad->device.desc.strip);
+  const auto strip = beside("test_strip");
+  ASSERT_TRUE(strip) << to_text(strip.faults());
+  EXPECT_EQ(strip->device.desc.name, "Test arm");
+  EXPECT_FALSE(strip->device.desc.vibrotactile);
+  ASSERT_TRUE(strip->device.desc.strip);
+  EXPECT_EQ(strip->device.desc.strip->high_place, 0.1);
+  const auto cap = beside("test_cap");
+  ASSERT_FALSE(cap);
+  EXPECT_NE(to_text(cap.faults()).find("neither channels nor a strip"), std::string::npos)
+      << to_text(cap.faults());
+}
+
 // Neither a file nor a folder of them may be a link to elsewhere: what is read is quoted in sentences.
 TEST(Devices, OfAScenarioLieInItsFolder) {
   const Folder folder, elsewhere;

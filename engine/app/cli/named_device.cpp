@@ -30,11 +30,14 @@ std::optional<DeviceDesc> device_named(const std::string& name) {
     complain(scenario::to_text(device.faults()));
     return std::nullopt;
   }
-  if (Actuators::count(*device) == 0) {
-    complain("the device '" + name + "' has no motors: this command needs one that pushes.");
-    return std::nullopt;
-  }
   return *device;
+}
+
+std::optional<DeviceDesc> pushing_device_named(const std::string& name) {
+  const std::optional<DeviceDesc> device = device_named(name);
+  if (!device || Actuators::count(*device) > 0) return device;
+  complain("the device '" + name + "' has no motors: this command needs one that pushes.");
+  return std::nullopt;
 }
 
 }  // namespace fulcrum::app

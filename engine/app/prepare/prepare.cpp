@@ -107,8 +107,11 @@ SceneDesc scene_for_device(const Prepared& prepared, const std::string& device) 
     std::optional<VibrotactileDesc> shown;  // levels that are drawn are seen and written all the same
     if (!prepared.scenario.device.beside.empty() || scenario::draws_levels(scene))
       shown = std::move(scene.device.vibrotactile);
+    const std::optional<HoldingStripDesc> strip =
+        senses_beside(device) ? scene.device.strip : std::optional<HoldingStripDesc>();
     scene.device = MouseDevice::mouse_desc();
     scene.device.vibrotactile = std::move(shown);
+    scene.device.strip = strip;
   }
   scene.mapping = MappingDesc{};
   couple_without_motors(scene);

@@ -17,11 +17,15 @@ std::string channels_text(const VibrotactileMotionDesc& desc, const Vibrotactile
       "; " + number_text(desc.strength) + " m/s^2 at " + number_text(desc.carrier_Hz) + " Hz on";
   for (const ChannelDesc& channel : vibrotactile.channels) {
     what += (&channel == vibrotactile.channels.data() ? " " : ", ") + channel.name;
-    const bool rumble = channel.kind == ChannelKind::rumble;
-    what += rumble ? " (rumble: an amplitude alone, " : " (" + number_text(channel.rate_Hz * 1e-3) + " kHz, ";
+    const bool pcm = channel.kind == ChannelKind::pcm;
+    if (pcm)
+      what += " (" + number_text(channel.rate_Hz * 1e-3) + " kHz, ";
+    else
+      what += channel.kind == ChannelKind::tone ? " (tone: a frequency and an amplitude, "
+                                                : " (rumble: an amplitude alone, ";
     what += "up to " + number_text(actuator_reach(channel, desc.carrier_Hz)) + " m/s^2";
     const double rise = 1 / (ChannelOutput::kStep * channel.rate_Hz);  // s, of pcm
-    if (rumble)
+    if (!pcm)
       what += ", " + number_text(channel.lag * 1e3) + " ms behind";
     else if (rise > 1 / desc.update_Hz)
       what += " after " + number_text(rise * 1e3) + " ms, longer than an update";

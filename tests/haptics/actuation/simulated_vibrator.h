@@ -14,7 +14,7 @@ public:
   // step_s: s between two drives.
   SimulatedVibrator(const ChannelDesc& channel, double step_s)
       : kind_(channel.kind), largest_(channel.largest) {
-    if (kind_ == ChannelKind::rumble) {
+    if (kind_ != ChannelKind::pcm) {
       keep_ = channel.lag > 0 ? std::exp(-step_s / channel.lag) : 0.0;
       return;
     }
@@ -32,7 +32,7 @@ public:
   // The drive of the next step. Answers, of pcm: the step's mean acceleration, m/s^2; of rumble: the
   // amplitude at its end.
   double advance(double drive) noexcept {
-    if (kind_ == ChannelKind::rumble) {
+    if (kind_ != ChannelKind::pcm) {
       amplitude_ = drive + keep_ * (amplitude_ - drive);
       return largest_ * amplitude_;
     }

@@ -180,13 +180,17 @@ TEST(VibrotactileOutput, AStopOnTheWayUpOnlyFalls) {
   }
 }
 
-TEST(VibrotactileOutput, RumbleIsToldItsDrive) {
-  const std::vector<double> drives = played(rumble(), 1e-3, 0.1, [](double t) {
-    return VibrotactileCommand{.level = {t < 0.05 ? 4.0 : 0.0, 0, 0, 0}, .glide = 0.01};
-  });
-  ASSERT_EQ(drives.size(), 100u);
-  EXPECT_DOUBLE_EQ(drives[10], 0.4);
-  EXPECT_EQ(drives[60], 0);
+TEST(VibrotactileOutput, RumbleAndToneAreToldTheirDrive) {
+  for (const ChannelKind kind : {ChannelKind::rumble, ChannelKind::tone}) {
+    ChannelDesc channel = rumble();
+    channel.kind = kind;
+    const std::vector<double> drives = played(channel, 1e-3, 0.1, [](double t) {
+      return VibrotactileCommand{.level = {t < 0.05 ? 4.0 : 0.0, 0, 0, 0}, .glide = 0.01};
+    });
+    ASSERT_EQ(drives.size(), 100u);
+    EXPECT_DOUBLE_EQ(drives[10], 0.4);
+    EXPECT_EQ(drives[60], 0);
+  }
 }
 
 }  // namespace
