@@ -16,10 +16,12 @@
 #include "drivers/permission.h"
 #include "drivers/polhem/polhem_bus.h"
 #include "drivers/sony/pad_axes.h"
+#include "drivers/sound/sound.h"
 #include "drivers/spacemouse/spacemouse_protocol.h"
 #include "drivers/strip/strip_bus.h"
 #include "drivers/strip/strip_device.h"
 #include "drivers/touch/touch_bus.h"
+#include "drivers/vibrating/rumbling_pad.h"
 #include "drivers/vibrating/vibrating_device.h"
 
 namespace fulcrum {
@@ -152,9 +154,11 @@ struct Driver {
   std::string_view what;                                        // one line
   std::string (*why_not)(const std::string& no_window_reason);  // empty: it is there
   // argument: what follows the colon.
-  Result<OpenDevice> (*open)(const std::string& argument, const DeviceOrder& order);
+  Result<OpenDevice> (*open)(const std::string& argument, const DeviceOrder& order) = nullptr;
   // Where it has axes that are pushed. signal: what its channels are to render.
   Result<std::shared_ptr<AxesSource>> (*axes)(const VibrotactileSignal& signal) = nullptr;
+  // Where it plays on a sound card, beside another device alone.
+  Result<sound::SoundPlace> (*plays)(const std::string& argument) = nullptr;
   const HidFamily* family = nullptr;               // of a HID device
   std::span<const hid::HidId> (*usb)() = nullptr;  // of one that speaks USB without HID
   std::uint32_t stop_buttons = 0, go_buttons = 0;
@@ -243,6 +247,25 @@ std::string why_no_touch(const std::string& /*no_window_reason*/) {
 }
 std::string why_no_falcon(const std::string& /*no_window_reason*/) {
   return falcon::why_no_falcon();
+}
+
+Result<sound::SoundPlace> named_sound(const std::string& pcm) {
+  return pcm.empty() ? sound::SoundPlace{} : sound::SoundPlace{.pcm = pcm};
+}
+Result<sound::SoundPlace> sound_of_dualsense(const std::string& /*argument*/) {
+  return sound::dualsense_coils();
+}
+
+std::string why_no_sound(const Result<sound::SoundPlace>& place) {
+  if (!place) return place.error().sentence;
+  const Result<std::unique_ptr<sound::Pcm>> pcm = sound::open_alsa(*place, 2, sound::kRate_Hz / 10);
+  return pcm ? "" : pcm.error().sentence;
+}
+std::string why_no_default_sound(const std::string& /*no_window_reason*/) {
+  return why_no_sound(named_sound(""));
+}
+std::string why_no_coils(const std::string& /*no_window_reason*/) {
+  return why_no_sound(sound::dualsense_coils());
 }
 
 // Those in a hand in the order in which one is taken where none is asked for.
@@ -364,6 +387,27 @@ constexpr Driver kDrivers[] = {
      .open = &open_keyboard,
      .in_hand = true,
      .table = true},
+    {.name = "audio",
+     .shown = "audio",
+     .what = "voice coils on a sound card, left and right, beside another device: mouse+audio",
+     .why_not = &why_no_default_sound,
+     .plays = &named_sound,
+     .table = true,
+     .vibrates = true},
+    {.name = "audio",
+     .shown = "audio:PCM",
+     .what = "the same on another PCM of ALSA, such as mouse+audio:hw:1,0",
+     .why_not = &always,
+     .plays = &named_sound,
+     .table = true,
+     .vibrates = true},
+    {.name = "dualsense_coils",
+     .shown = "dualsense_coils",
+     .what = "a DualSense's own voice coils, by USB, beside another device: dualsense+dualsense_coils",
+     .why_not = &why_no_coils,
+     .plays = &sound_of_dualsense,
+     .table = true,
+     .vibrates = true},
 };
 
 // What follows a colon belongs to those alone that say so.
@@ -375,6 +419,26 @@ const Driver* driver_of(std::string_view name) {
   };
   const auto found = std::ranges::find_if(kDrivers, is_named);
   return found == std::end(kDrivers) ? nullptr : &*found;
+}
+
+std::string argument_of(const std::string& part) {
+  const auto colon = part.find(':');
+  return colon == std::string::npos ? "" : part.substr(colon + 1);
+}
+
+// A simulated hand holds none of the devices that a person does, and may feel what vibrates beside; its strip
+// is simulated with it.
+bool takes_beside(const Driver& moves, const Driver& beside) {
+  return moves.in_hand || (moves.open == &open_simulated && beside.vibrates);
+}
+
+// One that is named is asked for by its name.
+std::string why_not_part(const std::string& part, const std::string& no_window_reason) {
+  const Driver* const driver = driver_of(part);
+  if (driver == nullptr) return "";
+  const std::string argument = argument_of(part);
+  const bool named_sound = driver->plays != nullptr && !argument.empty();
+  return named_sound ? why_no_sound(driver->plays(argument)) : driver->why_not(no_window_reason);
 }
 
 std::string names_where(bool (*counts)(const Driver&)) {
@@ -476,6 +540,9 @@ Result<DeviceName> read_device_name(const std::string& name) {
     return Error{"'" + parts.moves +
                  "' moves nothing: put the device that it is fixed to before it, such as polhem+" +
                  parts.moves + "."};
+  if (plus == std::string::npos && moves->open == nullptr)
+    return Error{"'" + parts.moves + "' moves nothing: it vibrates beside another device, as in mouse+" +
+                 parts.moves + "."};
   if (plus == std::string::npos) return parts;
   const Driver* const beside = driver_of(parts.beside);
   if (beside == nullptr || !(beside->vibrates || beside->senses))
@@ -483,7 +550,7 @@ Result<DeviceName> read_device_name(const std::string& name) {
                  "', and it senses nothing: after the + comes what does either beside the device in the "
                  "hand, one of " +
                  names_where([](const Driver& driver) { return driver.vibrates || driver.senses; }) + "."};
-  if (!moves->in_hand || moves == beside)
+  if (!takes_beside(*moves, *beside) || moves == beside)
     return Error{"'" + parts.moves +
                  "' takes nothing beside it: before the + comes another device in the hand, "
                  "such as spacemouse or mouse."};
@@ -495,15 +562,17 @@ std::optional<Error> refuse_device(const std::string& name, const std::string& n
   const Result<DeviceName> parts = read_device_name(name);
   if (!parts) return parts.error();
   for (const std::string& part : {parts->moves, parts->beside}) {
-    const Driver* const driver = driver_of(part);
-    if (driver == nullptr) continue;
-    const std::string reason = driver->why_not(no_window_reason);
+    const std::string reason = why_not_part(part, no_window_reason);
     if (!reason.empty()) return cannot_be_had(part, reason);
   }
   if (driver_of(parts->moves)->in_hand && !no_window_reason.empty() && !by_clock)
     return Error{
         "The device '" + name +
         "' is in a hand, which cannot keep up with ticks that come as fast as they can: add --realtime."};
+  if (!parts->beside.empty() && !no_window_reason.empty() && !by_clock)
+    return Error{"'" + parts->beside +
+                 "' vibrates by the clock, and cannot keep up with ticks that come as fast as they can: add "
+                 "--realtime."};
   return std::nullopt;
 }
 
@@ -527,6 +596,21 @@ bool has_table(const std::string& name) {
   return driver != nullptr && driver->table;
 }
 
+std::string table_of(const std::string& part) {
+  return part.substr(0, part.find(':'));
+}
+
+bool is_simulated(const std::string& name) {
+  const Driver* const driver = driver_of(name.substr(0, name.find('+')));
+  return driver != nullptr && driver->open == &open_simulated;
+}
+
+bool plays_sound(const std::string& name) {
+  const Result<DeviceName> parts = read_device_name(name);
+  const Driver* const beside = parts ? driver_of(parts->beside) : nullptr;
+  return beside != nullptr && beside->plays != nullptr;
+}
+
 namespace {
 
 Result<OpenDevice> open_alone(const Driver& moves, const std::string& argument, const DeviceOrder& order) {
@@ -543,15 +627,31 @@ Result<OpenDevice> open_vibrating(const Driver& moves, const std::string& argume
   Result<OpenDevice> opened =
       &by == &moves ? Result<OpenDevice>(by_axes(*channels, order)) : open_alone(moves, argument, order);
   if (!opened) return opened;
-  opened->device = std::make_unique<VibratingDevice>(std::move(opened->device), std::move(*channels),
-                                                     *order.signal, order.tick_s);
+  opened->device = std::make_unique<VibratingDevice>(
+      std::move(opened->device), std::make_unique<RumblingPad>(std::move(*channels), *order.desc.vibrotactile,
+                                                               *order.signal, order.tick_s));
+  return opened;
+}
+
+// Nothing of sound is built where nothing drives the channels.
+Result<OpenDevice> open_with_sound(const DeviceName& parts, const DeviceOrder& order) {
+  Result<OpenDevice> opened = open_alone(*driver_of(parts.moves), argument_of(parts.moves), order);
+  if (!opened || !order.signal || !order.desc.vibrotactile) return opened;
+  const Result<sound::SoundPlace> place = driver_of(parts.beside)->plays(argument_of(parts.beside));
+  if (!place) return cannot_be_had(parts.beside, place.error().sentence);
+  Result<std::unique_ptr<sound::SoundLink>> link =
+      sound::open_sound(*place, *order.desc.vibrotactile, *order.signal, order.tick_s);
+  if (!link) return cannot_be_had(parts.beside, link.error().sentence);
+  opened->sound = link->get();
+  opened->device = std::make_unique<VibratingDevice>(std::move(opened->device), std::move(*link));
   return opened;
 }
 
 Result<OpenDevice> open_parts(const DeviceName& parts, const DeviceOrder& order) {
   const Driver& moves = *driver_of(parts.moves);
-  const auto colon = parts.moves.find(':');
-  const std::string argument = colon == std::string::npos ? "" : parts.moves.substr(colon + 1);
+  const std::string argument = argument_of(parts.moves);
+  if (!parts.beside.empty() && driver_of(parts.beside)->plays != nullptr)
+    return open_with_sound(parts, order);
   const Driver& beside = parts.beside.empty() ? moves : *driver_of(parts.beside);
   const Driver& vibrating = beside.vibrates ? beside : moves;
   const bool vibrates = vibrating.vibrates && order.signal && order.desc.vibrotactile;

@@ -15,6 +15,7 @@
 #include "drivers/keyboard/key_axes.h"
 #include "drivers/mouse/mouse_device.h"
 #include "drivers/rate/rate_device.h"
+#include "drivers/sound/sound_link.h"
 #include "haptics/device/device.h"
 #include "haptics/math/result.h"
 
@@ -62,6 +63,15 @@ bool pushes_back(const std::string& name);
 // content/devices has its figures, under its name.
 bool has_table(const std::string& name);
 
+// The table of a part of a name that has one: of audio:hw:1,0 audio.
+std::string table_of(const std::string& part);
+
+// The handle is moved by a simulated hand.
+bool is_simulated(const std::string& name);
+
+// What vibrates beside is played on a sound card.
+bool plays_sound(const std::string& name);
+
 // Why a run cannot have this device now, known before anything is baked. no_window_reason: empty where a
 // window will be there. by_clock: ticks come when they are due, as a hand needs them.
 std::optional<Error> refuse_device(const std::string& name, const std::string& no_window_reason,
@@ -84,6 +94,7 @@ struct OpenDevice {
   MouseDevice* mouse = nullptr;
   RateDevice* rate = nullptr;
   std::shared_ptr<KeyAxes> keys{};
+  const sound::SoundLink* sound = nullptr;
   // Of DeviceSample::buttons: those that ask for what Esc and Enter ask for.
   std::uint32_t stop_buttons = 0, go_buttons = 0;
 };

@@ -3,19 +3,16 @@
 // to the other. Both may be one pad.
 
 #include <memory>
-#include <vector>
 
-#include "drivers/rate/axes_source.h"
-#include "haptics/actuation/vibrotactile_output.h"
+#include "drivers/vibrating/vibrator.h"
 #include "haptics/device/device.h"
 
 namespace fulcrum {
 
 class VibratingDevice final : public Device {
 public:
-  // moves: its desc() has the channels of `vibrates`, all of rumble. signal: what they are to render.
-  VibratingDevice(std::unique_ptr<Device> moves, std::shared_ptr<AxesSource> vibrates,
-                  const VibrotactileSignal& signal, double tick_s);
+  // moves: its desc() has the channels of `vibrates`.
+  VibratingDevice(std::unique_ptr<Device> moves, std::unique_ptr<Vibrator> vibrates);
 
   const DeviceDesc& desc() const override { return moves_->desc(); }
   // The run needs both: it stops where one of them is lost.
@@ -25,8 +22,7 @@ public:
 
 private:
   std::unique_ptr<Device> moves_;
-  std::shared_ptr<AxesSource> vibrates_;
-  std::vector<ChannelOutput> outputs_;
+  std::unique_ptr<Vibrator> vibrates_;
 };
 
 }  // namespace fulcrum

@@ -1,15 +1,14 @@
 #include "engine/record/wav_writer.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "haptics/actuation/pcm_sample.h"
 
 namespace fulcrum::record {
 
 namespace {
 
 constexpr std::uint32_t kHeaderBytes = 44, kSampleBytes = 2;
-constexpr double kFullScale = 32767;
 constexpr std::size_t kLargest = 0xffffffff;  // bytes
 
 // Lowest byte first.
@@ -44,10 +43,8 @@ Result<WavWriter> WavWriter::create(const std::filesystem::path& path, std::uint
 }
 
 void WavWriter::add(std::span<const double> samples) {
-  for (const double sample : samples) {
-    const auto value = static_cast<std::int32_t>(std::lround(kFullScale * std::clamp(sample, -1.0, 1.0)));
-    put(pending_, static_cast<std::uint32_t>(value), kSampleBytes);
-  }
+  for (const double sample : samples)
+    put(pending_, static_cast<std::uint32_t>(pcm_sample(sample)), kSampleBytes);
 }
 
 std::optional<Error> WavWriter::flush() {

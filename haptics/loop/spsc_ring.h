@@ -40,6 +40,13 @@ public:
     return true;
   }
 
+  // Either thread: how many are waiting. The consumer will find as many at least, the producer as many at
+  // most.
+  std::size_t size() const noexcept {
+    const std::size_t read = read_.load(std::memory_order_acquire);
+    const std::size_t write = write_.load(std::memory_order_acquire);
+    return write >= read ? write - read : write + slots_.size() - read;
+  }
   std::size_t capacity() const { return slots_.size() - 1; }
 
 private:

@@ -47,10 +47,17 @@ TEST(Registry, ANameIsOneDeviceOrOneThatVibratesBesideAnother) {
   const auto file = read_device_name("replay:a+b.tape");
   ASSERT_TRUE(file);
   EXPECT_EQ(file->moves, "replay:a+b.tape") << "a file may be called so";
-  for (const char* name :
-       {"", "+", "spacemaus", "spacemouse+", "spacemouse+mouse", "simulated+dualsense", "dualsense+dualsense",
-        "mouse+dualsense+dualshock4", "mouse:left", "replay", "strip", "strip+dualsense", "strip+strip",
-        "simulated+strip", "polhem+strip+strip"}) {
+  const auto card = read_device_name("mouse+audio:hw:1,0");
+  ASSERT_TRUE(card);
+  EXPECT_EQ(card->moves, "mouse");
+  EXPECT_EQ(card->beside, "audio:hw:1,0");
+  EXPECT_EQ(table_of(card->beside), "audio");
+  for (const char* name : {"simulated+dualsense", "simulated:w6d+audio", "dualsense+dualsense_coils"})
+    EXPECT_TRUE(read_device_name(name)) << name;
+  for (const char* name : {"", "+", "spacemaus", "spacemouse+", "spacemouse+mouse", "audio", "audio:hw:1,0",
+                           "audio+mouse", "mouse+audio+audio", "dualsense_coils", "dualsense+dualsense",
+                           "mouse+dualsense+dualshock4", "mouse:left", "replay", "strip", "strip+dualsense",
+                           "strip+strip", "simulated+strip", "polhem+strip+strip"}) {
     const auto refused = read_device_name(name);
     ASSERT_FALSE(refused) << name;
     EXPECT_GT(refused.error().sentence.size(), 40U) << refused.error().sentence;
@@ -87,6 +94,25 @@ TEST(Registry, TheMouseIsTakenWhereNothingElseIsThere) {
     const bool held = moves_as_seen(device.name);
     EXPECT_FALSE(held && device.present) << device.name << " comes before " << best.name;
   }
+}
+
+TEST(Registry, WhatPlaysOnACardIsKnownByItsName) {
+  for (const char* name : {"mouse+audio", "polhem+audio:hw:1,0", "simulated:w6d+dualsense_coils"})
+    EXPECT_TRUE(plays_sound(name)) << name;
+  for (const char* name : {"mouse", "audio", "mouse+dualsense", "replay:a+audio", "nothing"})
+    EXPECT_FALSE(plays_sound(name)) << name;
+  for (const char* name : {"simulated", "simulated:w6d", "simulated+audio"})
+    EXPECT_TRUE(is_simulated(name)) << name;
+  for (const char* name : {"mouse+audio", "replay:run.tape"}) EXPECT_FALSE(is_simulated(name)) << name;
+}
+
+// Nothing asks for a card where nothing drives the channels, whatever it is called.
+TEST(Registry, WhereNothingVibratesNoCardIsOpened) {
+  const auto opened =
+      open_device("mouse+audio:no such PCM", {.desc = MouseDevice::mouse_desc(), .X_DH = Pose{}});
+  ASSERT_TRUE(opened) << opened.error().sentence;
+  EXPECT_EQ(opened->sound, nullptr);
+  EXPECT_NE(opened->mouse, nullptr);
 }
 
 // A hand cannot keep up with ticks that come as fast as they can.

@@ -131,7 +131,7 @@ TEST(DeviceFiles, AFalconGivesItsForceAlongEveryAxisAndSensesNoTurn) {
 // Two vibrators of 1.31 g at 233 Hz, as in "Virtual vibrotactile motion as lateral force", alone and on an
 // arm.
 TEST(DeviceFiles, TheFingertipsVibratorsDoWhatThePaperAsksFor) {
-  for (const char* name : {"two_channel", "fingertip"}) {
+  for (const char* name : {"two_channel", "fingertip", "audio", "dualsense_coils"}) {
     const DeviceDesc device = shipped(name);
     ASSERT_TRUE(device.vibrotactile) << name;
     for (const char* side : {"left", "right"}) {

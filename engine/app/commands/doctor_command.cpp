@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "drivers/registry.h"
+#include "drivers/sound/sound.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
@@ -76,6 +78,18 @@ Finding devices() {
   return {"devices", Health::good, "A run takes " + best.name + ", " + best.what + ".", ""};
 }
 
+// Of the card that `--device mouse+audio` plays on. What is wrong is said before the colon, its cure after
+// it.
+Finding sound_card() {
+  const Result<std::string> card = sound::describe_sound({}, 1e-3);
+  if (card) return {"sound", Health::good, *card, ""};
+  const std::string& wrong = card.error().sentence;
+  const std::size_t colon = std::min(wrong.find(": "), wrong.size());
+  std::string says = "Nothing can vibrate by sound: ";
+  return {"sound", Health::fair, says.append(wrong.substr(0, colon)) + ".",
+          colon == wrong.size() ? "" : wrong.substr(colon + 2)};
+}
+
 std::vector<Finding> examine() {
   const WakeUps wake_ups = measure_wake_ups();
   return {granted("scheduling", wake_ups.scheduling, "The haptic thread is scheduled in real time."),
@@ -85,6 +99,7 @@ std::vector<Finding> examine() {
           usb_sleep_of("/sys", &knows_usb),
           graphics(),
           display(),
+          sound_card(),
           devices()};
 }
 

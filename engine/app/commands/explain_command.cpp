@@ -115,7 +115,7 @@ int explain_command(const ExplainOptions& options) {
     complain(costs.error().sentence);
     return kError;
   }
-  Inventory list = inventory(*world, *prepared, &*plan);
+  Inventory list = inventory(*world, *prepared, &*plan, false, options.device);
   for (InventoryItem& item : list.built) {
     const auto cost = costs->find(item.name);
     if (item.kind != "haptics") continue;

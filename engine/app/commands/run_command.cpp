@@ -120,9 +120,12 @@ public:
   int finish(const render::RenderPlan* plan, bool person) {
     RunSink::Outcome outcome = sink_.finish();
     outcome.summary.device = device_in_results(prepared_, options_.device);
-    outcome.summary.hand = options_.device == "simulated" ? options_.hand : "";
+    outcome.summary.hand = is_simulated(options_.device) ? options_.hand : "";
+    if (device_.sound != nullptr)
+      std::fprintf(stderr, "%s\n", sound::sound_text(device_.sound->counts()).c_str());
     const bool written =
-        write_results(folder_, outcome, inventory(world_, prepared_, plan, options_.circle)) &&
+        write_results(folder_, outcome,
+                      inventory(world_, prepared_, plan, options_.circle, options_.device)) &&
         outcome.recorded;
     if (options_.json)
       std::printf("%s\n", record::summary_json(outcome.summary).c_str());
@@ -277,7 +280,7 @@ int run_command(const RunOptions& given) {
     complain(refused->sentence);
     return kError;
   }
-  if (options.device == "simulated") {
+  if (is_simulated(options.device)) {
     if (const auto refused = refuse_hand(*scenario, options.scenario, options.hand)) {
       complain(refused->sentence);
       return kError;
@@ -314,11 +317,12 @@ void add_run(Program& program) {
         arguments.text(
             {"--hand", "HAND", "The simulated hand: expert, clumsy, still, or another of the scenario's"},
             options->hand);
-        arguments.text({"--device", "DEVICE",
-                        "One of `fulcrum devices`, such as simulated:MODEL or spacemouse+dualsense; none: "
-                        "the best that is "
-                        "there"},
-                       options->device);
+        arguments.text(
+            {"--device", "DEVICE",
+             "One of `fulcrum devices`, such as simulated:MODEL, spacemouse+dualsense or mouse+audio; none: "
+             "the best that is "
+             "there"},
+            options->device);
         arguments.texts({"--fault", "NAME@T",
                          "Inject a fault at T s, such as unplug@2 (docs/faults.md); may be given again"},
                         [options](const std::string& text) { return add_fault(text, options->faults); });

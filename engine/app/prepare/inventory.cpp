@@ -1,5 +1,7 @@
 #include "engine/app/prepare/inventory.h"
 
+#include "drivers/registry.h"
+
 namespace fulcrum::app {
 namespace {
 
@@ -61,6 +63,20 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (!prepared.haptic.task.hard_touch) add("hard touches", "no hard_touch is named");
 }
 
+// What plays the channels on a card, where something in the scene drives them.
+void add_sound(const SceneDesc& scene, const std::string& device, Inventory& to) {
+  const std::string on = device.substr(device.find('+') + 1);
+  if (!channel_use(scene, scene)) {
+    to.left_out.push_back({"sound", "device", 0, 0, "nothing in the scene drives the channels of " + on});
+    return;
+  }
+  std::string what;
+  for (const ChannelDesc& channel : scene.device.vibrotactile->channels)
+    what += (what.empty() ? "" : ", ") + channel.name;
+  to.built.push_back(
+      {"sound", "device", 0, 0, what + " on " + on + ": a ring of ticks, and a thread that plays them"});
+}
+
 std::string why_no_arms(const Prepared& prepared, const SceneDesc& scene) {
   if (!prepared.scenario.device.drawn) return "the scenario does not ask for it";
   return "the device '" + scene.device.name + "' has none";
@@ -68,12 +84,13 @@ std::string why_no_arms(const Prepared& prepared, const SceneDesc& scene) {
 
 }  // namespace
 
-Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
-                    bool circle) {
+Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan, bool circle,
+                    const std::string& device) {
   Inventory result;
   for (const BuiltPart& part : world.parts())
     result.built.push_back({part.name, "haptics", part.bytes, 0, part.what});
   leave_out_of_haptics(world, prepared, result.left_out);
+  if (plays_sound(device)) add_sound(world.desc(), device, result);
   if (plan == nullptr) {
     result.left_out.push_back({"renderer", "picture", 0, 0, "nothing is drawn"});
     return result;

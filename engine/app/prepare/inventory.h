@@ -22,8 +22,9 @@ struct Inventory {
   std::vector<InventoryItem> built, left_out;
 };
 
-// plan: none when nothing is drawn. circle: of confusion, with what is drawn.
+// plan: none when nothing is drawn. circle: of confusion, with what is drawn. device: as the command line
+// names it.
 Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
-                    bool circle = false);
+                    bool circle = false, const std::string& device = "simulated");
 
 }  // namespace fulcrum::app

@@ -90,7 +90,9 @@ std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scen
 
 std::string device_in_results(const Prepared& prepared, const std::string& device) {
   const scenario::DeviceEntry& entry = prepared.scenario.device;
-  return device == "simulated" && entry.own ? "scenario:" + entry.model : device;
+  if (!is_simulated(device) || !entry.own) return device;
+  const auto plus = device.find('+');
+  return "scenario:" + entry.model + (plus == std::string::npos ? "" : device.substr(plus));
 }
 
 std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene) {

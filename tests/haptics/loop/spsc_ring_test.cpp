@@ -30,6 +30,27 @@ TEST(SpscRing, HoldsItsCapacityAndNoMore) {
   }
 }
 
+TEST(SpscRing, KnowsHowManyWait) {
+  SpscRing<int> ring(3);
+  int value = 0;
+  for (int round = 0; round < 5; ++round) {  // so that the indices wrap at every phase
+    for (std::size_t n = 0; n < 3; ++n) {
+      EXPECT_EQ(ring.size(), n);
+      ring.push(1);
+    }
+    EXPECT_EQ(ring.size(), 3u);
+    ring.push(1);
+    EXPECT_EQ(ring.size(), 3u) << "there was no place";
+    for (std::size_t n = 3; n > 0; --n) {
+      EXPECT_EQ(ring.size(), n);
+      ring.pop(value);
+    }
+    ring.push(1);
+    ring.pop(value);
+    EXPECT_EQ(ring.size(), 0u);
+  }
+}
+
 TEST(SpscRing, TakesARecord) {
   SpscRing<TickRecord> ring(2);
   TickRecord record;
