@@ -12,9 +12,12 @@
 #include "drivers/hid/hid_link.h"
 #include "drivers/mouse/mouse_device.h"
 #include "drivers/rate/rate_device.h"
+#include "drivers/sound/sound_link.h"
 #include "drivers/spacemouse/spacemouse_protocol.h"
+#include "drivers/vibrating/rumbling_pad.h"
 #include "drivers/vibrating/vibrating_device.h"
 #include "haptics/loop/live_loop.h"
+#include "tests/drivers/sound_card.h"
 #include "tests/haptics/scenes.h"
 #include "tests/support/watched_device.h"
 
@@ -104,13 +107,29 @@ std::unique_ptr<Device> a_cap_and_a_pad() {
   DeviceDesc desc = MouseDevice::mouse_desc();
   desc.vibrotactile = {{{.name = "left", .kind = ChannelKind::rumble, .largest = 20, .lag = 0.04},
                         {.name = "right", .kind = ChannelKind::rumble, .largest = 20, .lag = 0.02}}};
-  return std::make_unique<VibratingDevice>(std::make_unique<MouseDevice>(desc, Pose{}, 1e-3), linked_to(open),
-                                           VibrotactileSignal{.largest = 20}, 1e-3);
+  return std::make_unique<VibratingDevice>(
+      std::make_unique<MouseDevice>(desc, Pose{}, 1e-3),
+      std::make_unique<RumblingPad>(linked_to(open), *desc.vibrotactile, VibrotactileSignal{.largest = 20},
+                                    1e-3));
+}
+
+std::unique_ptr<Device> voice_coils() {
+  static SoundCard card;
+  DeviceDesc desc = MouseDevice::mouse_desc();
+  const ChannelDesc left{.name = "left", .largest = 10, .resonance_Hz = 233, .quality = 3};
+  desc.vibrotactile = {{left, left}};
+  const auto open = [] { return std::make_unique<SoundCardPcm>(card); };
+  return std::make_unique<VibratingDevice>(
+      std::make_unique<MouseDevice>(desc, Pose{}, 1e-3),
+      std::make_unique<sound::SoundLink>(open(), open, *desc.vibrotactile, VibrotactileSignal{.largest = 10},
+                                         1e-3));
 }
 
 TEST(HapticThread, AsksTheSystemForNothing) {
-  const std::pair<const char*, std::unique_ptr<Device> (*)()> all[] = {
-      {"a force device", &a_force_device}, {"a cap", &a_cap}, {"a cap and a pad", &a_cap_and_a_pad}};
+  const std::pair<const char*, std::unique_ptr<Device> (*)()> all[] = {{"a force device", &a_force_device},
+                                                                       {"a cap", &a_cap},
+                                                                       {"a cap and a pad", &a_cap_and_a_pad},
+                                                                       {"voice coils", &voice_coils}};
   for (const auto& [name, make] : all) {
     const std::optional<std::set<int>> calls = calls_with(make());
     if (!calls) GTEST_SKIP() << "this system does not let a thread's calls be watched (seccomp)";

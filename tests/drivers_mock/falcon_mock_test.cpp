@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "drivers/registry.h"
+#include "tests/drivers_mock/mock_devices.h"
 #include "tests/drivers_mock/mock_usb.h"
 #include "tests/drivers_mock/privileges.h"
 
@@ -23,10 +24,6 @@ Bytes falcon_firmware() {
   Bytes bytes(5000);
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * i >> 3);
   return bytes;
-}
-
-void until_falcon(auto seen) {
-  while (!seen()) std::this_thread::yield();
 }
 
 DeviceCommand push_of(const Vec3& force) {
@@ -154,20 +151,20 @@ TEST_F(FalconMock, FromColdItIsStartedPushesAgainstAWallAndIsFoundAgain) {
     device.write(push_of({0, 0, depth > 0 ? 500 * depth : 0}));
   };
   model.hold({0.01, -0.02, 0});
-  until_falcon([&] {
+  wait_for([&] {
     wall();
     return (device.read().X_DH.p - Vec3(0.01, -0.02, 0)).norm() < 1e-4;
   });
   EXPECT_LT(model.force_D().norm(), 0.02);
   model.hold({0.01, -0.02, -0.015});
-  until_falcon([&] {
+  wait_for([&] {
     wall();
     return (model.force_D() - Vec3(0, 0, 2.5)).norm() < 0.1;
   });
   EXPECT_EQ(model.lights(), 2u) << "green";
 
   usb.unplug();
-  until_falcon([&] { return !device.read().connected; });
+  wait_for([&] { return !device.read().connected; });
   model.switch_off_and_on();
   usb.plug();
   std::atomic<bool> back{false};
@@ -177,16 +174,16 @@ TEST_F(FalconMock, FromColdItIsStartedPushesAgainstAWallAndIsFoundAgain) {
       std::this_thread::yield();
     }
   });
-  until_falcon([&] { return device.read().connected; });
+  wait_for([&] { return device.read().connected; });
   back = true;
   hand.join();
-  until_falcon([&] {
+  wait_for([&] {
     wall();
     return (model.force_D() - Vec3(0, 0, 2.5)).norm() < 0.1;
   });
   // Nobody renews it; and at the end it rests.
-  until_falcon([&] { return model.force_D().norm() < 1e-9; });
-  until_falcon([&] {
+  wait_for([&] { return model.force_D().norm() < 1e-9; });
+  wait_for([&] {
     wall();
     return model.force_D().z() > 2;
   });
@@ -202,19 +199,19 @@ TEST_F(FalconMock, OneThatFallsSilentIsLetGo) {
   MockUsb usb(machine, model);
   auto opened = open_homed(model);
   ASSERT_TRUE(opened) << opened.error().sentence;
-  until_falcon([&] {
+  wait_for([&] {
     opened->device->write(push_of({2, 0, 0}));
     return model.force_D().x() > 1.9;
   });
   model.have(FalconModel::Fault::silent);
-  until_falcon([&] {
+  wait_for([&] {
     opened->device->write(push_of({2, 0, 0}));
     return model.motors() == std::array<int, 3>{};
   });
-  until_falcon([&] { return opened->device->read().age > 0.02; });
+  wait_for([&] { return opened->device->read().age > 0.02; });
   EXPECT_TRUE(opened->device->read().connected);
   model.have(FalconModel::Fault::none);
-  until_falcon([&] { return opened->device->read().age < 0.02; });
+  wait_for([&] { return opened->device->read().age < 0.02; });
 }
 
 }  // namespace

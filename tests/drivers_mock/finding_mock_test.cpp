@@ -1,9 +1,7 @@
 // Which emulated devices the real hidapi and libudev find, and what is said of those that may not be opened.
 
 #include <gtest/gtest.h>
-#include <linux/capability.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +14,7 @@
 #include "drivers/registry.h"
 #include "drivers/spacemouse/spacemouse_protocol.h"
 #include "tests/drivers_mock/mock_devices.h"
+#include "tests/drivers_mock/privileges.h"
 
 namespace fulcrum::test {
 namespace {
@@ -100,17 +99,6 @@ TEST_F(Mock, ADeviceThatGoesWhileItIsOpenedIsNotOpened) {
   EXPECT_FALSE(hid::open_hid(places[0]));
 }
 
-// The person who runs the tests may be root, who may open everything. This thread gives that up for itself.
-bool give_up_privileges() {
-  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
-  __user_cap_data_struct sets[2]{};
-  if (syscall(SYS_capget, &header, sets) != 0) return false;
-  constexpr std::uint32_t kOpenAll = 1U << CAP_DAC_OVERRIDE | 1U << CAP_DAC_READ_SEARCH;
-  sets[0].effective &= ~kOpenAll;
-  sets[0].permitted &= ~kOpenAll;
-  return syscall(SYS_capset, &header, sets) == 0;
-}
-
 TEST_F(Mock, ANodeThatMayNotBeOpenedSaysWhatWouldCureIt) {
   MockHid mouse(machine, spacemouse());
   ASSERT_EQ(chmod(mouse.node().c_str(), 0), 0);
@@ -119,7 +107,7 @@ TEST_F(Mock, ANodeThatMayNotBeOpenedSaysWhatWouldCureIt) {
   std::vector<DeviceListing> listings;
   std::string refusal;
   std::thread([&] {
-    forbidden = give_up_privileges() && access(mouse.node().c_str(), R_OK) != 0;
+    forbidden = open_by_modes_alone() && access(mouse.node().c_str(), R_OK) != 0;
     if (!forbidden) return;
     places = hid::find_hid(spacemouse_ids());
     listings = list_devices("");
