@@ -22,6 +22,7 @@ SoundFeed::SoundFeed(const VibrotactileDesc& channels, const VibrotactileSignal&
 }
 
 void SoundFeed::begin() {
+  fall_silent();
   begun_ = waits_ = false;
   mean_ = static_cast<double>(plan_.aim);
   last_ns_ = written_ = played_ = in_vain_ = 0;
@@ -52,10 +53,16 @@ void SoundFeed::hold(Pcm& pcm, Pcm::Fill& fill, std::int64_t least) {
   }
 }
 
+// Of what no card plays.
+void SoundFeed::fall_silent() {
+  fall_ = 0;
+  while (std::ranges::any_of(outputs_, [](const ChannelOutput& output) { return output.envelope() > 0; }))
+    render(hush());
+}
+
 // What was on its way when the card ran dry is late by now. The channels begin anew from silence.
 bool SoundFeed::revive(Pcm& pcm, Pcm::Fill& fill) {
-  for (fall_ = 0; std::ranges::any_of(outputs_, [](const ChannelOutput& o) { return o.envelope() > 0; });)
-    render(hush());
+  fall_silent();
   if (!pcm.restart()) return false;
   ++counts_.dry;
   fill = pcm.fill();

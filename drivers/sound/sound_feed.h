@@ -46,7 +46,7 @@ public:
   SoundFeed(const VibrotactileDesc& channels, const VibrotactileSignal& signal, double tick_s,
             const FeedPlan& plan);
 
-  // The card is another one, or the same anew.
+  // The card is another one, or the same anew: all begins from silence.
   void begin();
   // Every millisecond or so. False: the card is lost, or has taken nothing for half a second of ticks.
   bool turn(Pcm& pcm, ToldTicks& told, std::int64_t now_ns);
@@ -56,6 +56,7 @@ public:
   const FeedCounts& counts() const { return counts_; }
 
 private:
+  void fall_silent();
   bool revive(Pcm& pcm, Pcm::Fill& fill);
   void leave_out_what_is_late(const Pcm::Fill& fill, ToldTicks& told);
   void play(Pcm& pcm, Pcm::Fill& fill, const ToldTick& tick, std::int64_t now_ns);

@@ -45,6 +45,7 @@ SoundLink::~SoundLink() {
 }
 
 void SoundLink::drive(const VibrotactileCommand& command) noexcept {
+  if (!connected()) return;  // a card that is away is told nothing
   if (!told_.push({command, clock_ns()})) no_place_.fetch_add(1, std::memory_order_relaxed);
 }
 

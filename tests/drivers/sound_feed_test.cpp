@@ -206,6 +206,23 @@ TEST(SoundFeed, ACardThatIsGoneIsLost) {
   EXPECT_FALSE(playing.pass());
 }
 
+// The tone that was on when it was unplugged is not on when it is back.
+TEST(SoundFeed, ACardThatIsBackBeginsFromSilence) {
+  Playing playing;
+  for (int ms = 0; ms < 200; ++ms) playing.pass();
+  playing.card.plug(false);
+  EXPECT_FALSE(playing.pass(false));
+  playing.card.plug(true);
+  playing.card.written.clear();
+  playing.feed.begin();
+  for (int ms = 0; ms < 20; ++ms) ASSERT_TRUE(playing.pass(false));
+  ASSERT_GT(playing.card.written.size(), 384U);
+  for (const sound::Frame& frame : playing.card.written) ASSERT_EQ(frame[0], 0);
+  for (int ms = 0; ms < 200; ++ms) ASSERT_TRUE(playing.pass());
+  EXPECT_LE(playing.largest_step(), kToneStep);
+  EXPECT_NE(playing.card.written.back()[0], 0);
+}
+
 TEST(SoundFeed, TheEndIsSilence) {
   Playing playing;
   for (int ms = 0; ms < 200; ++ms) playing.pass();
