@@ -24,7 +24,7 @@ fake dpkg-query <<<'cat "$BOX/installed"'
 fake apt-get <<'E2'
 echo "apt-get $*" >>"$BOX/log"
 [ ! -e "$BOX/offline" ] || { echo "E: no network" >&2; exit 100; }
-[[ " $* " != *" install "* ]] || awk '/^(run|test) / { print "installed " $2 }' "$TREE/tools/setup/packages" >"$BOX/installed"
+[[ " $* " != *" install "* ]] || awk '/^(run|test|kernel) / { print "installed " $2 }' "$TREE/tools/setup/packages" >"$BOX/installed"
 E2
 fake cmake <<'E2'
 echo "cmake $*" >>"$BOX/log"

@@ -10,6 +10,7 @@ echo "installed g++" >"$box/installed"
 : >"$box/log"
 on "$test"
 expect "installs the tests' packages" "$(cat "$box/log")" "*install *libgtest-dev*xvfb*"
+expect "but not those of the tests that boot a kernel" "$(cat "$box/log")" "!(*qemu-system*)"
 expect "turns the tests on" "$(cat "$box/log")" "*cmake --preset release -DFULCRUM_TESTS=ON*"
 expect "builds everything" "$(grep -e --build "$box/log")" "!(*--target*)"
 expect "leaves out long" "$code:$out" "0:ctest --preset release --no-tests=error -LE ^long\$ | shader cache off: true | jobs: [1-9]*"
@@ -17,9 +18,14 @@ expect "leaves out long" "$code:$out" "0:ctest --preset release --no-tests=error
 : >"$box/log"
 on "$test" --all
 expect "--all" "$out" "ctest --preset release --no-tests=error | *"
+expect "a kernel that cannot be had: a sentence, and the tests go on" "$code:$err" "0:*the tests' kernel comes by apt*so the tests with the label kernel are skipped*"
 expect "nothing is configured again" "$(grep -c -e --preset\ release\ -D "$box/log" || true)" 0
 on "$test" -R "A name" --output-on-failure
 expect "ctest's arguments" "$out" "*-LE ^long\$ -R A name --output-on-failure | *"
+echo "installed g++" >"$box/installed"
+: >"$box/log"
+on "$test" -L kernel
+expect "-L kernel" "$out:$(cat "$box/log")" "*-LE ^long\$ -L kernel | *:*install *qemu-system-x86*"
 on "$test" -LE gpu
 expect "one more label to leave out" "$out" "*-LE gpu|^long\$ | *"
 on "$test" --sanitize tsan

@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# drivers_test.sh TEST_DRIVERS_KERNEL [ARGS]: the drivers' tests in a machine of their own.
+# shellcheck source=tests/drivers_kernel/machine.sh
+. "$(dirname "$(readlink -f "$0")")/machine.sh"
+bring "$1"
+bring_modules vhci-hcd usbhid hid-generic hid-playstation uhid evdev
+boot 60 512 "$(basename "$1")" "${@:2}"
