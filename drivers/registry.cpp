@@ -71,17 +71,37 @@ constexpr HidFamily kStrip{
     .ids = &strip::usb_ids, .nodes = hid::Nodes::of_vendor, .product = strip::kProduct};
 constexpr HidFamily kPolhem{.ids = &polhem::usb_ids, .nodes = hid::Nodes::all};
 
-// Where it is, or why it is not; what is wrong with one matters only if there is no other.
-Result<HidPlace> place_of(const HidFamily& family) {
+// What is wrong with one matters only if there is no other.
+std::optional<HidPlace> found(const HidFamily& family) {
   std::vector<HidPlace> places = hid::find_hid(family.ids(), family.nodes);
   std::erase_if(places, [&](const HidPlace& p) { return !p.product.starts_with(family.product); });
-  if (places.empty())
-    return Error{family.nodes != hid::Nodes::of_axes
-                     ? "none is plugged in: plug one in, and switch it on."
-                     : "none is plugged in, and none is paired and awake: plug one in."};
+  if (places.empty()) return std::nullopt;
   const auto open = std::ranges::find(places, true, &HidPlace::permitted);
-  if (open != places.end()) return *open;
-  return not_permitted(places.front().path);
+  return open != places.end() ? *open : places.front();
+}
+
+// Empty: it can be opened there.
+std::string why_not_at(const HidFamily& family, const std::optional<HidPlace>& place) {
+  if (!place)
+    return family.nodes != hid::Nodes::of_axes
+               ? "none is plugged in: plug one in, and switch it on."
+               : "none is plugged in, and none is paired and awake: plug one in.";
+  return place->permitted ? "" : not_permitted(place->path).sentence;
+}
+
+// Where it is, or why it is not.
+Result<HidPlace> place_of(const HidFamily& family) {
+  const std::optional<HidPlace> place = found(family);
+  std::string reason = why_not_at(family, place);
+  if (!reason.empty()) return Error{std::move(reason)};
+  return *place;
+}
+
+// 0x0106 is "1.06".
+std::string version_text(std::uint16_t release) {
+  char text[8];
+  std::snprintf(text, sizeof text, "%x.%02x", release >> 8, release & 0xffU);
+  return release != 0 ? text : "";
 }
 
 HidOpened open_family(const HidFamily& family, const VibrotactileSignal& signal) {
@@ -455,9 +475,21 @@ Error cannot_be_had(const std::string& name, const std::string& why) {
 }
 
 DeviceListing listing_of(const Driver& driver, const std::string& no_window_reason) {
-  std::string reason = driver.why_not(no_window_reason);
-  const bool present = reason.empty();
-  return {std::string(driver.shown), std::string(driver.what), present, std::move(reason)};
+  DeviceListing listing{.name = std::string(driver.shown), .what = std::string(driver.what)};
+  if (driver.table) listing.table = driver.name;
+  if (driver.family == nullptr) {
+    listing.reason = driver.why_not(no_window_reason);
+  } else {
+    const std::optional<HidPlace> place = found(*driver.family);
+    listing.reason = why_not_at(*driver.family, place);
+    if (place) {
+      listing.node = place->path;
+      listing.permitted = place->permitted;
+      listing.firmware = version_text(place->release);
+    }
+  }
+  listing.present = listing.reason.empty();
+  return listing;
 }
 
 }  // namespace

@@ -25,7 +25,13 @@ struct DeviceListing {
   std::string name;  // as --device takes it
   std::string what;  // what it is, one line
   bool present = false;
-  std::string reason;  // why not, and what would change that; empty when present
+  std::string reason{};             // why not, and what would change that; empty when present
+  std::string table{};              // the file of content/devices with its figures, by name; empty: none
+  std::string node{};               // where it is plugged in; empty: it is not, or its driver does not know
+  std::optional<bool> permitted{};  // that node may be opened by you; none: there is no node
+  std::string firmware{};           // its version, such as "1.06"; empty: nothing tells
+
+  bool operator==(const DeviceListing&) const = default;
 };
 
 // no_window_reason: why no window can be opened; empty if one can.

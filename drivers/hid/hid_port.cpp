@@ -115,7 +115,7 @@ std::vector<HidPlace> find_hid(std::span<const HidId> ids, Nodes nodes) {
       const bool known = std::ranges::any_of(places, [&](const HidPlace& p) { return p.path == path; });
       if (known) continue;  // hidapi lists a node once for each of its usages
       places.push_back({id, path, is_bluetooth(path), narrow(info->product_string),
-                        access(path.c_str(), R_OK | W_OK) == 0});
+                        access(path.c_str(), R_OK | W_OK) == 0, info->release_number});
     }
     hid_free_enumeration(all);
   }

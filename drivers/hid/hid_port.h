@@ -30,8 +30,10 @@ struct HidPlace {
   HidId id;
   std::string path;  // of its node
   bool bluetooth = false;
-  std::string product;    // what it calls itself; may be empty
-  bool permitted = true;  // the node may be read and written
+  std::string product;        // what it calls itself; may be empty
+  bool permitted = true;      // the node may be read and written
+  std::uint16_t release = 0;  // of its firmware, two decimal digits before the point and two after it, four
+                              // bits each; 0: its bus does not tell
 };
 
 // One device may have several nodes.

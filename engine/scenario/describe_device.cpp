@@ -122,6 +122,10 @@ void describe_device_file(KeyVisitor& visitor, DeviceDesc& device) {
   visitor.number({"sample_rate_Hz", "",
                   "of a device that has its own: how old a sample is, is in the trace; 0: one for each tick"},
                  device.sample_rate_Hz, from_to(0, 1e6));
+  visitor.number(
+      {"firmware_watchdog", "s",
+       "after which its firmware lets its motors go where no command comes; 0: it is not known to"},
+      device.firmware_watchdog, from_to(0, 60));
   visitor.vector({"workspace", "m", "half extents about the device's origin"}, device.workspace,
                  above_to(0, 10));
   visitor.mapping(

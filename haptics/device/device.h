@@ -66,12 +66,13 @@ struct DeviceDesc {
   double handle_weight = 0.3;  // N, what the mechanism leaves uncompensated; the tick holds it up
   double bandwidth_Hz = 500;   // of forces and torques that it renders
   double damping = 0.005;      // N s/m
-  Vec3 angular_damping = Vec3::Constant(2.0e-5);   // (3) N m s, about each axis
-  double friction = 0.038;                         // N, Coulomb, each axis
-  double angular_friction = 2.0e-4;                // N m, Coulomb, each axis
-  double encoder_step = 28e-6;                     // m
-  double encoder_step_rad = 2.0e-4;                // rad
-  double sample_rate_Hz = 0;                       // of a device that has its own; 0: a sample for each tick
+  Vec3 angular_damping = Vec3::Constant(2.0e-5);  // (3) N m s, about each axis
+  double friction = 0.038;                        // N, Coulomb, each axis
+  double angular_friction = 2.0e-4;               // N m, Coulomb, each axis
+  double encoder_step = 28e-6;                    // m
+  double encoder_step_rad = 2.0e-4;               // rad
+  double sample_rate_Hz = 0;                      // of a device that has its own; 0: a sample for each tick
+  double firmware_watchdog = 0;  // s without a command after which its firmware lets go; 0: none is known
   Vec3 workspace{0.080, 0.060, 0.060};             // (3) m, half extents about D's origin
   MechanismDesc mechanism{};                       // of arms
   std::optional<StructureDesc> structure{};        // where it is known

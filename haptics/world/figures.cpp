@@ -78,8 +78,8 @@ void check(FigureCheck& figures, const HoldingStripDesc& strip) {
 void check(FigureCheck& figures, const DeviceDesc& device) {
   const auto& [name, kinematics, renders_force, renders_torque, senses_rotation, max_force, max_torque,
                handle_mass, handle_inertia, handle_weight, bandwidth_Hz, damping, angular_damping, friction,
-               angular_friction, encoder_step, encoder_step_rad, sample_rate_Hz, workspace, mechanism,
-               structure, vibrotactile, strip] = device;
+               angular_friction, encoder_step, encoder_step_rad, sample_rate_Hz, firmware_watchdog, workspace,
+               mechanism, structure, vibrotactile, strip] = device;
   figures.at_least("device.max_force", max_force);
   figures.at_least("device.max_torque", max_torque);
   figures.above("device.handle_mass", handle_mass);
@@ -93,6 +93,7 @@ void check(FigureCheck& figures, const DeviceDesc& device) {
   figures.at_least("device.encoder_step", encoder_step);
   figures.at_least("device.encoder_step_rad", encoder_step_rad);
   figures.from_to("device.sample_rate_Hz", sample_rate_Hz, 0, FigureCheck::kFastest_Hz);
+  figures.from_to("device.firmware_watchdog", firmware_watchdog, 0, FigureCheck::kLongestTime);
   figures.at_least("device.workspace", workspace);
   if (kinematics == Kinematics::arms) check(figures, mechanism);
   if (structure) check(figures, *structure);

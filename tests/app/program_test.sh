@@ -9,7 +9,7 @@ cd "$work" || exit 1
 # --- commands
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
-for command in list run replay check explain devices doctor stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
+for command in list run replay check explain devices device-test doctor stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
 expect 2 'run .*Run a scenario' "$FULCRUM"
 mkdir apart && cp "$FULCRUM" apart/fulcrum
 expect 1 'apart/fulcrum-studies, which could not be started .*tools/run --build' apart/fulcrum hardness
@@ -31,6 +31,8 @@ expect 0 'display +bad .*--headless|no display' env -u DISPLAY -u WAYLAND_DISPLA
 expect 0 '"health": "fair"' "$FULCRUM" doctor --json
 expect_each 0 'vibrotactile motion .*on left .rumble.*right .rumble' 'lateral force .*has no motors' -- "$FULCRUM" explain sweep --device dualsense
 expect_each 0 'vibrotactile motion .* at 233 Hz on left .tone: a frequency.*right .tone' -- "$FULCRUM" explain sweep --device joycon
+expect_each 0 'What this device leaves out' '^  force motors .* has none' '^It senses 6 axes.*; pushes nothing back' -- "$FULCRUM" explain sweep --device spacemouse
+expect 0 '"by_device": true' "$FULCRUM" explain sweep --device spacemouse --json
 expect_each 0 "On mouse" -- "$FULCRUM" explain sweep --device mouse
 expect_each 0 "strip .*'mouse' has none" -- "$FULCRUM" explain stick --device mouse
 for held in mouse+strip polhem+strip; do # the strip has a board of its own

@@ -37,7 +37,7 @@ while IFS= read -r line; do
       else # app.compare, app.hardness and app.uniformity run them with fewer trials
         expect 0 'Usage|OPTIONS|Options' "${word[@]}" --help
       fi ;;
-    "fulcrum list" | "fulcrum replay "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum doctor" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
+    "fulcrum list" | "fulcrum replay "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum device-test "*" --yes" | "fulcrum doctor" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
     python3*) command -v python3 >/dev/null && expect 0 '^[0-9.e-]+$' bash -c "$command" ;;
     *) fail "README names '$command', and tests/app/readme_test.sh does not know what it is to do" ;;
   esac
@@ -45,7 +45,7 @@ done < <(sed '/^```/,/^```/d' "$readme" | grep -E '^    [a-z]')
 [ "$seen" -ge 20 ] || fail "only $seen commands were found in $readme"
 
 # Commands within sentences are commands of the program.
-for named in $(grep -oE '`(fulcrum|tools/bench) [a-z]+' "$readme" | sed 's/.* //' | sort -u); do
+for named in $(grep -oE '`(fulcrum|tools/bench) [a-z][a-z-]*' "$readme" | sed 's/.* //' | sort -u); do
   [ "$named" = contact ] || expect 0 '.' fulcrum "$named" --help
 done
 

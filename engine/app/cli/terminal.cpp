@@ -38,6 +38,24 @@ std::string red(std::string_view text) {
   return styled("31", text);
 }
 
+std::string in_lines(std::string_view text, std::size_t indent, std::size_t width) {
+  std::string lines(indent, ' ');
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    const bool first = column == indent;
+    if (!first && column + 1 + word.size() > width) {
+      lines.append(1, '\n').append(indent, ' ').append(word);
+      column = indent + word.size();
+      continue;
+    }
+    lines.append(first ? "" : " ").append(word);
+    column += word.size() + (first ? 0 : 1);
+  }
+  return lines;
+}
+
 void complain(std::string_view sentence) {
   std::fprintf(stderr, "fulcrum: %.*s\n", static_cast<int>(sentence.size()), sentence.data());
 }

@@ -14,6 +14,9 @@ std::string green(std::string_view text);
 std::string yellow(std::string_view text);
 std::string red(std::string_view text);
 
+// The text in lines of at most `width` letters, each `indent` spaces in. A longer word has a line of its own.
+std::string in_lines(std::string_view text, std::size_t indent, std::size_t width = 100);
+
 // "fulcrum: sentence" on stderr.
 void complain(std::string_view sentence);
 

@@ -8,6 +8,7 @@
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
+#include "engine/app/prepare/capabilities.h"
 #include "engine/app/prepare/device_choice.h"
 #include "engine/app/prepare/inventory.h"
 #include "engine/app/prepare/stage_costs.h"
@@ -51,6 +52,23 @@ void print_items(const std::vector<InventoryItem>& items, bool with_cost) {
   }
 }
 
+// It is left out since the device has no use for it: then its note begins so.
+bool is_of_device(const InventoryItem& left_out) {
+  return left_out.note.starts_with("the device '");
+}
+
+void print_left_out(std::vector<InventoryItem> items) {
+  const auto others = std::ranges::stable_partition(items, is_of_device);
+  const std::vector<InventoryItem> of_device(items.begin(), others.begin());
+  if (!of_device.empty()) {
+    std::printf("%s\n", bold("What this device leaves out").c_str());
+    print_items(of_device, false);
+    std::printf("\n");
+  }
+  std::printf("%s\n", bold("Left out").c_str());
+  print_items({others.begin(), others.end()}, false);
+}
+
 nlohmann::ordered_json to_json(const std::vector<InventoryItem>& items) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const InventoryItem& item : items)
@@ -61,6 +79,12 @@ nlohmann::ordered_json to_json(const std::vector<InventoryItem>& items) {
          {"tick_us", item.tick_us > 0 ? nlohmann::ordered_json(item.tick_us) : nullptr},
          {"counted_in", item.counted_in.empty() ? nullptr : nlohmann::ordered_json(item.counted_in)},
          {"note", item.note}});
+  return all;
+}
+
+nlohmann::ordered_json left_out_as_json(const std::vector<InventoryItem>& items) {
+  nlohmann::ordered_json all = to_json(items);
+  for (std::size_t i = 0; i < items.size(); ++i) all[i]["by_device"] = is_of_device(items[i]);
   return all;
 }
 
@@ -129,23 +153,25 @@ int explain_command(const ExplainOptions& options) {
   if (options.json) {
     std::printf("%s\n", nlohmann::ordered_json{{"scenario", options.scenario},
                                                {"device", name_of_device(*prepared, options.device)},
+                                               {"capabilities", capabilities_as_json(world->desc().device)},
                                                {"tick_us", tick_us},
                                                {"measured_with_hand", hand},
                                                {"built", to_json(list.built)},
-                                               {"left_out", to_json(list.left_out)},
+                                               {"left_out", left_out_as_json(list.left_out)},
                                                {"repaired", prepared->haptic.repaired}}
                             .dump(2)
                             .c_str());
     return kCompleted;
   }
   std::printf("%s\n", bold(prepared->scenario.title).c_str());
-  std::printf("On %s, %s.\n\n%s\n", world->desc().device.name.c_str(),
-              device.own ? "the scenario's own device" : "an installed device", bold("Built").c_str());
+  std::printf("On %s, %s.\n%s\n\n%s\n", world->desc().device.name.c_str(),
+              device.own ? "the scenario's own device" : "an installed device",
+              in_lines("It " + capabilities_in_words(world->desc().device) + ".", 0).c_str(),
+              bold("Built").c_str());
   print_items(list.built, true);
-  std::printf(
-      "  A whole tick takes %.1f us of the processor, in the mean over the '%s' hand's motion.\n\n%s\n",
-      tick_us, hand.c_str(), bold("Left out").c_str());
-  print_items(list.left_out, false);
+  std::printf("  A whole tick takes %.1f us of the processor, in the mean over the '%s' hand's motion.\n\n",
+              tick_us, hand.c_str());
+  print_left_out(list.left_out);
   if (!prepared->haptic.repaired.empty()) std::printf("\n%s\n", bold("Repaired").c_str());
   for (const std::string& note : prepared->haptic.repaired) std::printf("  %s\n", note.c_str());
   for (const std::string& note : prepared->haptic.notes) std::printf("%s\n", dim(note).c_str());

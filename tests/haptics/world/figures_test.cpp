@@ -89,6 +89,7 @@ std::vector<Figure> figures() {
       FIGURE("device.encoder_step", s.device.encoder_step),
       FIGURE("device.encoder_step_rad", s.device.encoder_step_rad),
       FIGURE("device.sample_rate_Hz", s.device.sample_rate_Hz),
+      FIGURE("device.firmware_watchdog", s.device.firmware_watchdog),
       FIGURE("device.workspace", s.device.workspace.x()),
       FIGURE("device.base.orientation", s.device.mechanism.q_DK.x()),
       FIGURE("axis", s.device.mechanism.arms[0].joints[1].axis_K.y()),
