@@ -26,7 +26,7 @@ grep -q '"firmware_watchdog_s": 0.5' devices.json || fail "devices --json: the w
 # --- watch: until Ctrl+C
 "$FULCRUM" devices --watch >watched 2>said &
 for ((i = 0; i < 600; ++i)); do
-  grep -q 'Ctrl+C' said && break
+  grep -qs 'Ctrl+C' said && break
   sleep 0.1
 done
 grep -q 'Ctrl+C' said || fail "devices --watch says nothing"
@@ -65,6 +65,13 @@ case $? in
   *) fail "device-test omega6: $(cat real)" ;;
 esac
 [ -s R/device-test.html ] || fail "no report of omega6"
+# The same at a terminal, where someone says no to all of it.
+refuses() { while sleep 0.2; do echo n 2>/dev/null || return 0; done; }
+refuses | LD_LIBRARY_PATH=$STAND_INS script -qec "'$FULCRUM' device-test omega6 --out T" /dev/null >asked 2>&1
+for part in 'Let go of it.* Go on' 'Move it to the right' 'Press each of its buttons' 'push up, then down, with up to 1 N.* Go on' 'push up and down .*Left out'; do
+  grep -qE "$part" asked || grep -q 'sent nothing for more than 20 ms' asked || fail "at a terminal it says nothing like /$part/: $(cat asked)"
+done
+grep -q 'Did it go' asked && fail "it pushed where it was told not to"
 [ -e data/fulcrum/reports ] || fail "without --out a report has no folder of its own"
 [ "$(find data -name device-test.html | wc -l)" = 1 ] || fail "a test that was refused left a report"
 
