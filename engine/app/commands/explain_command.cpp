@@ -58,15 +58,15 @@ bool is_of_device(const InventoryItem& left_out) {
 }
 
 void print_left_out(std::vector<InventoryItem> items) {
-  const auto others = std::ranges::stable_partition(items, is_of_device);
-  const std::vector<InventoryItem> of_device(items.begin(), others.begin());
+  const auto others = std::stable_partition(items.begin(), items.end(), is_of_device);
+  const std::vector<InventoryItem> of_device(items.begin(), others);
   if (!of_device.empty()) {
     std::printf("%s\n", bold("What this device leaves out").c_str());
     print_items(of_device, false);
     std::printf("\n");
   }
   std::printf("%s\n", bold("Left out").c_str());
-  print_items({others.begin(), others.end()}, false);
+  print_items({others, items.end()}, false);
 }
 
 nlohmann::ordered_json to_json(const std::vector<InventoryItem>& items) {
