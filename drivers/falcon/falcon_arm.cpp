@@ -12,15 +12,16 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180;
 constexpr double kAnglePerCount = .036435 * kRadian, kAngleAtZero = 35 * kRadian;
-// m, as Stamper names them: the arm; the shin; the shin's joint to the grip's middle, outward; between the
-// axes of the joints at either end of the shin; that joint to the middle, sideways; the arm's axis, outward
-// and sideways.
-constexpr double kA = .060, kB = .1025, kC = .01443, kD = .01125, kE = .01125, kF = -.025, kR = .040,
-                 kS = -.02309;
+// m, by Stamper's letters.
+constexpr double kA = .060;                // the arm
+constexpr double kB = .1025;               // the shin
+constexpr double kD = .01125, kE = kD;     // across the joints at the shin's two ends
+constexpr double kC = .01443, kF = -.025;  // from the shin to the grip's middle: outward, sideways
+constexpr double kR = .040, kS = -.02309;  // from the base's middle to the arm: outward, sideways
 constexpr std::array<double, 3> kLegs{105 * kRadian, -15 * kRadian, -135 * kRadian};
 
 constexpr double kLeastAngle = -90 * kRadian, kMostAngle = 120 * kRadian;  // beyond any that a leg can turn
-constexpr int kSteps = 12;                // Newton's; five or six are enough anywhere in the workspace
+constexpr int kSteps = 12;                // Newton's; six are enough anywhere in the workspace
 constexpr double kLongestStep = 0.03;     // m
 constexpr double kClosed = 1e-9;          // m, what may be left of a gap in a leg
 constexpr double kLeastBend = 0.05;       // sine of the angle between arm and shin
@@ -42,7 +43,7 @@ Leg leg_at(const Vec3& p_K, double direction, double angle) {
   const double u = out.dot(p_K) - kR + kC - kA * math::cos(angle);
   const double v = side.dot(p_K) - kS + kF;
   const double w = p_K.z() - kA * math::sin(angle);
-  // The shin swings in the plane of its joints' axes, kD + kE short of the joints.
+  // Across both joints first; what is left, with what lies sideways, is the shin.
   const double across = std::max(std::sqrt(u * u + w * w), 1e-6);
   const double shin = across - (kD + kE);
   const double length = std::max(std::sqrt(shin * shin + v * v), 1e-6);

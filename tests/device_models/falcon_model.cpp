@@ -106,6 +106,7 @@ void FalconModel::hear(std::uint8_t byte) {
       if (baud_ != k140000) break;
       taken_.push_back(byte);
       say({byte});
+      most_unread_ = std::max(most_unread_, said_.size());
       break;
     case Processor::runs:
       if (baud_ == kFastest && byte == '>') hear_packet();
@@ -235,6 +236,11 @@ bool FalconModel::runs() const {
 int FalconModel::packets() const {
   const std::lock_guard lock(mutex_);
   return packets_;
+}
+
+std::size_t FalconModel::most_unread() const {
+  const std::lock_guard lock(mutex_);
+  return most_unread_;
 }
 
 void FalconModel::have(Fault fault) {

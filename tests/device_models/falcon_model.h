@@ -44,7 +44,8 @@ public:
   std::array<int, 3> motors() const;
   unsigned lights() const;
   bool runs() const;
-  int packets() const;  // since it was made
+  int packets() const;              // since it was made
+  std::size_t most_unread() const;  // bytes of its firmware that had gone back and were not yet read
 
   // Faults.
   enum class Fault {
@@ -78,6 +79,7 @@ private:
   bool homed_ = false;
   std::array<int, 3> motors_{};
   int packets_ = 0;
+  std::size_t most_unread_ = 0;
 };
 
 }  // namespace fulcrum::test

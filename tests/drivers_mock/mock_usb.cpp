@@ -53,7 +53,7 @@ gulong address_in(UMockdevIoctlClient* client) {
 }
 
 usbdevfs_urb block_of(const UMockdevIoctlData* data) {
-  usbdevfs_urb block{};
+  usbdevfs_urb block;
   std::memcpy(&block, data->data, sizeof block);
   return block;
 }
