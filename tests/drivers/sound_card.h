@@ -2,6 +2,7 @@
 // A sound card whose clock the test moves.
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <vector>
@@ -19,7 +20,7 @@ struct SoundCard {
   std::int64_t period = 96, buffer = 4096;
   double ahead = 0;                   // frames
   std::vector<sound::Frame> written;  // since the beginning
-  int opened = 0, closed = 0;
+  std::atomic<int> opened{0}, closed{0};
 
   // It plays as many frames.
   void pass(double frames) {
