@@ -477,12 +477,9 @@ Error cannot_be_had(const std::string& name, const std::string& why) {
 DeviceListing listing_of(const Driver& driver, const std::string& no_window_reason) {
   DeviceListing listing{.name = std::string(driver.shown), .what = std::string(driver.what)};
   if (driver.table) listing.table = driver.name;
-  if (driver.family == nullptr) {
-    listing.reason = driver.why_not(no_window_reason);
-  } else {
-    const std::optional<HidPlace> place = found(*driver.family);
-    listing.reason = why_not_at(*driver.family, place);
-    if (place) {
+  listing.reason = driver.why_not(no_window_reason);
+  if (driver.family != nullptr) {
+    if (const std::optional<HidPlace> place = found(*driver.family)) {
       listing.node = place->path;
       listing.permitted = place->permitted;
       listing.firmware = version_text(place->release);
