@@ -45,7 +45,7 @@ endif()
 # A static library fulcrum_NAME of every .cpp below the folders. Its headers are seen as "folder/header.h"
 # through an include root that holds these folders alone, so that another room's headers are found only by
 # listing that room in REACHES. PRIVATELY: reached by the sources, not by the headers.
-# engine/app keeps main() out of its library, so that tests can call what is below it.
+# engine/app keeps main() out of its library, so that tests can call what is below it; a folder `template` is for tests alone.
 function(fulcrum_room name)
   cmake_parse_arguments(ROOM "" "" "PATHS;REACHES;PRIVATELY" ${ARGN})
   set(root ${CMAKE_BINARY_DIR}/rooms/${name})
@@ -55,7 +55,7 @@ function(fulcrum_room name)
     file(MAKE_DIRECTORY ${root}/${parent})
     file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${path} ${root}/${path} SYMBOLIC)
     file(GLOB_RECURSE found CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${path}/*.cpp)
-    list(FILTER found EXCLUDE REGEX "/main\\.cpp$")
+    list(FILTER found EXCLUDE REGEX "/(main|template/[^/]*)\\.cpp$")
     list(APPEND sources ${found})
   endforeach()
   add_library(fulcrum_${name} STATIC ${sources})
