@@ -10,6 +10,7 @@
 #include "drivers/falcon/falcon_bus.h"
 #include "drivers/force/force_device.h"
 #include "drivers/hid/hid_link.h"
+#include "drivers/inverse3/inverse3_bus.h"
 #include "drivers/joycon/joycon_pair.h"
 #include "drivers/joycon/joycon_protocol.h"
 #include "drivers/omega/omega_bus.h"
@@ -245,7 +246,7 @@ Result<OpenDevice> open_hid_force(const std::string& /*argument*/, const DeviceO
   return OpenDevice{.device = std::move(*device)};
 }
 
-// Bus: of a device with motors that finds its device itself, or whose maker's library does.
+// Bus: of a device with motors that finds its device itself, or whose maker's library or service does.
 template <class Bus>
 Result<OpenDevice> open_force(const std::string& /*argument*/, const DeviceOrder& order) {
   Result<std::unique_ptr<Bus>> bus = Bus::open();
@@ -267,6 +268,9 @@ std::string why_no_touch(const std::string& /*no_window_reason*/) {
 }
 std::string why_no_falcon(const std::string& /*no_window_reason*/) {
   return falcon::why_no_falcon();
+}
+std::string why_no_inverse3(const std::string& /*no_window_reason*/) {
+  return inverse3::why_no_inverse3();
 }
 
 Result<sound::SoundPlace> named_sound(const std::string& pcm) {
@@ -326,6 +330,15 @@ constexpr Driver kDrivers[] = {
      .why_not = &why_no_falcon,
      .open = &open_force<falcon::FalconBus>,
      .usb = &falcon::usb_ids,
+     .in_hand = true,
+     .table = true,
+     .motors = true},
+    {.name = "inverse3",
+     .shown = "inverse3",
+     .what = "a Haply Inverse3: six axes with a VerseGrip, three without; pushes on three; by its maker's "
+             "service",
+     .why_not = &why_no_inverse3,
+     .open = &open_force<inverse3::Inverse3Bus>,
      .in_hand = true,
      .table = true,
      .motors = true},

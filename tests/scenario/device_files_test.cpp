@@ -128,6 +128,15 @@ TEST(DeviceFiles, AFalconGivesItsForceAlongEveryAxisAndSensesNoTurn) {
   }
 }
 
+// Its maker's examples keep its handle within a ball of 0.1 m.
+TEST(DeviceFiles, TheInverse3GivesItsForceAlongEveryAxis) {
+  const DeviceDesc device = shipped("inverse3");
+  EXPECT_EQ(device.max_force, 10);
+  EXPECT_EQ(device.workspace, Vec3::Constant(0.1));
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_GE(largest(device, {Vec3::Unit(axis), Vec3::Zero()}), device.max_force) << axis;
+}
+
 // Two vibrators of 1.31 g at 233 Hz, as in "Virtual vibrotactile motion as lateral force", alone and on an
 // arm.
 TEST(DeviceFiles, TheFingertipsVibratorsDoWhatThePaperAsksFor) {
