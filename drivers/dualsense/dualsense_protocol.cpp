@@ -18,23 +18,24 @@ constexpr std::uint8_t kFirmware = 0x20, kCalibration = 0x05;  // feature report
 constexpr std::size_t kVersionAt = 44;
 constexpr std::uint16_t kNewer = 0x0215;
 constexpr std::uint8_t kBluetoothTag = 0x10;
+constexpr std::size_t kGyroAt = 15;  // from the sticks on
 
 // x: the first byte of the sticks.
 sony::Pad pad_of(std::span<const std::uint8_t> x) {
   const std::uint32_t keys =
       x[7] | static_cast<std::uint32_t>(x[8]) << 8 | static_cast<std::uint32_t>(x[9]) << 16;
-  return {x[0], x[1], x[2], x[3], x[4], x[5], keys & 0x3FFFF};
+  return {x[0], x[1], x[2], x[3], x[4], x[5], keys & 0x3FFFF, sony::gyro_at(x, kGyroAt)};
 }
 
 }  // namespace
 
 bool DualSenseProtocol::decode(std::span<const std::uint8_t> report, PushedAxes& axes) noexcept {
   if (report.size() == sony::kUsbInput && report[0] == kUsbIn && link_ == sony::Link::usb) {
-    axes = sony::axes_of(pad_of(report.subspan(1)));
+    axes = sony::axes_of(pad_of(report.subspan(1)), gyro_);
     return true;
   }
   if (report.size() == sony::kBluetoothReport && report[0] == kBluetooth && sony::whole_input(report)) {
-    axes = sony::axes_of(pad_of(report.subspan(2)));
+    axes = sony::axes_of(pad_of(report.subspan(2)), gyro_);
     return true;
   }
   return false;  // also the reduced report, which has no counter: the first feature report ends those

@@ -8,6 +8,7 @@
 
 #include "drivers/hid/hid_id.h"
 #include "drivers/hid/hid_protocol.h"
+#include "drivers/sony/pad_gyro.h"
 #include "drivers/sony/sony_reports.h"
 
 namespace fulcrum::dualsense {
@@ -27,6 +28,7 @@ public:
 
 private:
   sony::Link link_;
+  sony::PadGyro gyro_;
   bool newer_rumble_ = false;
   std::uint8_t sequence_ = 0;  // of reports that were sent by Bluetooth, 0 to 15
 };

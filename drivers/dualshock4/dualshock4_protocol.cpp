@@ -12,23 +12,24 @@ constexpr std::uint8_t kUsbIn = 0x01, kUsbOut = 0x05, kBluetooth = 0x11;
 constexpr std::size_t kUsbOutLength = 32;
 constexpr std::uint8_t kMotors = 0x01;           // flags
 constexpr std::uint8_t kHidWithChecksum = 0xC0;  // how a Bluetooth report is to be read
+constexpr std::size_t kGyroAt = 12;              // from the sticks on
 
 // x: the first byte of the sticks. The last byte of keys counts reports in its upper bits.
 sony::Pad pad_of(std::span<const std::uint8_t> x) {
   const std::uint32_t keys =
       x[4] | static_cast<std::uint32_t>(x[5]) << 8 | static_cast<std::uint32_t>(x[6]) << 16;
-  return {x[0], x[1], x[2], x[3], x[7], x[8], keys & 0x3FFFF};
+  return {x[0], x[1], x[2], x[3], x[7], x[8], keys & 0x3FFFF, sony::gyro_at(x, kGyroAt)};
 }
 
 }  // namespace
 
 bool DualShock4Protocol::decode(std::span<const std::uint8_t> report, PushedAxes& axes) noexcept {
   if (report.size() == sony::kUsbInput && report[0] == kUsbIn && link_ == sony::Link::usb) {
-    axes = sony::axes_of(pad_of(report.subspan(1)));
+    axes = sony::axes_of(pad_of(report.subspan(1)), gyro_);
     return true;
   }
   if (report.size() == sony::kBluetoothReport && report[0] == kBluetooth && sony::whole_input(report)) {
-    axes = sony::axes_of(pad_of(report.subspan(3)));
+    axes = sony::axes_of(pad_of(report.subspan(3)), gyro_);
     return true;
   }
   return false;

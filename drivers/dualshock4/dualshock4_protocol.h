@@ -5,6 +5,7 @@
 
 #include "drivers/hid/hid_id.h"
 #include "drivers/hid/hid_protocol.h"
+#include "drivers/sony/pad_gyro.h"
 #include "drivers/sony/sony_reports.h"
 
 namespace fulcrum::dualshock4 {
@@ -22,6 +23,7 @@ public:
 
 private:
   sony::Link link_;
+  sony::PadGyro gyro_;
 };
 
 std::span<const hid::HidId> usb_ids();

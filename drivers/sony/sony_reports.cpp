@@ -21,6 +21,10 @@ void seal_output(std::span<std::uint8_t> report) {
   hid::put_u32(report, kSummed, hid::crc32(kOutputSeed, report.first(kSummed)));
 }
 
+std::array<std::int16_t, 3> gyro_at(std::span<const std::uint8_t> sticks, std::size_t at) {
+  return {hid::i16_at(sticks, at), hid::i16_at(sticks, at + 2), hid::i16_at(sticks, at + 4)};
+}
+
 std::uint8_t motor_byte(double drive) {
   if (!(drive > 0)) return 0;
   return static_cast<std::uint8_t>(std::lround(255 * std::fmin(drive, 1.0)));

@@ -1,6 +1,7 @@
 #pragma once
 // What the reports of Sony's pads have in common.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,6 +15,9 @@ enum class Link { usb, bluetooth };
 bool whole_input(std::span<const std::uint8_t> report);
 // Ends one that is to be sent with its checksum.
 void seal_output(std::span<std::uint8_t> report);
+
+// The gyroscope's readings, of what follows the first byte of the sticks.
+std::array<std::int16_t, 3> gyro_at(std::span<const std::uint8_t> sticks, std::size_t at);
 
 inline constexpr std::size_t kUsbInput = 64, kBluetoothReport = 78;
 

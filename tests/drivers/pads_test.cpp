@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "drivers/dualsense/dualsense_protocol.h"
 #include "drivers/dualshock4/dualshock4_protocol.h"
 #include "drivers/hid/hid_bytes.h"
+#include "drivers/rate/rate_control.h"
+#include "haptics/math/rotation.h"
 
 namespace fulcrum::test {
 namespace {
@@ -153,6 +156,85 @@ TEST(DualSense, OnBluetoothEachReportIsCountedAndSealed) {
     EXPECT_EQ(report[2], 0x10);
     EXPECT_EQ(report[6], 51);
     EXPECT_TRUE(sealed(report)) << count;
+  }
+}
+
+// (3) rad about right, up, toward the person, of a second of reports that all say this.
+Vec3 turned_by(HidProtocol& pad, const Bytes& report) {
+  RateControl tool({}, Pose(), 1e-3);
+  PushedAxes axes;
+  for (int tick = 0; tick < 1000; ++tick) {
+    EXPECT_TRUE(pad.decode(report, axes));
+    tool.advance(axes, {});
+  }
+  return rotation_vector(tool.X_WH().q);
+}
+
+void put_gyro(Bytes& report, std::size_t at, std::array<int, 3> readings) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    report[at + 2 * i] = static_cast<std::uint8_t>(readings[i] & 255);
+    report[at + 2 * i + 1] = static_cast<std::uint8_t>(readings[i] >> 8 & 255);
+  }
+}
+
+Bytes with_crc(Bytes report) {
+  if (report.size() == 78) put_crc(report, 0xA1);
+  return report;
+}
+
+// A report at rest, where its gyroscope and the key of its touchpad are, and its pad.
+struct TurnedPad {
+  Bytes rests;
+  std::size_t gyro, touchpad;
+  std::unique_ptr<HidProtocol> pad;
+
+  Bytes says(std::array<int, 3> readings, bool pressed) const {
+    Bytes report = rests;
+    put_gyro(report, gyro, readings);
+    if (pressed) report[touchpad] |= 0x02;
+    return with_crc(std::move(report));
+  }
+};
+
+std::vector<TurnedPad> pads() {
+  std::vector<TurnedPad> all;
+  using dualsense::DualSenseProtocol, dualshock4::DualShock4Protocol;
+  all.push_back(
+      {report_of(64, 0x01, 1, kDualSenseAtRest), 16, 10, std::make_unique<DualSenseProtocol>(Link::usb)});
+  all.push_back({report_of(78, 0x31, 2, kDualSenseAtRest), 17, 11,
+                 std::make_unique<DualSenseProtocol>(Link::bluetooth)});
+  all.push_back(
+      {report_of(64, 0x01, 1, kDualShockAtRest), 13, 7, std::make_unique<DualShock4Protocol>(Link::usb)});
+  all.push_back({report_of(78, 0x11, 3, kDualShockAtRest), 15, 9,
+                 std::make_unique<DualShock4Protocol>(Link::bluetooth)});
+  return all;
+}
+
+// 2000 deg/s are 32768. The tool follows with a lag of 15 ms.
+TEST(Pads, WhileTheTouchpadIsPressedTheToolTurnsAsThePad) {
+  constexpr double kReading = 2000.0 / 32768 * std::numbers::pi / 180, kLate = 1 - 0.015;
+  for (const TurnedPad& each : pads()) {
+    const Vec3 turned = turned_by(*each.pad, each.says({469, 0, 0}, true));
+    EXPECT_NEAR(turned.x(), 469 * kReading * kLate, 2e-3);
+    EXPECT_NEAR(turned.tail<2>().norm(), 0, 1e-9);
+    EXPECT_NEAR(turned_by(*each.pad, each.says({0, -700, 0}, true)).y(), -700 * kReading * kLate, 2e-3);
+    EXPECT_NEAR(turned_by(*each.pad, each.says({0, 0, 100}, true)).z(), 100 * kReading * kLate, 2e-3);
+    EXPECT_TRUE(turned_by(*each.pad, each.says({469, -700, 100}, false)).isZero(0)) << "it is not pressed";
+    EXPECT_LT(turned_by(*each.pad, each.says({32767, 0, 0}, true)).x(), 1.6);
+    EXPECT_LT(turned_by(*each.pad, each.says({0, -32768, 0}, true)).y(), 0);
+  }
+}
+
+TEST(Pads, WhatAGyroscopeIsOffByIsLearntAtRest) {
+  for (const TurnedPad& each : pads()) {
+    const Bytes off = each.says({40, -25, 10}, true);
+    EXPECT_GT(turned_by(*each.pad, off).norm(), 0.03) << "not while it is in use";
+    EXPECT_GT(turned_by(*each.pad, off).norm(), 0.03);
+    turned_by(*each.pad, each.says({400, 0, 0}, false));  // that is a turn
+    EXPECT_GT(turned_by(*each.pad, off).norm(), 0.03);
+    for (int second = 0; second < 3; ++second) turned_by(*each.pad, each.says({40, -25, 10}, false));
+    EXPECT_LT(turned_by(*each.pad, off).norm(), 1e-6);
+    EXPECT_NEAR(turned_by(*each.pad, each.says({40 + 469, -25, 10}, true)).x(), 0.4924, 2e-3);
   }
 }
 
