@@ -1,5 +1,5 @@
 #pragma once
-// The devices. One line of the list in registry.cpp says of each what it is, whether it is there, and makes
+// The devices. One line of the list in driver_list.cpp says of each what it is, whether it is there, and makes
 // it.
 //
 // A name on the command line is one of them, or two: "spacemouse+dualsense" moves by the first and vibrates

@@ -66,6 +66,12 @@ Result<SoundPlace> dualsense_coils() {
   return SoundPlace{"hw:" + std::to_string(*card) + ",0", kCoils};
 }
 
+std::string why_no_sound(const Result<SoundPlace>& place) {
+  if (!place) return place.error().sentence;
+  const Result<std::unique_ptr<Pcm>> pcm = open_alsa(*place, 2, kRate_Hz / 10);
+  return pcm ? "" : pcm.error().sentence;
+}
+
 Result<std::string> describe_sound(const SoundPlace& place, double tick_s) {
   const Result<std::unique_ptr<Pcm>> pcm = open_pcm(place, 2, tick_s);
   if (!pcm) return pcm.error();

@@ -17,6 +17,9 @@ Result<std::unique_ptr<SoundLink>> open_sound(const SoundPlace& place, const Vib
 // Where the voice coils of a DualSense are. Errors: none is plugged in.
 Result<SoundPlace> dualsense_coils();
 
+// Why two channels could not be played there, or why there is no such place; empty: they can.
+std::string why_no_sound(const Result<SoundPlace>& place);
+
 // What two channels would find there with ticks of that length: "HDA Intel PCH: ... 8 ms ...". It plays
 // nothing.
 Result<std::string> describe_sound(const SoundPlace& place, double tick_s);
