@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "drivers/registry.h"
-#include "tests/drivers_mock/mock_hid.h"
+#include "tests/drivers_mock/mock_devices.h"
 
 namespace fulcrum::test {
 namespace {
@@ -104,10 +104,6 @@ private:
   std::thread runs_;
 };
 
-void until(auto seen) {
-  while (!seen()) std::this_thread::yield();
-}
-
 DeviceOrder order_at(double carrier_Hz) {
   DeviceDesc desc = MouseDevice::mouse_desc();
   desc.vibrotactile = {{{.name = "left", .kind = ChannelKind::tone, .largest = 10},
@@ -126,13 +122,13 @@ TEST_F(JoyConMock, APairMovesAndVibratesAtTheCarrier) {
   JoyConFirmware left(machine, kLeftHalf), right(machine, kRightHalf);
   const auto open = open_device("joycon", order_at(160));
   ASSERT_TRUE(open) << open.error().sentence;
-  until([&] { return left.may_vibrate && right.may_vibrate; });
+  wait_for([&] { return left.may_vibrate && right.may_vibrate; });
   left.left_x = 0xFF;
-  until([&] { return open->device->read().X_DH.p.x() > 1e-3; });
+  wait_for([&] { return open->device->read().X_DH.p.x() > 1e-3; });
   EXPECT_TRUE(open->device->read().connected);
   left.left_x = 0x80;
   right.right_x = 0x00;
-  until([&] { return open->device->read().X_DH.q.y() < -1e-3; });
+  wait_for([&] { return open->device->read().X_DH.q.y() < -1e-3; });
 
   DeviceCommand command;
   command.vibrotactile.level = {10, 5.01433};
@@ -144,9 +140,9 @@ TEST_F(JoyConMock, APairMovesAndVibratesAtTheCarrier) {
     };
   };
   // 160 Hz: the whole left, row 0x88 of the published table right.
-  until(told({0x00, 0x01, 0x40, 0x72, 0x00, 0x01, 0x40, 0x62}));
+  wait_for(told({0x00, 0x01, 0x40, 0x72, 0x00, 0x01, 0x40, 0x62}));
   command.vibrotactile.level = {};
-  until(told({0x00, 0x01, 0x40, 0x40, 0x00, 0x01, 0x40, 0x40}));
+  wait_for(told({0x00, 0x01, 0x40, 0x40, 0x00, 0x01, 0x40, 0x40}));
 }
 
 TEST_F(JoyConMock, UnpluggedItIsAskedAnewAndRestsAtTheEnd) {
@@ -160,12 +156,12 @@ TEST_F(JoyConMock, UnpluggedItIsAskedAnewAndRestsAtTheEnd) {
     open->device->write(command);
     return left.actuators() == both && right.actuators() == both;
   };
-  until(vibrate);
+  wait_for(vibrate);
   right.off();
-  until([&] { return !open->device->read().connected; });
+  wait_for([&] { return !open->device->read().connected; });
   right.on();
-  until([&] { return open->device->read().connected && right.says_all && right.may_vibrate; });
-  until(vibrate);
+  wait_for([&] { return open->device->read().connected && right.says_all && right.may_vibrate; });
+  wait_for(vibrate);
   open->device.reset();
   const Bytes rests{0x00, 0x01, 0x40, 0x40, 0x00, 0x01, 0x40, 0x40};
   EXPECT_EQ(left.actuators(), rests);
@@ -191,13 +187,13 @@ TEST_F(JoyConMock, AProControllerIsBothHalvesAtOneNode) {
   const auto open = open_device("switch_pro", order_at(160));
   ASSERT_TRUE(open) << open.error().sentence;
   pro.left_x = 0xFF, pro.right_x = 0x00;
-  until([&] {
+  wait_for([&] {
     const DeviceSample sample = open->device->read();
     return sample.X_DH.p.x() > 1e-3 && sample.X_DH.q.y() < -1e-3;
   });
   DeviceCommand command;
   command.vibrotactile.level = {0, 10};
-  until([&] {
+  wait_for([&] {
     open->device->write(command);
     return pro.actuators() == Bytes{0x00, 0x01, 0x40, 0x40, 0x00, 0x01, 0x40, 0x72};
   });

@@ -121,6 +121,7 @@ void MockHid::plug() {
     const std::lock_guard lock(mutex_);
     plugged_ = true;
     goes_ = false;
+    bell_ = -1;
   }
   nodes_.push_back(node_);
   GError* error = nullptr;
@@ -128,6 +129,7 @@ void MockHid::plug() {
   succeeds(umockdev_testbed_add_from_string(machine_.testbed_, tree.c_str(), &error) != FALSE, error);
   const std::lock_guard lock(mutex_);
   bell_ = umockdev_testbed_get_dev_fd(machine_.testbed_, node_.c_str());
+  if (!said_.empty()) ring();  // it was said before the node had an end
 }
 
 void MockHid::unplug() {
@@ -162,7 +164,7 @@ void MockHid::say(Bytes report) {
   const std::lock_guard lock(mutex_);
   if (!plugged_) return;
   said_.push_back(std::move(report));
-  if (said_.size() == 1) ring();
+  if (said_.size() == 1 && bell_ >= 0) ring();
 }
 
 bool MockHid::all_read() const {

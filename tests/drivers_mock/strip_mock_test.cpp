@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "drivers/registry.h"
-#include "tests/drivers_mock/mock_hid.h"
+#include "tests/drivers_mock/mock_devices.h"
 
 namespace fulcrum::test {
 namespace {
@@ -82,24 +82,24 @@ TEST_F(StripMock, ItIsReadBesideWhatMoves) {
   const auto open = open_device("keyboard+strip", {.desc = MouseDevice::mouse_desc(), .X_DH = Pose{}});
   ASSERT_TRUE(open) << open.error().sentence;
   ASSERT_NE(open->keys, nullptr) << "the window still talks to what moves";
-  const auto wait_for = [&](auto seen) {
-    while (!seen(open->device->read().strip_ohm)) std::this_thread::yield();
+  const auto wait_for_ohm = [&](auto seen) {
+    wait_for([&] { return seen(open->device->read().strip_ohm); });
   };
-  wait_for([](double ohm) { return std::abs(ohm - 5050) < 1e-6; });
+  wait_for_ohm([](double ohm) { return std::abs(ohm - 5050) < 1e-6; });
   board.tenths_ohm = 0xFFFFFFFF;
-  wait_for([](double ohm) { return ohm == kStripOpen; });
+  wait_for_ohm([](double ohm) { return ohm == kStripOpen; });
   board.tenths_ohm = 20000;
-  wait_for([](double ohm) { return std::abs(ohm - 2000) < 1e-6; });
+  wait_for_ohm([](double ohm) { return std::abs(ohm - 2000) < 1e-6; });
   open->keys->push({.way = {0, 1, 0}});
   for (int tick = 0; tick < 100; ++tick) open->device->read();
   EXPECT_GT(open->device->read().X_DH.p.y(), 0);
 
   for (int time = 0; time < 2; ++time) {
     board.plug(false);
-    wait_for([](double ohm) { return std::isnan(ohm); });
+    wait_for_ohm([](double ohm) { return std::isnan(ohm); });
     EXPECT_TRUE(open->device->read().connected) << "the handle is still there";
     board.plug(true);
-    wait_for([](double ohm) { return std::abs(ohm - 2000) < 1e-6; });
+    wait_for_ohm([](double ohm) { return std::abs(ohm - 2000) < 1e-6; });
   }
 }
 
