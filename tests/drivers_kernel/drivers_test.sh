@@ -4,4 +4,4 @@
 . "$(dirname "$(readlink -f "$0")")/machine.sh"
 bring "$1"
 bring_modules vhci-hcd usbhid hid-generic hid-playstation uhid evdev
-boot 60 512 "$(basename "$1")" "${@:2}"
+boot 30 512 "$(basename "$1")" "${@:2}"

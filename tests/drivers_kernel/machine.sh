@@ -50,18 +50,19 @@ bring_modules() {
 boot() {
   local limit=$1 memory=$2 code=0 said
   shift 2
-  { printf 'exec timeout %s ' "$limit"; printf '%q ' "$@"; } >"$root/command"
+  echo "$limit" >"$root/limit"
+  printf '%q ' exec "$@" >"$root/command"
   (cd "$root" && find . | cpio --quiet -o -H newc) >"$box/initrd"
   timeout --kill-after=5 $((10 * limit)) qemu-system-x86_64 -M q35 -accel tcg -icount shift=1,sleep=off -smp 1 -m "$memory" \
     -nodefaults -no-user-config -display none -no-reboot -serial "file:$box/console" -serial stdio \
     -kernel "$FULCRUM_KERNEL/vmlinuz" -initrd "$box/initrd" -append "console=ttyS0 panic=-1" </dev/null |
-    tr -d '\r' | tee "$box/said" || code=$?
-  said=$(sed -n 's/^machine: exit \([0-9]*\)$/\1/p' "$box/said")
-  [ "$said" != 0 ] || return 0
+    stdbuf -oL tr -d '\r' | tee "$box/said" || code=$?
+  said=$(sed -nE 's/^machine: (exit .*|out of time)$/\1/p' "$box/said")
   case $said in
-    143) echo "FAILED: ended after its limit of $limit s by the machine's clock." ;;
-    ?*) echo "FAILED: exit code $said." ;;
-    *) echo "FAILED: the machine itself ended with $code (124: after its limit of $((10 * limit)) s) before the command did." ;;
+    "exit 0") return 0 ;;
+    "out of time") echo "FAILED: it had not ended after $limit s by the machine's clock." ;;
+    exit*) echo "FAILED: $said." ;;
+    *) echo "FAILED: the machine itself ended with $code (124: after its limit of $((10 * limit)) s) before the test did." ;;
   esac
   echo "The machine's kernel said last:"
   tail -n 60 "$box/console"

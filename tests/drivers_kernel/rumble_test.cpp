@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "drivers/dualsense/dualsense_protocol.h"
 #include "drivers/hid/hid_link.h"
@@ -73,13 +75,20 @@ protected:
     EXPECT_EQ(crc, pad_crc(0xA2, std::span(report).first(74)));
   }
 
-  // Without what differs from report to report: by Bluetooth its count, and with it the checksum.
-  Bytes bare(Bytes report) const {
+  // In hexadecimal digits, without what differs from report to report: by Bluetooth its count, and with it
+  // the checksum.
+  std::string bare(Bytes report) const {
     if (GetParam().bus == Bus::bluetooth) {
       report.resize(74);
       report[1] = 0;
     }
-    return report;
+    std::string text;
+    for (const std::uint8_t byte : report) {
+      char digits[4];
+      std::snprintf(digits, sizeof digits, "%02x ", byte);
+      text += digits;
+    }
+    return text;
   }
 };
 
