@@ -23,6 +23,8 @@ constexpr std::int64_t kMaxLost = 1'000'000;
 // The tick and the seven numbers of a pose, by name.
 constexpr std::array<const char*, 8> kColumns = {"timestamp",  "handle/p/x", "handle/p/y", "handle/p/z",
                                                  "handle/q/w", "handle/q/x", "handle/q/y", "handle/q/z"};
+// By which drift has carried the handle on, where a run had drift: the hand has not.
+constexpr std::array<const char*, 3> kDriftColumns = {"handle/drift/x", "handle/drift/y", "handle/drift/z"};
 // The second in a trace of version 1.
 constexpr std::array<const char*, 2> kStripColumns = {"holding_point/strip_ohm", "holding/strip_ohm"};
 
@@ -64,9 +66,10 @@ std::optional<double> number(std::string_view cell) {
   return whole ? std::optional(value) : std::nullopt;
 }
 
-// Where the columns are that a motion needs, and the one of a strip if there is one.
+// Where the columns are that a motion needs, and those of drift and of a strip if there are such.
 struct Places {
   std::array<std::size_t, kColumns.size()> pose{};
+  std::array<std::optional<std::size_t>, kDriftColumns.size()> drift{};
   std::optional<std::size_t> strip;
 };
 
@@ -95,6 +98,13 @@ Result<TimedSample> sample_of_row(std::span<const std::string_view> cells, const
   TimedSample timed;
   timed.time = values[0];
   timed.sample.X_DH = {q, Vec3(values[1], values[2], values[3])};
+  for (std::size_t i = 0; i < kDriftColumns.size(); ++i) {
+    if (!places.drift[i]) continue;
+    const std::optional<double> drifted =
+        *places.drift[i] < cells.size() ? number(cells[*places.drift[i]]) : std::nullopt;
+    if (!drifted) return Error{std::string(kDriftColumns[i]) + " is not a number."};
+    timed.sample.X_DH.p[static_cast<Eigen::Index>(i)] -= *drifted;
+  }
   timed.sample.strip_ohm = strip_of(cells, places.strip);
   return timed;
 }
@@ -120,6 +130,7 @@ Result<std::vector<TimedSample>> rows_of_trace(const std::filesystem::path& path
     }
     places.pose[i] = *column;
   }
+  for (std::size_t i = 0; i < kDriftColumns.size(); ++i) places.drift[i] = trace.column(kDriftColumns[i]);
   for (const char* name : kStripColumns)
     if (!places.strip) places.strip = trace.column(name);
   std::vector<TimedSample> rows;

@@ -12,8 +12,8 @@ namespace fulcrum::record {
 struct HandleMotion {
   enum class Space {
     device,  // X_DH as the device gave it (tape)
-    scene    // X_WH: the samples' X_DH holds the pose in the scene (trace); MappingDesc::handle_in_device()
-             // undoes it
+    scene    // X_WH less its drift: the samples' X_DH holds the pose in the scene (trace);
+             // MappingDesc::handle_in_device() undoes it
   };
 
   Space space = Space::device;

@@ -27,6 +27,7 @@ void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material);
 void describe_tool(KeyVisitor& visitor, ToolEntry& tool);
 void describe_mechanics(KeyVisitor& visitor, Scenario& scenario);  // field to device
 void describe_effects(KeyVisitor& visitor, Scenario& scenario);
-void describe_look(KeyVisitor& visitor, Scenario& scenario);  // views to background
+void describe_effects_of_device(KeyVisitor& visitor, Scenario& scenario);  // within 'device'
+void describe_look(KeyVisitor& visitor, Scenario& scenario);               // views to background
 
 }  // namespace fulcrum::scenario

@@ -186,7 +186,24 @@ void describe_texture(KeyVisitor& visitor, TextureDesc& effect) {
   visitor.number({"gain", "", "of the force; 0: off at the start"}, effect.gain, kFraction);
 }
 
+void describe_workspace_walls(KeyVisitor& visitor, WorkspaceWallsDesc& effect) {
+  visitor.optional_number({"margin", "m",
+                           "at the device, how far before the workspace's end they begin; without it a "
+                           "fifth of its smallest half extent"},
+                          effect.margin, above_to(0, 1));
+  visitor.optional_number({"stiffness", "N/m", "at the device; without it, what suits the device"},
+                          effect.stiffness, above_to(0, 1e5));
+}
+
 }  // namespace
+
+void describe_effects_of_device(KeyVisitor& visitor, Scenario& scenario) {
+  visitor.mapping(
+      {"walls", "", "the end of the device's workspace is felt as soft walls, before its arm's stops"},
+      [&](KeyVisitor& inner) {
+        describe_workspace_walls(inner, scenario.effects.workspace_walls.emplace());
+      });
+}
 
 void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material) {
   visitor.version({"fulcrum", "", "version of the file's format", true}, kFormatVersion);

@@ -88,10 +88,17 @@ void describe_device(KeyVisitor& visitor, DeviceEntry& device) {
   visitor.integer({"clutch_button", "", "while it is down the handle moves without the tool; -1: none"},
                   button, -1, 31);
   mapping.clutch_button = static_cast<int>(button);
+  visitor.number(
+      {"drift", "",
+       "while the tool is free the scene creeps by up to this part of the handle's way, so that the "
+       "hand comes back to the workspace's middle; 0: it does not"},
+      mapping.drift, from_to(0, MappingDesc::kMostDrift));
   visitor.boolean({"drawn", "", "its arms are seen in the scene, and the loads of their motors as bars"},
                   device.drawn);
   visitor.rule("drawn", !device.drawn || mapping.position_scale == 1,
                "needs a position_scale of 1: arms are drawn in their own size");
+  visitor.rule("drawn", !device.drawn || mapping.drift == 0,
+               "needs a drift of 0: drawn arms stand where they are, and cannot creep with the tool");
   visitor.optional_number({"floor", "m", "height in the world of what the drawn arms stand on"}, device.floor,
                           from_to(-100, 100));
 }
@@ -156,7 +163,10 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
                   [&](KeyVisitor& inner) { describe_coupling(inner, scenario.coupling); });
   describe_velocity_estimator(visitor, scenario.velocity_estimator);
   visitor.mapping({"device", "", "the device, and how its workspace lies in the scene", true},
-                  [&](KeyVisitor& inner) { describe_device(inner, scenario.device); });
+                  [&](KeyVisitor& inner) {
+                    describe_device(inner, scenario.device);
+                    describe_effects_of_device(inner, scenario);
+                  });
 }
 
 }  // namespace fulcrum::scenario

@@ -38,6 +38,8 @@ struct DeviceCommand {
     double vibration = 0;          // N, amplitude of the tone that is in F_H_D
     double ghost = 0;              // 0 to 1, how plainly the turn below is seen
     Vec3 unwind_D = Vec3::Zero();  // (3) rad, the turn that would take the handle back to the tool
+    // (3) m in W, by which the mapping has drifted: whoever sees the tool holds the handle so much back.
+    Vec3 drifted_W = Vec3::Zero();
   };
   Cues cues{};
   VibrotactileCommand vibrotactile{};  // where the device has channels

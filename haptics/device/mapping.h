@@ -13,6 +13,8 @@
 namespace fulcrum {
 
 struct MappingDesc {
+  static constexpr double kMostDrift = 0.5;
+
   Pose X_WD;
   double position_scale = 1;
   double force_scale = 1;
@@ -20,6 +22,9 @@ struct MappingDesc {
   // where the scene begins.
   bool engages_at_start = false;
   int clutch_button = -1;  // while this button is down the tool stays and the handle moves freely; -1: none
+  // Of the handle's way, by which the scene creeps towards the workspace's middle at most
+  // (device/workspace_drift.h); 0: it does not.
+  double drift = 0;
 
   Pose handle_in_world(const Pose& X_DH) const {
     return {X_WD.q * X_DH.q, X_WD.p + position_scale * (X_WD.q * X_DH.p)};

@@ -117,6 +117,7 @@ SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time) const noex
   const auto pose = [this](double t, const Quat& turn) {
     Pose X_WT = task_->path.at(t);
     X_WT.p += task_->sag_W;
+    if (task_->mapping.drift > 0) X_WT.p -= drifted_W_;
     Pose X_DH = task_->mapping.handle_in_device(X_WT * task_->X_HT.inverse());
     const Vec6 shake = tremor_->at(t);
     X_DH.p += shake.head<3>();
@@ -140,6 +141,7 @@ void SimulatedDevice::advance(const Wrench& F_H_D, const DeviceCommand::Cues& cu
     const Vec3 up_D = task_->mapping.X_WD.q.conjugate() * Vec3::UnitY();
     force_D.force += task_->carried_D - desc_.device.handle_weight * up_D;
     if (yielding_) yielding_->advance(cues);
+    drifted_W_ = cues.drifted_W;
     target = hand_target(time_);
   }
   if (held_)

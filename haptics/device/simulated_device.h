@@ -71,6 +71,7 @@ private:
   std::optional<Tremor> tremor_;
   std::optional<Yielding> yielding_;
   double time_ = 0;
+  Vec3 drifted_W_ = Vec3::Zero();  // (3) m, of the mapping, as the hand sees it by the tool
   std::optional<SimulatedStrip> strip_;
   Pose X_DH_;
   Pose measured_;

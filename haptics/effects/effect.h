@@ -29,6 +29,9 @@ struct Settled {
   Wrench correction_F_H_D;
   std::optional<double> torque_limit{};  // N m, of the coupling from the next tick on
   std::uint32_t faults = 0;              // bits of limits that the effect has applied
+  // J at the device, in springs of shape() that are the effect's own: they can give it back. Not of an effect
+  // from outside, either.
+  double stored = 0;
 };
 
 class Effect {

@@ -13,6 +13,7 @@
 #include "haptics/effects/texture/texture_record.h"
 #include "haptics/effects/torque_substitution/torque_record.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_record.h"
+#include "haptics/effects/workspace_walls/workspace_walls_record.h"
 #include "haptics/signal/quantity.h"
 
 namespace fulcrum {
@@ -56,6 +57,7 @@ struct EffectRecords {
   std::optional<VibrotactileRecord> vibrotactile_motion{};
   std::optional<InertiaRecord> inertia_compensation{};
   std::optional<TextureRecord> texture{};
+  std::optional<WorkspaceWallsRecord> workspace_walls{};
   OwnRecord own{};
 };
 
@@ -67,7 +69,7 @@ inline const VibrotactileCommand* channel_command(const EffectRecords& records) 
 template <class V>
 void describe(V& values, const EffectRecords& records) {
   const auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion,
-               inertia_compensation, texture, own] = records;
+               inertia_compensation, texture, workspace_walls, own] = records;
   const auto describe_built = [&values](const auto& record) {
     if (record) describe(values, *record);
   };
@@ -77,6 +79,7 @@ void describe(V& values, const EffectRecords& records) {
   describe_built(vibrotactile_motion);
   describe_built(inertia_compensation);
   describe_built(texture);
+  describe_built(workspace_walls);
   describe(values, own);
 }
 

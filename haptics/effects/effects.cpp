@@ -7,6 +7,7 @@
 #include "haptics/effects/texture/texture_effect.h"
 #include "haptics/effects/torque_substitution/torque_substitution_effect.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_motion_effect.h"
+#include "haptics/effects/workspace_walls/workspace_walls_effect.h"
 
 namespace fulcrum {
 namespace {
@@ -24,6 +25,7 @@ void for_each_effect(const EffectDescs& descs, F&& f) {
   f(Entry<VibrotactileMotionEffect>(), descs.vibrotactile_motion);
   f(Entry<InertiaCompensationEffect>(), descs.inertia_compensation);
   f(Entry<TextureEffect>(), descs.texture);
+  f(Entry<WorkspaceWallsEffect>(), descs.workspace_walls);
 }
 
 // Of those alone that are built.
@@ -67,6 +69,14 @@ bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs) {
   for_each_built(scene, descs,
                  [&]<class T>(Entry<T>, const typename T::Desc&) { asks = asks || T::kAsksForImpacts; });
   return asks;
+}
+
+bool pushes_while_clutched(const PlainScene& scene, const EffectDescs& descs) {
+  bool pushes = false;
+  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc&) {
+    pushes = pushes || T::kPushesWhileClutched;
+  });
+  return pushes;
 }
 
 std::vector<TransientSource> transient_sources(const PlainScene& scene, const EffectDescs& descs) {

@@ -15,6 +15,7 @@
 #include "haptics/effects/texture/texture.h"
 #include "haptics/effects/torque_substitution/torque_substitution.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_motion.h"
+#include "haptics/effects/workspace_walls/workspace_walls.h"
 #include "haptics/math/result.h"
 #include "haptics/scene/channel_use.h"
 #include "haptics/scene/figure_check.h"
@@ -30,6 +31,7 @@ struct EffectDescs {
   std::optional<VibrotactileMotionDesc> vibrotactile_motion{};
   std::optional<InertiaCompensationDesc> inertia_compensation{};
   std::optional<TextureDesc> texture{};
+  std::optional<WorkspaceWallsDesc> workspace_walls{};
 };
 
 // Whether an effect, such as BrakingPulseEffect, is built: the scene names it and its device can use it.
@@ -49,6 +51,9 @@ std::vector<std::unique_ptr<Effect>> build_effects(const PlainScene& scene, cons
 
 // Whether one of those asks for impacts.
 bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs);
+
+// Whether one of those pushes the handle while the clutch is pressed.
+bool pushes_while_clutched(const PlainScene& scene, const EffectDescs& descs);
 
 // What those ask of the motors at a stroke.
 std::vector<TransientSource> transient_sources(const PlainScene& scene, const EffectDescs& descs);

@@ -40,6 +40,8 @@ concept ListedEffect = std::derived_from<T, Effect> &&
   { T::knobs(desc, scene, records) } -> std::same_as<std::vector<Knob>>;
   // Whether it reads EffectTick::impacts: else they are not looked for.
   { T::kAsksForImpacts } -> std::convertible_to<bool>;
+  // Whether shape() pushes while the clutch is pressed: then the handle's way is counted there, too.
+  { T::kPushesWhileClutched } -> std::convertible_to<bool>;
 };
 
 }  // namespace fulcrum

@@ -102,11 +102,12 @@ void check(FigureCheck& figures, const DeviceDesc& device) {
 }
 
 void check(FigureCheck& figures, const MappingDesc& mapping) {
-  const auto& [X_WD, position_scale, force_scale, engages_at_start, clutch_button] = mapping;
+  const auto& [X_WD, position_scale, force_scale, engages_at_start, clutch_button, drift] = mapping;
   figures.pose("device.base", X_WD);
   figures.from_to("device.position_scale", position_scale, 1 / kLargestScale, kLargestScale);
   figures.from_to("device.force_scale", force_scale, 1 / kLargestScale, kLargestScale);
   figures.from_to("device.clutch_button", clutch_button, -1, 31);
+  figures.from_to("device.drift", drift, 0, MappingDesc::kMostDrift);
 }
 
 void check(FigureCheck& figures, const ToolDesc& tool) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/device/workspace_drift.h"
 #include "haptics/math/rotation.h"
 #include "haptics/safety/faults.h"
 
@@ -27,7 +28,7 @@ Vec6 encoder_steps(const DeviceDesc& device) {
   return step;
 }
 
-HandleInput::HandleInput(const PlainScene& scene)
+HandleInput::HandleInput(const PlainScene& scene, bool pushed_clutched)
     : mapping_(scene.mapping),
       X_HT_(scene.tool.X_HT),
       tick_s_(scene.tick_s),
@@ -37,6 +38,10 @@ HandleInput::HandleInput(const PlainScene& scene)
       holding_desc_(scene.holding_point),
       structure_(scene.device.structure),
       has_strip_(scene.device.strip.has_value()),
+      workspace_(scene.device.workspace),
+      renders_force_(scene.device.renders_force),
+      renders_torque_(scene.device.renders_torque),
+      counts_at_device_(pushed_clutched || scene.mapping.drift > 0),
       engages_(scene.mapping.engages_at_start) {
   X_WH_ = scene.tool.X_WT_start * X_HT_.inverse();
   X_DH_ = mapping_.handle_in_device(X_WH_);
@@ -50,6 +55,7 @@ void HandleInput::apply(const Command& command) noexcept {
 }
 
 Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
+  const Vec3 before_D = X_DH_.p;
   if (usable) {
     X_DH_ = sample.X_DH;
     X_DH_.q.normalize();
@@ -66,11 +72,34 @@ Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
   }
   const bool changed = held != clutched_ || engages;
   clutched_ = held;
+  reaches_ = !held && !changed;
+  if (mapping_.drift > 0 && reaches_ && known_ && free_) drift(X_DH_.p - before_D);
   // The turn is added on the handle's side: the tool turns about the axis in the world about which the hand
   // turns, and a torque does the same work on both.
   Pose X_WH{(raw.q * clutch_X_.q).normalized(), raw.p + clutch_X_.p};
   if (held || changed) velocity_.reset(X_WH);
   return X_WH;
+}
+
+// Only while the tool is free: then it can press on nothing. What the tool gains by it in speed or height the
+// hand has not put in; the passivity observer is told of the handle's own way and sees that
+// (docs/devices.md).
+void HandleInput::drift(const Vec3& dp_D) noexcept {
+  const Vec3 shift_D = workspace_drift(mapping_.drift, X_DH_.p, dp_D, workspace_);
+  const Vec3 shift_W = mapping_.position_scale * (mapping_.X_WD.q * shift_D);
+  clutch_X_.p += shift_W;
+  drifted_W_ += shift_W;
+}
+
+// On an axis without a motor nothing is held: what the hand puts in there winds a spring, and it winds none
+// while the tool does not follow it.
+Vec6 HandleInput::moved_at_device(const Pose& X_DH_before) const noexcept {
+  if (!known_) return Vec6::Zero();
+  Vec6 moved_D;
+  moved_D << X_DH_.p - X_DH_before.p, rotation_vector(X_DH_.q * X_DH_before.q.conjugate());
+  if (!reaches_ && !renders_force_) moved_D.head<3>().setZero();
+  if (!reaches_ && !renders_torque_) moved_D.tail<3>().setZero();
+  return moved_D;
 }
 
 void HandleInput::hold(double strip_ohm, std::uint32_t& faults) noexcept {
@@ -84,7 +113,9 @@ void HandleInput::hold(double strip_ohm, std::uint32_t& faults) noexcept {
 }
 
 HandleMotion HandleInput::follow(const DeviceSample& sample, std::uint32_t& faults) noexcept {
-  const Pose X_WH = map(sample, (faults & (kNotFinite | kDeviceLost)) == 0);
+  const bool usable = (faults & (kNotFinite | kDeviceLost)) == 0;
+  const Pose X_DH_before = X_DH_;
+  const Pose X_WH = map(sample, usable);
   Vec6 moved;
   moved << X_WH.p - X_WH_.p, rotation_vector(X_WH.q * X_WH_.q.conjugate());
   X_WH_ = X_WH;
@@ -92,7 +123,9 @@ HandleMotion HandleInput::follow(const DeviceSample& sample, std::uint32_t& faul
   HandleMotion motion;
   motion.X_DH = X_DH_;
   motion.X_WH = X_WH;
-  motion.moved_D = mapping_.motion_in_device(moved);
+  motion.moved_D = counts_at_device_ ? moved_at_device(X_DH_before) : mapping_.motion_in_device(moved);
+  motion.drifted_W = drifted_W_;
+  known_ = known_ || usable;
   counted_.update(motion.moved_D);
   motion.within_tick_D = counted_.within_tick();
   motion.per_tick_D = counted_.per_tick();

@@ -200,6 +200,7 @@ void HandleOutput::book(const Vec6& moved_D, const Wrench& correction_F_H_D, con
   if (!renders_torque_) felt_F_H_D.torque = unlimited_F_H_D_.torque * guard_.gain();
   const double energy_scale = mapping_.energy_scale();
   double springs = energy_scale * stores.springs;
+  if (stores.effects != 0) springs += stores.effects;
   // A force that only lags behind what is wanted is no clamp.
   if ((faults & kSlewLimited) == 0)
     springs *= returnable(all_F_H_D_, rendered_.force_part, rendered_.torque_part);

@@ -56,8 +56,9 @@ public:
 
   // Tells the passivity observer what the hand felt. correction: as much of it as was commanded.
   struct Stores {        // of energy, in the scene
-    double height = 0;   // m, of the tool
+    double height = 0;   // m, of the tool, as far as the hand has lifted it
     double springs = 0;  // J, in the coupling and in the tool's motion
+    double effects = 0;  // J at the device, in springs of effects
   };
   void book(const Vec6& moved_D, const Wrench& correction_F_H_D, const Stores& stores,
             std::uint32_t& faults) noexcept;

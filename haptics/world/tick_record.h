@@ -34,8 +34,9 @@ struct PlainRecord {
   std::uint32_t faults = 0;      // bits of Fault
   bool stopped = false;          // waiting for an acknowledgement
   bool clutched = false;
-  std::optional<double> sample_age{};                // s, of the device's sample, where its rate is its own
-  std::optional<ImpactTick> impact{};                // where impacts are detected
+  std::optional<double> sample_age{};  // s, of the device's sample, where its rate is its own
+  std::optional<ImpactTick> impact{};  // where impacts are detected
+  std::optional<Vec3> drifted_W{};     // (3) m, by which drift has carried the handle on, where there is some
   std::optional<HoldingRecord> holding{};            // where the scene names a holding point
   std::optional<double> contact_stiffness{};         // N/m, of a region, where the scene has levels of it
   std::optional<double> contact_stiffness_wanted{};  // N/m, the requested contact stiffness; applied in the
@@ -46,7 +47,7 @@ template <class V>
 void describe(V& values, const PlainRecord& record) {
   const auto& [tick, X_WH, X_WT, V_WT, coupling, contact, regions, depth_max, device, actuator_load,
                shortfall, energy_port, energy_unrendered, force_gain, faults, stopped, clutched, sample_age,
-               impact, holding, contact_stiffness, contact_stiffness_wanted] = record;
+               impact, drifted_W, holding, contact_stiffness, contact_stiffness_wanted] = record;
   values.time({"timestamp", "s", "", "Simulated time, counted in ticks."}, tick);
   values.pose({"handle", "", "W", "Where the hand wants the handle H"}, X_WH);
   values.pose({"tool", "", "W", "The tool T, at its centre of mass, after this tick"}, X_WT);
@@ -88,6 +89,9 @@ void describe(V& values, const PlainRecord& record) {
   values.unseen(clutched);
   if (sample_age)
     values.number({"handle/age", "s", "", "Of the device's sample, since it was measured."}, *sample_age);
+  if (drifted_W)
+    values.vector({"handle/drift", "m", "W", "By which drift has carried the handle on in the scene."},
+                  *drifted_W);
   if (contact_stiffness)
     values.number({"contact/stiffness", "N/m", "", "Of each contact region, as chosen."}, *contact_stiffness);
   if (contact_stiffness_wanted) values.unseen(*contact_stiffness_wanted);

@@ -28,7 +28,7 @@ void add(Wrench& sum, const Wrench& F) noexcept {
 
 World::World(SceneDesc desc)
     : desc_(std::move(desc)),
-      input_(desc_),
+      input_(desc_, pushes_while_clutched(desc_, desc_)),
       motion_(build_motion(desc_)),
       stiffness_(build_levels(desc_.contact)),
       impacts_(build_impact_detector(desc_)),
@@ -66,9 +66,8 @@ StepResult step(World& w, const DeviceSample& sample, std::span<const Command> c
   w.output_.render_transients(t.handle.moved_D, faults);
 
   // What became of it.
-  const Wrench corrected_F_H_D = w.settle(t, faults);
-  w.output_.book(t.handle.moved_D, corrected_F_H_D,
-                 {.height = t.answer.X_WT.p.y(), .springs = w.motion_->stored_energy()}, faults);
+  const Settled settled = w.settle(t, faults);
+  w.output_.book(t.handle.moved_D, settled.correction_F_H_D, w.stores(t, settled.stored), faults);
   return w.leave(t, faults);
 }
 
@@ -99,26 +98,39 @@ void World::find_impacts(EffectTick& tick) noexcept {
                        .touching = motion_->touching()});
     tick.impacts = impacts_->impacts();
   }
+  input_.leave_free(tick.regions.empty());
   if (desc_.holding_point && !tick.regions.empty()) {
     tick.touched = contact_centroid(tick.regions, desc_.tool.X_HT * tick.answer.X_WT.inverse());
     input_.touch(tick.touched);
   }
 }
 
-Wrench World::settle(const EffectTick& tick, std::uint32_t& faults) noexcept {
-  Wrench correction_F_H_D;
+Settled World::settle(const EffectTick& tick, std::uint32_t& faults) noexcept {
+  Settled all;
   for (std::size_t i = 0; i < effects_.size(); ++i) {
     const Settled settled = effects_[i]->settle(tick, output_.rendered());
-    if (i < listed_) add(correction_F_H_D, settled.correction_F_H_D);
+    if (i < listed_) {
+      add(all.correction_F_H_D, settled.correction_F_H_D);
+      all.stored += settled.stored;
+    }
     if (settled.torque_limit) motion_->limit_torque(*settled.torque_limit);
     faults |= settled.faults;
   }
-  return correction_F_H_D;
+  return all;
+}
+
+HandleOutput::Stores World::stores(const EffectTick& tick, double of_effects) const noexcept {
+  HandleOutput::Stores stores{
+      .height = tick.answer.X_WT.p.y(), .springs = motion_->stored_energy(), .effects = of_effects};
+  // What drift has lifted the hand has not: it gets none of that weight back.
+  if (desc_.mapping.drift > 0) stores.height -= tick.handle.drifted_W.y();
+  return stores;
 }
 
 void World::record_parts(TickRecord& record) const noexcept {
   for (const auto& effect : effects_) effect->record(record);
   record.holding = input_.holding();
+  record.drifted_W = input_.drifted_W();
   if (desc_.device.sample_rate_Hz > 0) record.sample_age = 0;
   if (impacts_) record.impact.emplace();
   if (stiffness_) {
@@ -139,6 +151,7 @@ StepResult World::leave(const EffectTick& tick, std::uint32_t faults) noexcept {
   for (const auto& effect : effects_)
     effect->command(tick, output_.gain(), output_.stopped(), result.command);
   record_parts(record);
+  if (record.drifted_W) result.command.cues.drifted_W = *record.drifted_W;
   output_.leave(result.command, record);
   record.tick = tick.tick;
   record.X_WH = tick.handle.X_WH;

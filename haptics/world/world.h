@@ -60,8 +60,9 @@ private:
   // Query, solve and couple: how the tool answers to the hand. Returns the coupling's wrench on the handle.
   Wrench answer(EffectTick& tick, std::uint32_t& faults) noexcept;
   void find_impacts(EffectTick& tick) noexcept;
-  // Returns what was commanded to make up for the device itself.
-  Wrench settle(const EffectTick& tick, std::uint32_t& faults) noexcept;
+  // Returns what was commanded to make up for the device itself, and what the effects' springs hold.
+  Settled settle(const EffectTick& tick, std::uint32_t& faults) noexcept;
+  HandleOutput::Stores stores(const EffectTick& tick, double of_effects) const noexcept;
   // The parts of a record that some scenes have.
   void record_parts(TickRecord& record) const noexcept;
   StepResult leave(const EffectTick& tick, std::uint32_t faults) noexcept;

@@ -78,6 +78,13 @@ BuiltPart holding_part(const SceneDesc& desc) {
   return {"holding point", what, sizeof(HoldingPoint)};
 }
 
+BuiltPart drift_part(const MappingDesc& mapping) {
+  return {"workspace drift",
+          "by up to " + number_text(mapping.drift * 100) +
+              " % of the handle's way, while the tool is free: the hand comes back to the middle",
+          sizeof(Vec3)};
+}
+
 BuiltPart budget_part(const char* name, const TransientBudget& budget) {
   std::string peak;
   if (budget.peak() > 0) peak = number_text(budget.peak()) + " N";
@@ -123,6 +130,7 @@ std::vector<BuiltPart> World::parts() const {
         {{"edges", std::to_string(edges.size()) + " points on the scene's sharp edges", bytes_of(edges)},
          field_part("tool field", *desc_.tool_field)});
   }
+  if (desc_.mapping.drift > 0) parts.push_back(drift_part(desc_.mapping));
   if (impacts_) parts.push_back(impact_part(desc_));
   if (desc_.holding_point) parts.push_back(holding_part(desc_));
   for (const auto& effect : effects_) parts.push_back(effect->part());

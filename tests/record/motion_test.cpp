@@ -63,6 +63,25 @@ TEST(Motion, OfATraceIsItsHandleBitForBit) {
     EXPECT_TRUE(same(motion->samples[i].X_DH, records[i].X_WH)) << i;
 }
 
+// What drift has added to the handle's place the hand has not done.
+TEST(Motion, OfATraceWithDriftIsTheHandsOwn) {
+  const TemporaryFolder folder;
+  std::string header = kHeader;
+  header.insert(header.size() - 1, ",handle/drift/x,handle/drift/y,handle/drift/z");
+  write(folder / "m.csv", header +
+                              "0,1,2,3,1,0,0,0,0,0,0\n"
+                              "0.001,1,2,3,1,0,0,0,0.5,-0.25,0.125\n");
+  const Result<HandleMotion> motion = read_motion(folder / "m.csv");
+  ASSERT_TRUE(motion) << motion.error().sentence;
+  ASSERT_EQ(motion->samples.size(), 2u);
+  EXPECT_EQ(motion->samples[0].X_DH.p, Vec3(1, 2, 3));
+  EXPECT_EQ(motion->samples[1].X_DH.p, Vec3(0.5, 2.25, 2.875));
+  write(folder / "cut.csv", header + "0,1,2,3,1,0,0,0,0,0,0\n0.001,1,2,3,1,0,0,0,0.5,-0.25\n");
+  const Result<HandleMotion> cut = read_motion(folder / "cut.csv");
+  ASSERT_FALSE(cut);
+  EXPECT_NE(cut.error().sentence.find("handle/drift/z is not a number"), std::string::npos);
+}
+
 TEST(Motion, AStripInATraceIsRead) {
   const TemporaryFolder folder;
   std::string header = kHeader;

@@ -52,6 +52,13 @@ const FaultCase kFaultCases[] = {
      "4:13: 'time_limit' must be above 0 and at most 86400 s; found '1e6'"},
     {"an_arm_of_another_size", "  model: test_arm", "  model: test_arm\n  position_scale: 2\n  drawn: true",
      "15:10: 'device.drawn' needs a position_scale of 1: arms are drawn in their own size"},
+    {"drawn_arms_that_drift", "  model: test_arm", "  model: test_arm\n  drift: 0.05\n  drawn: true",
+     "15:10: 'device.drawn' needs a drift of 0: drawn arms stand where they are, and cannot creep with the "
+     "tool"},
+    {"a_drift_as_fast_as_the_hand", "  model: test_arm", "  model: test_arm\n  drift: 1",
+     "14:10: 'device.drift' must be at least 0 and at most 0.5; found '1'"},
+    {"walls_without_depth", "  model: test_arm", "  model: test_arm\n  walls: {margin: 0}",
+     "14:19: 'device.walls.margin' must be above 0 and at most 1 m; found '0'"},
     {"nan", "stiffness: 5000", "stiffness: .nan",
      "11:14: 'contact.stiffness' must be a finite number; found '.nan'"},
     {"infinity", "stiffness: 5000", "stiffness: -.inf",

@@ -32,6 +32,8 @@ TEST(Load, DefaultsAreThoseOfTheDescs) {
   EXPECT_EQ(scenario->device.desc.max_force, 3);
   EXPECT_EQ(scenario->device.desc.friction, DeviceDesc{}.friction);
   EXPECT_EQ(scenario->device.mapping.clutch_button, -1);
+  EXPECT_EQ(scenario->device.mapping.drift, 0);
+  EXPECT_FALSE(scenario->effects.workspace_walls);
   EXPECT_EQ(scenario->dwell, 3);
   EXPECT_FALSE(scenario->tool.density);
   EXPECT_FALSE(scenario->tool.mass);
@@ -48,6 +50,25 @@ TEST(Load, DefaultsAreThoseOfTheDescs) {
   EXPECT_EQ(scenario->models[1].role, ModelRole::tool);
   EXPECT_EQ(scenario->models[1].file.path, folder.peg() / "peg.glb");
   EXPECT_EQ(scenario->models[1].file.where, (folder.peg() / kScenarioFile).string() + ":7:15");
+}
+
+TEST(Load, ReadsWallsAndDriftOfTheDevice) {
+  const Folder folder;
+  const auto read = [&](const std::string& lines) {
+    auto scenario = load_scenario_text(
+        replaced(kScenario, "  model: test_arm\n", "  model: test_arm\n" + lines), folder.peg());
+    if (!scenario) ADD_FAILURE() << to_text(scenario.faults());
+    return scenario ? std::move(*scenario) : Scenario{};
+  };
+  EXPECT_EQ(read("  drift: 0.05\n").device.mapping.drift, 0.05);
+  const Scenario plain = read("  walls: {}\n");
+  ASSERT_TRUE(plain.effects.workspace_walls);
+  EXPECT_FALSE(plain.effects.workspace_walls->margin);
+  EXPECT_FALSE(plain.effects.workspace_walls->stiffness);
+  const Scenario given = read("  walls: {margin: 0.008, stiffness: 250}\n");
+  ASSERT_TRUE(given.effects.workspace_walls);
+  EXPECT_EQ(given.effects.workspace_walls->margin, 0.008);
+  EXPECT_EQ(given.effects.workspace_walls->stiffness, 250);
 }
 
 TEST(Load, ReadsTheOtherForms) {

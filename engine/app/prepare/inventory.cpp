@@ -58,6 +58,11 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   else if (scene.contact.levels.empty())
     add("stiffness levels", "contact.levels is not named");
   if (scene.mapping.clutch_button < 0) add("clutch", "no clutch_button is named");
+  if (prepared.scenario.device.mapping.drift == 0)
+    add("workspace drift", "device.drift is 0");
+  else if (scene.mapping.drift == 0)
+    add("workspace drift",
+        "the device '" + scene.device.name + "' has no workspace to keep to the middle of");
   if (!scene.tool.weight) add("tool weight", "tool.weight is off");
   if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");
   if (!prepared.haptic.task.hard_touch) add("hard touches", "no hard_touch is named");

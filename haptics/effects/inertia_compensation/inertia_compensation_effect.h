@@ -28,6 +28,7 @@ public:
   // Its method is chosen on the panel of the holding point.
   static std::vector<Knob> knobs(const Desc&, const PlainScene&, const EffectRecords&) { return {}; }
   static constexpr bool kAsksForImpacts = false;
+  static constexpr bool kPushesWhileClutched = false;
 
   InertiaCompensationEffect(const Desc& desc, const PlainScene& scene);
 

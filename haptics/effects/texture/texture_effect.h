@@ -27,6 +27,7 @@ public:
   static std::optional<std::string> advise(const Desc&, const PlainScene&) { return std::nullopt; }
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;
+  static constexpr bool kPushesWhileClutched = false;
 
   TextureEffect(const Desc& desc, const PlainScene& scene);
 

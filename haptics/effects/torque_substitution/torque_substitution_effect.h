@@ -31,6 +31,7 @@ public:
   // What a person can set of it in this scene, as the records have it.
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;
+  static constexpr bool kPushesWhileClutched = false;
 
   TorqueSubstitutionEffect(const Desc& desc, const PlainScene& scene);
 

@@ -29,6 +29,7 @@ public:
   static std::optional<std::string> advise(const Desc& desc, const PlainScene& scene);
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;
+  static constexpr bool kPushesWhileClutched = false;
 
   VibrotactileMotionEffect(const Desc& desc, const PlainScene& scene);
 

@@ -37,6 +37,7 @@ SceneDesc full_scene() {
   desc.vibrotactile_motion.emplace();
   desc.holding_point.emplace();
   desc.inertia_compensation = InertiaCompensationDesc{.encoder_noise = 1e-6};
+  desc.workspace_walls = WorkspaceWallsDesc{.margin = 0.01, .stiffness = 50};
   desc.coupling = {.stiffness = 200, .angular_stiffness = 0.05};
   return desc;
 }
@@ -76,6 +77,7 @@ std::vector<Figure> figures() {
       FIGURE("device.base.orientation", s.mapping.X_WD.q.w()),
       FIGURE("device.position_scale", s.mapping.position_scale),
       FIGURE("device.force_scale", s.mapping.force_scale),
+      FIGURE("device.drift", s.mapping.drift),
       FIGURE("device.max_force", s.device.max_force),
       FIGURE("device.max_torque", s.device.max_torque),
       FIGURE("device.handle_mass", s.device.handle_mass),
@@ -160,6 +162,8 @@ std::vector<Figure> figures() {
       FIGURE("inertia_compensation.filter.adapt_time", s.inertia_compensation->filter.adapt_time),
       FIGURE("inertia_compensation.filter.range", s.inertia_compensation->filter.range),
       FIGURE("inertia_compensation.encoder_noise", *s.inertia_compensation->encoder_noise),
+      FIGURE("device.walls.margin", *s.workspace_walls->margin),
+      FIGURE("device.walls.stiffness", *s.workspace_walls->stiffness),
   };
 }
 

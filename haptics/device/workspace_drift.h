@@ -1,0 +1,25 @@
+#pragma once
+// Workspace drift: while the hand moves, the place that stands for the workspace's middle creeps after it, so
+// slowly that it is not noticed. Eyes keep the tool where it is meant to be, and so the hand comes back
+// towards the middle. F. Conti, O. Khatib, "Spanning large workspaces using small haptic devices", World
+// Haptics 2005.
+//
+// Per tick, in D:     shift = drift |dp| r,     r = p / workspace for each axis, no longer than 1
+// p is the handle's place, dp its way in the tick. No farther than that part of its way, not at all while it
+// rests, and the less the nearer it is to the middle: a hand that keeps its tool on a path of the length L,
+// in a workspace of the half extent e, comes back as exp(-drift L / (position_scale e)).
+
+#include "haptics/math/clamp_norm.h"
+#include "haptics/math/linear.h"
+
+namespace fulcrum {
+
+// (3) m in D, that the scene is shifted by against the device: the tool goes on by it. dp_D, p_DH (3) m.
+// workspace (3) m, half extents; an axis without extent does not drift.
+inline Vec3 workspace_drift(double drift, const Vec3& p_DH, const Vec3& dp_D,
+                            const Vec3& workspace) noexcept {
+  const Vec3 r = (workspace.array() > 0).select(p_DH.cwiseQuotient(workspace), Vec3::Zero());
+  return drift * dp_D.norm() * clamp_norm(r, 1);
+}
+
+}  // namespace fulcrum
