@@ -1,7 +1,7 @@
 #pragma once
-// The first stage of a tick: what a device's sample says of the handle. Mapping and clutch put it into the
-// scene, its encoders' counts are told apart from its motion, its velocity is estimated, and so is the place
-// where the hand holds it, where the scene asks for that.
+// The first stage of a tick: what a device's sample says of the handle. Mapping, clutch and drift put it into
+// the scene, its encoders' counts are told apart from its motion, its velocity is estimated, and so is the
+// place where the hand holds it, where the scene asks for that.
 
 #include <cstdint>
 #include <optional>

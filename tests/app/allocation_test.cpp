@@ -117,6 +117,13 @@ TEST(Allocation, NoTickThatVibratesAtTheFingerAllocates) {
   }
 }
 
+TEST(Allocation, NoTickInWallsOrAdriftAllocates) {
+  const std::optional<app::Prepared> prepared =
+      app::prepare("piping", std::vector<std::string>{"device.walls={margin: 0.03}", "device.drift=0.05"});
+  ASSERT_TRUE(prepared);
+  EXPECT_EQ(allocations_in(*prepared, "expert"), 0);
+}
+
 // Direct rendering, a strip, a filter, a hand that holds the stylus elsewhere than at the handle.
 TEST(Allocation, NoTickWithAHoldingPointAllocates) {
   std::optional<app::Prepared> prepared = app::prepare(

@@ -271,7 +271,7 @@ constexpr ContactResponse kResponses[] = {ContactResponse::penalty, ContactRespo
                                           ContactResponse::direct};
 
 // The scene on another device and with another response, as its file would have it; half of them with every
-// effect that shakes or strikes.
+// effect that shakes or strikes, in walls and adrift.
 SceneDesc changed(SceneDesc scene, const DeviceDesc& device, ContactResponse response, bool effects) {
   scene.device = device;
   scene.contact.response = response;
@@ -288,6 +288,8 @@ SceneDesc changed(SceneDesc scene, const DeviceDesc& device, ContactResponse res
     if (!scene.braking_pulse) scene.braking_pulse.emplace();
     if (!scene.texture) scene.texture = {.wavelength = 1e-3, .height = 100e-6};  // slopes to 0.63
     scene.braking_pulse->p_HG = Vec3(0.02, 0.08, 0.05);
+    scene.workspace_walls.emplace();
+    scene.mapping.drift = MappingDesc::kMostDrift;
   }
   scene.coupling = tune_coupling({}, scene);
   couple_without_motors(scene);

@@ -181,15 +181,25 @@ void StageClock::time_handle() {
     unused_ += guard.limit(m.coupling_F_T_W, faults).force.x();
   });
   for (const TransientSource source : transient_sources(scene_, scene_))
-    us_[figures_of(source).name] = mean_us(stretch_.times, [&](const TimePoint& m) {
-      std::uint32_t faults = 0;
-      unused_ += guard.limit_transient(source, m.coupling_F_T_W * 0.01, {}, Vec6::Zero(), faults).force.x();
-    });
+    us_[figures_of(source).name] = mean_us(
+        stretch_.times,
+        [&](const TimePoint& m) {
+          std::uint32_t faults = 0;
+          unused_ +=
+              guard.limit_transient(source, m.coupling_F_T_W * 0.01, {}, Vec6::Zero(), faults).force.x();
+        });
+  const auto beyond_us = [this](const PlainScene& without) {
+    return std::max(follow_us(scene_, stretch_.samples) - follow_us(without, stretch_.samples), kMin_us);
+  };
   if (scene_.holding_point) {
     PlainScene without = scene_;
     without.holding_point.reset();
-    us_["holding point"] =
-        std::max(follow_us(scene_, stretch_.samples) - follow_us(without, stretch_.samples), kMin_us);
+    us_["holding point"] = beyond_us(without);
+  }
+  if (scene_.mapping.drift > 0) {
+    PlainScene without = scene_;
+    without.mapping.drift = 0;
+    us_["workspace drift"] = beyond_us(without);
   }
 }
 
