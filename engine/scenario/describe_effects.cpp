@@ -199,7 +199,8 @@ void describe_workspace_walls(KeyVisitor& visitor, WorkspaceWallsDesc& effect) {
 
 void describe_effects_of_device(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping(
-      {"walls", "", "the end of the device's workspace is felt as soft walls, before its arm's stops"},
+      {"workspace_walls", "",
+       "the end of the device's workspace is felt as soft walls, before its arm's stops"},
       [&](KeyVisitor& inner) {
         describe_workspace_walls(inner, scenario.effects.workspace_walls.emplace());
       });

@@ -118,8 +118,8 @@ TEST(Allocation, NoTickThatVibratesAtTheFingerAllocates) {
 }
 
 TEST(Allocation, NoTickInWallsOrAdriftAllocates) {
-  const std::optional<app::Prepared> prepared =
-      app::prepare("piping", std::vector<std::string>{"device.walls={margin: 0.03}", "device.drift=0.05"});
+  const std::optional<app::Prepared> prepared = app::prepare(
+      "piping", std::vector<std::string>{"device.workspace_walls={margin: 0.03}", "device.drift=0.05"});
   ASSERT_TRUE(prepared);
   EXPECT_EQ(allocations_in(*prepared, "expert"), 0);
 }

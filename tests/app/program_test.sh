@@ -52,10 +52,10 @@ for scenario in piping teeth ear plate knock stick sweep; do # each part says wh
   [ -z "$free" ] || fail "explain $scenario says no cost of $free"
 done
 expect_each 0 'workspace walls +haptics .*N/m and .*let go, the device holds' 'workspace drift +haptics .* us +by up to 5 %' -- \
-  "$FULCRUM" explain piping --set device.walls.margin=0.01 --set device.drift=0.05
+  "$FULCRUM" explain piping --set device.workspace_walls.margin=0.01 --set device.drift=0.05
 expect_each 0 "workspace walls .*has no motors" "workspace drift .*has no workspace to keep" -- \
-  "$FULCRUM" explain piping --device keyboard --set device.walls.margin=0.01 --set device.drift=0.05
-expect 1 'device.walls.stiffness is .* N/m, .*holds at most .*lower it' "$FULCRUM" run piping --headless --set device.walls.stiffness=90000
+  "$FULCRUM" explain piping --device keyboard --set device.workspace_walls.margin=0.01 --set device.drift=0.05
+expect 1 'device.workspace_walls.stiffness is .* N/m, .*holds at most .*lower it' "$FULCRUM" run piping --headless --set device.workspace_walls.stiffness=90000
 said=$("$FULCRUM" explain piping --set response=penalty 2>&1) || fail "explain with springs: exit $?"
 grep -q 'no constraint solver is built' <<<"$said" || fail "springs: a constraint solver is built: $said"
 grep -q 'tool field' <<<"$said" && fail "springs need no field of the tool"

@@ -61,11 +61,11 @@ TEST(Load, ReadsWallsAndDriftOfTheDevice) {
     return scenario ? std::move(*scenario) : Scenario{};
   };
   EXPECT_EQ(read("  drift: 0.05\n").device.mapping.drift, 0.05);
-  const Scenario plain = read("  walls: {}\n");
+  const Scenario plain = read("  workspace_walls: {}\n");
   ASSERT_TRUE(plain.effects.workspace_walls);
   EXPECT_FALSE(plain.effects.workspace_walls->margin);
   EXPECT_FALSE(plain.effects.workspace_walls->stiffness);
-  const Scenario given = read("  walls: {margin: 0.008, stiffness: 250}\n");
+  const Scenario given = read("  workspace_walls: {margin: 0.008, stiffness: 250}\n");
   ASSERT_TRUE(given.effects.workspace_walls);
   EXPECT_EQ(given.effects.workspace_walls->margin, 0.008);
   EXPECT_EQ(given.effects.workspace_walls->stiffness, 250);

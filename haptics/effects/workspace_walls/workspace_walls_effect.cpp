@@ -11,8 +11,8 @@ std::string WorkspaceWallsEffect::why_not(const Desc& /*desc*/, const PlainScene
 
 void WorkspaceWallsEffect::check(FigureCheck& figures, const Desc& walls) {
   const auto& [margin, stiffness] = walls;
-  if (margin) figures.above_to("device.walls.margin", *margin, 0, 1);
-  if (stiffness) figures.above("device.walls.stiffness", *stiffness);
+  if (margin) figures.above_to("device.workspace_walls.margin", *margin, 0, 1);
+  if (stiffness) figures.above("device.workspace_walls.stiffness", *stiffness);
 }
 
 std::optional<Error> WorkspaceWallsEffect::refuse(const Desc& walls, const PlainScene& scene) {
@@ -20,18 +20,20 @@ std::optional<Error> WorkspaceWallsEffect::refuse(const Desc& walls, const Plain
   if (!device.renders_force) return std::nullopt;
   const double reach = device.workspace.minCoeff();
   if (!(reach > 0))
-    return Error{"device.walls stand at the end of a workspace, and that of the device '" + device.name +
-                 "' has no size: give 'workspace' in its file, or leave device.walls out."};
+    return Error{"device.workspace_walls stand at the end of a workspace, and that of the device '" +
+                 device.name +
+                 "' has no size: give 'workspace' in its file, or leave device.workspace_walls out."};
   const double margin = WorkspaceWalls::margin(walls, device);
   if (margin >= reach)
-    return Error{"device.walls.margin is " + number_text(margin * 1e3) +
+    return Error{"device.workspace_walls.margin is " + number_text(margin * 1e3) +
                  " mm, and the workspace of the device '" + device.name + "' reaches " +
                  number_text(reach * 1e3) + " mm from its middle: make it smaller."};
   const double limit = WorkspaceWalls::stiffness_limit(device, scene.tick_s);
   if (!walls.stiffness || *walls.stiffness <= limit) return std::nullopt;
-  return Error{"device.walls.stiffness is " + number_text(*walls.stiffness) + " N/m, and the device '" +
-               device.name + "', let go, holds at most " + number_text(limit) + " N/m at a tick of " +
-               number_text(scene.tick_s * 1e3) + " ms: lower it, or leave it out and it is chosen."};
+  return Error{"device.workspace_walls.stiffness is " + number_text(*walls.stiffness) +
+               " N/m, and the device '" + device.name + "', let go, holds at most " + number_text(limit) +
+               " N/m at a tick of " + number_text(scene.tick_s * 1e3) +
+               " ms: lower it, or leave it out and it is chosen."};
 }
 
 WorkspaceWallsEffect::WorkspaceWallsEffect(const Desc& desc, const PlainScene& scene)

@@ -300,10 +300,10 @@ std::string refusal(const SceneDesc& desc) {
 TEST(WorkspaceWallsInAWorld, WhatCannotStandIsRefused) {
   SceneDesc desc = walled_scene();
   desc.workspace_walls->margin = 0.05;
-  EXPECT_EQ(
-      refusal(desc),
-      "device.walls.margin is 50 mm, and the workspace of the device 'simulated' reaches 50 mm from its "
-      "middle: make it smaller.");
+  EXPECT_EQ(refusal(desc),
+            "device.workspace_walls.margin is 50 mm, and the workspace of the device 'simulated' reaches 50 "
+            "mm from its "
+            "middle: make it smaller.");
   desc = walled_scene();
   const double limit = WorkspaceWalls::stiffness_limit(desc.device, desc.tick_s);
   desc.workspace_walls->stiffness = 1.01 * limit;
@@ -314,7 +314,7 @@ TEST(WorkspaceWallsInAWorld, WhatCannotStandIsRefused) {
   EXPECT_NE(refusal(desc).find("has no size"), std::string::npos) << refusal(desc);
   desc = walled_scene();
   desc.workspace_walls->margin = std::nan("");
-  EXPECT_NE(refusal(desc).find("device.walls.margin"), std::string::npos) << refusal(desc);
+  EXPECT_NE(refusal(desc).find("device.workspace_walls.margin"), std::string::npos) << refusal(desc);
 }
 
 }  // namespace

@@ -162,8 +162,8 @@ std::vector<Figure> figures() {
       FIGURE("inertia_compensation.filter.adapt_time", s.inertia_compensation->filter.adapt_time),
       FIGURE("inertia_compensation.filter.range", s.inertia_compensation->filter.range),
       FIGURE("inertia_compensation.encoder_noise", *s.inertia_compensation->encoder_noise),
-      FIGURE("device.walls.margin", *s.workspace_walls->margin),
-      FIGURE("device.walls.stiffness", *s.workspace_walls->stiffness),
+      FIGURE("device.workspace_walls.margin", *s.workspace_walls->margin),
+      FIGURE("device.workspace_walls.stiffness", *s.workspace_walls->stiffness),
   };
 }
 
