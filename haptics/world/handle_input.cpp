@@ -83,7 +83,7 @@ Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
 
 // Only while the tool is free: then it can press on nothing. What the tool gains by it in speed or height the
 // hand has not put in; the passivity observer is told of the handle's own way and sees that
-// (docs/devices.md).
+// (docs/held-devices.md).
 void HandleInput::drift(const Vec3& dp_D) noexcept {
   const Vec3 shift_D = workspace_drift(mapping_.drift, X_DH_.p, dp_D, workspace_);
   const Vec3 shift_W = mapping_.position_scale * (mapping_.X_WD.q * shift_D);
