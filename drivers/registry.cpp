@@ -40,6 +40,7 @@ std::string version_text(std::uint16_t release) {
 
 DeviceListing listing_of(const Driver& driver, const std::string& no_window_reason) {
   DeviceListing listing{.name = std::string(driver.shown), .what = std::string(driver.what)};
+  listing.beside_alone = !driver.in_hand && (driver.vibrates || driver.senses);
   if (driver.table) listing.table = driver.name;
   listing.reason = driver.why_not(no_window_reason);
   if (driver.family != nullptr) {

@@ -1,6 +1,6 @@
 #pragma once
-// The devices. One line of the list in driver_list.cpp says of each what it is, whether it is there, and makes
-// it.
+// The devices. One line of the list in driver_list.cpp says of each what it is, whether it is there, and
+// makes it.
 //
 // A name on the command line is one of them, or two: "spacemouse+dualsense" moves by the first and vibrates
 // by the second, "polhem+strip" learns from the second where the first is held.
@@ -26,6 +26,7 @@ struct DeviceListing {
   std::string what;  // what it is, one line
   bool present = false;
   std::string reason{};             // why not, and what would change that; empty when present
+  bool beside_alone = false;        // it moves nothing, and stands beside another device
   std::string table{};              // the file of content/devices with its figures, by name; empty: none
   std::string node{};               // where it is plugged in; empty: it is not, or its driver does not know
   std::optional<bool> permitted{};  // that node may be opened by you; none: there is no node

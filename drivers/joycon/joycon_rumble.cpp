@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum::joycon {
 namespace {
@@ -13,17 +16,21 @@ constexpr double kLoud = 0.2275, kFaint = 0.115;
 constexpr double kFaintest = 4e-3;   // an amplitude below which nothing vibrates
 constexpr int kMostAmplitude = 100;  // as a: bytes 0xC8 and 0x72, above which actuators come to harm
 
+double log2(double x) {
+  return math::log(x) / std::numbers::ln2;
+}
+
 int frequency_number(double frequency_Hz) {
   const double within = std::fmin(std::fmax(frequency_Hz, kLowest_Hz), kHighest_Hz);
-  return static_cast<int>(std::lround(32 * std::log2(within / 10)));
+  return static_cast<int>(std::lround(32 * log2(within / 10)));
 }
 
 int amplitude_number(double amplitude) {
   if (!(amplitude > kFaintest)) return 0;
   const double within = std::fmin(amplitude, 1.0);
-  const double number = within > kLoud    ? 32 * std::log2(8.7 * within)
-                        : within > kFaint ? 16 * std::log2(17 * within)
-                                          : 4 * std::log2(120 * within);
+  const double number = within > kLoud    ? 32 * log2(8.7 * within)
+                        : within > kFaint ? 16 * log2(17 * within)
+                                          : 4 * log2(120 * within);
   return std::clamp(static_cast<int>(std::lround(number)), 1, kMostAmplitude);
 }
 

@@ -60,7 +60,7 @@ void print_device(const DeviceListing& device, std::size_t width) {
   std::printf("  %s%s\n", bold(device.name).c_str(),
               beside(device.what).substr(device.name.size() + 2).c_str());
   if (const std::optional<DeviceDesc> figures = figures_of(device))
-    std::printf("%s\n", dim(beside(capabilities_in_words(*figures))).c_str());
+    std::printf("%s\n", dim(beside(capabilities_in_words(device, *figures))).c_str());
   if (const std::string place = place_of(device); !place.empty() && device.present)
     std::printf("%s\n", beside("at " + place).c_str());
   if (!device.present) std::printf("%s\n", yellow(beside(device.reason)).c_str());

@@ -30,8 +30,10 @@ std::string what_vibrates(const VibrotactileDesc& vibrators) {
     names.append(names.empty() ? "" : ", ").append(channel.name);
     names.append(" (").append(name_of(channel.kind)) += ')';
   }
-  return "; vibrates: " + names;
+  return "vibrates: " + names;
 }
+
+constexpr const char* kKnowsWhere = "knows where it is held, by a strip";
 
 }  // namespace
 
@@ -39,9 +41,14 @@ std::string capabilities_in_words(const DeviceDesc& device) {
   std::string words = "senses " + std::to_string(axes_sensed(device)) + " axes";
   if (device.sample_rate_Hz > 0) words += ", " + number_text(device.sample_rate_Hz) + " times a second";
   words += what_it_renders(device);
-  if (device.vibrotactile) words += what_vibrates(*device.vibrotactile);
-  if (device.strip) words += "; knows where it is held, by a strip";
+  if (device.vibrotactile) words += "; " + what_vibrates(*device.vibrotactile);
+  if (device.strip) words.append("; ").append(kKnowsWhere);
   return words;
+}
+
+std::string capabilities_in_words(const DeviceListing& listing, const DeviceDesc& device) {
+  if (!listing.beside_alone) return capabilities_in_words(device);
+  return device.vibrotactile ? what_vibrates(*device.vibrotactile) : kKnowsWhere;
 }
 
 nlohmann::ordered_json capabilities_as_json(const DeviceDesc& device) {
