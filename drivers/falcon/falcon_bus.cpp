@@ -8,6 +8,8 @@ namespace {
 
 constexpr int kTurnWait_ms = 5;
 constexpr int kMostWaiting = 64;  // packets of the port
+// After so long a silence it may have lost its power, and its firmware with it: it is to be started anew.
+constexpr std::chrono::seconds kSilence{2};
 
 }  // namespace
 
@@ -42,6 +44,9 @@ ForceBus::Turn FalconBus::exchange(const DeviceCommand& command, DeviceSample& s
   std::optional<FalconSays> says;
   if (!listen(says)) return Turn::lost;
   answered_ = says.has_value();
+  const auto now = std::chrono::steady_clock::now();
+  if (answered_ || heard_ == std::chrono::steady_clock::time_point()) heard_ = now;
+  if (now - heard_ > kSilence) return Turn::lost;
   if (!says || !told) return Turn::none;
   homed_ = says->homed;
   if (!homed_) return Turn::none;

@@ -2,6 +2,7 @@
 // A Novint Falcon on its USB port. It answers a packet of motors' values with one of counts, about a thousand
 // times a second; nothing is known of what its firmware does when packets stay away.
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -47,7 +48,8 @@ private:
   std::optional<Stance> stance_;
   bool homed_ = false;
   bool answered_ = false;
-  bool impossible_ = false;  // what its counts say
+  bool impossible_ = false;                        // what its counts say
+  std::chrono::steady_clock::time_point heard_{};  // when it last said anything, once it has started
 };
 
 }  // namespace fulcrum::falcon

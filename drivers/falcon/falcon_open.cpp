@@ -10,9 +10,15 @@ namespace {
 Result<std::unique_ptr<usb::UsbPort>> open_port() {
   const std::vector<usb::UsbPlace> places = usb::find_usb(kIds);
   if (places.empty()) return Error{"none is plugged in: plug one in, and its power, too."};
-  for (const usb::UsbPlace& place : places)
-    if (place.permitted) return usb::open_usb(place, {.interface = 0, .in = 0x81, .out = 0x02});
-  return not_permitted(places.front().path);
+  Error why = not_permitted(places.front().path);
+  for (const usb::UsbPlace& place : places) {
+    if (!place.permitted) continue;
+    Result<std::unique_ptr<usb::UsbPort>> port =
+        usb::open_usb(place, {.interface = 0, .in = 0x81, .out = 0x02});
+    if (port) return port;
+    why = port.error();
+  }
+  return why;
 }
 
 }  // namespace

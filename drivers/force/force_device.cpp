@@ -104,9 +104,17 @@ void ForceDevice::exchange_on(DeviceSample sample) {
     sample.connected = turn == ForceBus::Turn::fresh;
     if (sample.connected) turns_.fetch_add(1, std::memory_order_relaxed);
     show(sample);
-    if (!sample.connected) bus_ = nullptr;
+    if (sample.connected) continue;
+    let_rest();
+    bus_ = nullptr;
   }
-  for (int turn = 0; bus_ && turn < kLastTurns; ++turn) bus_->exchange({}, sample);
+  if (bus_) let_rest();
+}
+
+// What is lost to us may still hear: what it was told last must not stay.
+void ForceDevice::let_rest() {
+  DeviceSample unused;
+  for (int turn = 0; turn < kLastTurns; ++turn) bus_->exchange({}, unused);
 }
 
 }  // namespace fulcrum

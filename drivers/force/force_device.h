@@ -52,6 +52,7 @@ private:
   };
   ForceDevice(const DeviceDesc& desc, std::unique_ptr<ForceBus> bus, Open open, const DeviceSample& first);
   void exchange_on(DeviceSample sample);
+  void let_rest();
   DeviceCommand due();  // what is left of the newest command
   void show(const DeviceSample& sample);
   bool rest(int ms);  // false: it is to end

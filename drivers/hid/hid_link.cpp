@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kReadWait_ms = 5;  // how long the reader waits: so old is what is known of a silent device
 constexpr std::int64_t kShortestTurn_ns = 500'000;  // of the reader; USB brings at most a report each ms
+constexpr std::int64_t kKept_ns = 50'000'000;       // of drives that are not renewed
 constexpr int kLookAgain_ms = 250;                  // between two looks for a device that is away
 constexpr double kLetGo = 0.1;                      // s, of silence
 constexpr int kMostWaiting = 64;                    // reports; hidraw keeps 63 and drops what is newer
@@ -67,8 +68,14 @@ AxesReading HidLink::read() noexcept {
 }
 
 void HidLink::drive(const ChannelDrives& drives) noexcept {
-  drives_.draft() = drives;
-  drives_.publish();
+  told_.draft() = {drives, now_ns()};
+  told_.publish();
+}
+
+// What nobody renews, because the haptic thread stands still or has ended, vibrates no longer.
+ChannelDrives HidLink::due() {
+  const Told& told = told_.newest();
+  return now_ns() - told.at_ns <= kKept_ns ? told.drives : ChannelDrives();
 }
 
 std::shared_ptr<HidOpened> HidLink::opened() {
@@ -151,7 +158,7 @@ void HidLink::write_on() {
   };
   for (HidProtocol::Pace now = pace(); rest(now.write_ms); now = pace()) {
     since_ms += now.write_ms;
-    const ChannelDrives& wanted = drives_.newest();
+    const ChannelDrives wanted = due();
     const std::shared_ptr<HidOpened> at = opened();
     if (!at) continue;
     if (const std::size_t length = at->protocol->ask(report)) {

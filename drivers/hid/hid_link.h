@@ -62,7 +62,12 @@ private:
 
   Open open_;
   Snapshot<State> state_;
-  Snapshot<ChannelDrives> drives_;
+  struct Told {
+    ChannelDrives drives{};
+    std::int64_t at_ns = 0;
+  };
+  ChannelDrives due();  // what is left of the newest ones
+  Snapshot<Told> told_;
   std::atomic<std::uint64_t> reports_{0}, refused_{0};
 
   std::mutex mutex_;  // of the two threads below; never the haptic one's

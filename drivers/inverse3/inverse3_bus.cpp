@@ -14,6 +14,10 @@ constexpr milliseconds kAnswer{5};                 // that a turn waits for
 constexpr milliseconds kSilence{500};              // after which the connection is given up and made anew
 constexpr milliseconds kLook{50}, kOpening{1000};  // for the connection, and as long for its first message
 constexpr int kMostAnswers = 64;                   // that are read in a turn
+// An answer that never comes would make every later pose look older than it is. So many turns in a row with
+// one as late as this, and the connection is made anew.
+constexpr milliseconds kLate{20};
+constexpr int kMostLate = 100;
 
 // D's origin in S: the middle of the workspace, where the manual's own examples lead the handle.
 const Vec3 kMiddle_S{0, -0.12, 0.15};
@@ -94,7 +98,8 @@ ForceBus::Turn Inverse3Bus::exchange(const DeviceCommand& command, DeviceSample&
   std::optional<ServiceSays> says;
   Clock::time_point asked = Clock::now();
   milliseconds wait = kAnswer;
-  for (int count = 0; count < kMostAnswers; ++count) {
+  int count = 0;
+  for (; count < kMostAnswers; ++count) {
     const LocalWebSocket::Heard heard = service_->hear(message, wait);
     if (heard == LocalWebSocket::Heard::gone) return Turn::lost;
     if (heard == LocalWebSocket::Heard::nothing) break;
@@ -105,8 +110,11 @@ ForceBus::Turn Inverse3Bus::exchange(const DeviceCommand& command, DeviceSample&
     }
     says = decode(message, chosen_);
   }
-  if (!unanswered_.empty() && Clock::now() - unanswered_.front() > kSilence) return Turn::lost;
-  if (!says) return Turn::none;
+  const Clock::duration late =
+      unanswered_.empty() ? Clock::duration::zero() : Clock::now() - unanswered_.front();
+  late_ = late > kLate && says ? late_ + 1 : 0;
+  if (late > kSilence || late_ > kMostLate) return Turn::lost;
+  if (!says || count == kMostAnswers) return Turn::none;  // of so many the newest is none
   if (says->of.arm.empty()) return Turn::lost;
   says_ = *says;
   if (!trouble().empty()) return Turn::none;

@@ -39,7 +39,8 @@ private:
   bool since_3_5_;
   Clock::time_point due_{};                   // of the next turn
   std::deque<Clock::time_point> unanswered_;  // when each was sent, the oldest first
-  ServiceSays says_;                          // the last
+  int late_ = 0;      // turns in a row in which an answer was late though answers came
+  ServiceSays says_;  // the last
 };
 
 }  // namespace fulcrum::inverse3

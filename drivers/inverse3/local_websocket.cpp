@@ -18,9 +18,11 @@ namespace {
 
 using SocketClock = std::chrono::steady_clock;
 
-constexpr unsigned kMostSockets = 16;  // of a context: one, and those that the library wakes itself by
-constexpr std::chrono::milliseconds kKnock{20};  // for a port to take a connection
-constexpr std::size_t kPiece_bytes = 4096;       // of a message, as it comes
+constexpr unsigned kMostSockets = 16;      // of a context: one, and those that the library wakes itself by
+constexpr std::size_t kMostWaiting = 128;  // messages
+constexpr std::chrono::milliseconds kSending{2};  // for a message to leave
+constexpr std::chrono::milliseconds kKnock{20};   // for a port to take a connection
+constexpr std::size_t kPiece_bytes = 4096;        // of a message, as it comes
 
 void wait_for(int socket, short what, std::chrono::microseconds wait) {
   pollfd ready{socket, what, 0};
@@ -79,6 +81,8 @@ struct LocalWebSocket::Link {
     too_long = too_long || coming.size() + length > most_bytes;
     if (!too_long) coming.append(piece, length);
     if (lws_remaining_packet_payload(from) != 0 || lws_is_final_fragment(from) == 0) return;
+    gone = gone || inbox.size() >= kMostWaiting;  // nobody asked for so many
+    if (gone) return;
     inbox.push_back(too_long ? std::string() : std::move(coming));
     coming.clear();
     too_long = false;
@@ -101,6 +105,8 @@ struct LocalWebSocket::Link {
       case LWS_CALLBACK_CLIENT_RECEIVE:
         link->take(socket, static_cast<const char*>(in), length);
         return 0;
+      case LWS_CALLBACK_CLIENT_HTTP_REDIRECT:
+        return -1;  // what is asked stays on this machine
       case LWS_CALLBACK_CLIENT_WRITEABLE:
         return link->unsent.empty() || link->put(socket) ? 0 : -1;
       case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:
@@ -135,6 +141,7 @@ void LocalWebSocket::Link::open(const char* address, int port) {
   to.port = port;
   to.path = "/";
   to.host = "localhost";
+  to.ssl_connection = LCCSCF_HTTP_NO_FOLLOW_REDIRECT;
   to.local_protocol_name = kProtocols[0].name;
   to.pwsi = &socket;
   if (lws_client_connect_via_info(&to) == nullptr) gone = true;
@@ -165,7 +172,9 @@ bool LocalWebSocket::send(std::string message) {
   if (link_->gone) return false;
   link_->unsent = std::move(message);
   lws_callback_on_writable(link_->socket);
-  link_->serve();
+  const auto until = SocketClock::now() + kSending;
+  do link_->serve();  // an answer to a ping may go first
+  while (!link_->unsent.empty() && !link_->gone && SocketClock::now() < until);
   return link_->unsent.empty() && !link_->gone;
 }
 

@@ -8,9 +8,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int kLastWait_ms = 5;  // for what was sent before, where nothing is read any more
 constexpr unsigned kControlLimit_ms = 200, kOutLimit_ms = 100;
 constexpr std::int64_t kPumpStep_us = 2000;
 constexpr int kMostPumps = 1000;  // at the end, for what was cancelled
+constexpr int kLastPumps = 25;    // for what was sent last: it lets motors rest
 constexpr std::uint8_t kVendorOut =
     LIBUSB_ENDPOINT_OUT | static_cast<std::uint8_t>(LIBUSB_REQUEST_TYPE_VENDOR) | LIBUSB_RECIPIENT_DEVICE;
 
@@ -30,6 +32,10 @@ LibusbPort::LibusbPort(libusb_context* context, libusb_device_handle* device, co
 // costs that memory, not the end of the program.
 LibusbPort::~LibusbPort() {
   ends_ = true;
+  for (int count = 0; out_live_ && !unplugged_ && count < kLastPumps; ++count) {
+    timeval step{0, kPumpStep_us};
+    libusb_handle_events_timeout_completed(context_, &step, nullptr);
+  }
   if (in_live_) libusb_cancel_transfer(in_);
   if (out_live_) libusb_cancel_transfer(out_);
   for (int count = 0; (in_live_ || out_live_) && count < kMostPumps; ++count) {
@@ -49,18 +55,19 @@ bool LibusbPort::control(std::uint8_t request, std::uint16_t value) {
 }
 
 bool LibusbPort::write(std::span<const std::uint8_t> bytes) {
-  if (out_live_) pump(0);
-  if (gone_ || out_live_ || bytes.size() > out_bytes_.size()) return false;
+  if (out_live_) pump(gone_ ? kLastWait_ms : 0);
+  if (unplugged_ || out_live_ || bytes.size() > out_bytes_.size()) return false;
   std::ranges::copy(bytes, out_bytes_.begin());
   libusb_fill_bulk_transfer(out_, device_, endpoints_.out, out_bytes_.data(), static_cast<int>(bytes.size()),
                             &LibusbPort::on_out, this, kOutLimit_ms);
-  out_live_ = libusb_submit_transfer(out_) == 0;
-  gone_ = !out_live_;
+  const int error = libusb_submit_transfer(out_);
+  out_live_ = error == 0;
+  if (!out_live_) lose(error == LIBUSB_ERROR_NO_DEVICE);
   return out_live_;
 }
 
 int LibusbPort::read(std::span<std::uint8_t> packet, int wait_ms) {
-  if (waiting_ == 0) pump(wait_ms);
+  if (waiting_ == 0 && !gone_) pump(wait_ms);
   if (waiting_ == 0) return gone_ ? -1 : 0;
   const Packet& oldest = packets_[first_];
   const std::size_t length = std::min(oldest.length, packet.size());
@@ -74,8 +81,15 @@ void LibusbPort::submit_in() {
   if (gone_) return;
   libusb_fill_bulk_transfer(in_, device_, endpoints_.in, in_bytes_.data(), static_cast<int>(in_bytes_.size()),
                             &LibusbPort::on_in, this, 0);
-  in_live_ = libusb_submit_transfer(in_) == 0;
-  gone_ = !in_live_;
+  const int error = libusb_submit_transfer(in_);
+  in_live_ = error == 0;
+  if (!in_live_) lose(error == LIBUSB_ERROR_NO_DEVICE);
+}
+
+void LibusbPort::lose(bool unplugged) {
+  gone_ = true;
+  unplugged_ = unplugged_ || unplugged;
+  arrived_ = 1;
 }
 
 void LibusbPort::take(const libusb_transfer& transfer) {
@@ -94,11 +108,8 @@ void LibusbPort::on_in(libusb_transfer* transfer) {
   LibusbPort& self = *static_cast<LibusbPort*>(transfer->user_data);
   self.in_live_ = false;
   if (self.ends_) return;
-  if (transfer->status != LIBUSB_TRANSFER_COMPLETED) {
-    self.gone_ = true;
-    self.arrived_ = 1;
-    return;
-  }
+  if (transfer->status != LIBUSB_TRANSFER_COMPLETED)
+    return self.lose(transfer->status == LIBUSB_TRANSFER_NO_DEVICE);
   self.take(*transfer);
   self.submit_in();
 }
@@ -107,15 +118,17 @@ void LibusbPort::on_in(libusb_transfer* transfer) {
 void LibusbPort::on_out(libusb_transfer* transfer) {
   LibusbPort& self = *static_cast<LibusbPort*>(transfer->user_data);
   self.out_live_ = false;
-  if (transfer->status == LIBUSB_TRANSFER_COMPLETED && transfer->actual_length == transfer->length) return;
-  self.gone_ = true;
-  self.arrived_ = 1;
+  if (transfer->status == LIBUSB_TRANSFER_COMPLETED && transfer->actual_length == transfer->length) {
+    if (self.gone_) self.arrived_ = 1;  // the next one may go
+    return;
+  }
+  self.lose(transfer->status == LIBUSB_TRANSFER_NO_DEVICE);
 }
 
 void LibusbPort::pump(int wait_ms) {
   const auto due = Clock::now() + std::chrono::milliseconds(wait_ms);
   arrived_ = 0;
-  while (arrived_ == 0 && !gone_) {
+  while (arrived_ == 0 && !unplugged_) {
     const std::int64_t left_us =
         std::chrono::duration_cast<std::chrono::microseconds>(due - Clock::now()).count();
     timeval step{0, std::clamp<std::int64_t>(left_us, 0, kPumpStep_us)};

@@ -32,6 +32,7 @@ private:
   static void on_out(libusb_transfer* transfer);
   void take(const libusb_transfer& transfer);
   void submit_in();
+  void lose(bool unplugged);
   // Has libusb do what is due until something has come or the time is over.
   void pump(int wait_ms);
 
@@ -45,7 +46,8 @@ private:
   int arrived_ = 0;  // as libusb is told that its caller need not wait any longer
   bool in_live_ = false, out_live_ = false;
   bool ends_ = false;
-  bool gone_ = false;
+  bool gone_ = false;       // nothing more is read; what lets motors rest may still be written
+  bool unplugged_ = false;  // nor is anything written
 };
 
 }  // namespace fulcrum::usb

@@ -10,6 +10,7 @@
 namespace fulcrum {
 namespace {
 
+constexpr double kFarthestWay = 0.02;  // m, of a hand in a tick: what is farther is a device's error
 constexpr double kFirstReading = 0.1;  // s, from the start: by then a strip has been read and trusted
 
 std::optional<HoldingPoint> build_holding_point(const PlainScene& scene) {
@@ -41,6 +42,7 @@ HandleInput::HandleInput(const PlainScene& scene, bool pushed_clutched)
       workspace_(scene.device.workspace),
       renders_force_(scene.device.renders_force),
       renders_torque_(scene.device.renders_torque),
+      drift_rest_(1.5 * scene.device.encoder_step),
       counts_at_device_(pushed_clutched || scene.mapping.drift > 0),
       engages_(scene.mapping.engages_at_start) {
   X_WH_ = scene.tool.X_WT_start * X_HT_.inverse();
@@ -55,7 +57,6 @@ void HandleInput::apply(const Command& command) noexcept {
 }
 
 Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
-  const Vec3 before_D = X_DH_.p;
   if (usable) {
     X_DH_ = sample.X_DH;
     X_DH_.q.normalize();
@@ -73,7 +74,7 @@ Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
   const bool changed = held != clutched_ || engages;
   clutched_ = held;
   reaches_ = !held && !changed;
-  if (mapping_.drift > 0 && reaches_ && known_ && free_) drift(X_DH_.p - before_D);
+  if (mapping_.drift > 0) drift(usable);
   // The turn is added on the handle's side: the tool turns about the axis in the world about which the hand
   // turns, and a torque does the same work on both.
   Pose X_WH{(raw.q * clutch_X_.q).normalized(), raw.p + clutch_X_.p};
@@ -84,7 +85,16 @@ Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
 // Only while the tool is free: then it can press on nothing. What the tool gains by it in speed or height the
 // hand has not put in; the passivity observer is told of the handle's own way and sees that
 // (docs/held-devices.md).
-void HandleInput::drift(const Vec3& dp_D) noexcept {
+void HandleInput::drift(bool usable) noexcept {
+  if (!usable || !drift_from_D_) {  // what lies between is no way of a hand's
+    drift_from_D_ = usable ? std::optional(X_DH_.p) : std::nullopt;
+    return;
+  }
+  const Vec3 dp_D = X_DH_.p - *drift_from_D_;
+  const double way = dp_D.norm();
+  if (way <= drift_rest_) return;  // counts that toggle while the handle rests
+  drift_from_D_ = X_DH_.p;
+  if (!reaches_ || !free_ || way > kFarthestWay) return;
   const Vec3 shift_D = workspace_drift(mapping_.drift, X_DH_.p, dp_D, workspace_);
   const Vec3 shift_W = mapping_.position_scale * (mapping_.X_WD.q * shift_D);
   clutch_X_.p += shift_W;

@@ -47,7 +47,7 @@ public:
 
 private:
   Pose map(const DeviceSample& sample, bool usable) noexcept;
-  void drift(const Vec3& dp_D) noexcept;
+  void drift(bool usable) noexcept;
   Vec6 moved_at_device(const Pose& X_DH_before) const noexcept;
   void hold(double strip_ohm, std::uint32_t& faults) noexcept;
 
@@ -62,15 +62,17 @@ private:
   bool has_strip_;
   Vec3 workspace_;  // (3) m, half extents
   bool renders_force_, renders_torque_;
+  double drift_rest_;      // m, of the handle's way, that is none
   bool counts_at_device_;  // the handle's way is told by the device, not by what the mapping makes of it
 
   Pose X_DH_;      // of the last sample that could be used
   Pose X_WH_;      // of the last tick
   Pose clutch_X_;  // what clutch and drift have added to X_WD X_DH: the way in the world, the turn on the
                    // handle's side
-  Vec3 drifted_W_ = Vec3::Zero();  // (3) m, by drift alone
-  bool known_ = false;             // a sample before this one could be used
-  bool free_ = true;               // the tool touched nothing in the tick before
+  Vec3 drifted_W_ = Vec3::Zero();       // (3) m, by drift alone
+  std::optional<Vec3> drift_from_D_{};  // (3) m, where the handle was when its way was last counted
+  bool known_ = false;                  // a sample before this one could be used
+  bool free_ = true;                    // the tool touched nothing in the tick before
   bool clutched_ = false;
   bool reaches_ = true;  // the tool has followed the handle in this tick
   bool engages_;         // with the next sample that can be used

@@ -6,10 +6,8 @@ namespace fulcrum::test {
 namespace {
 
 constexpr std::uint8_t kEndpointIn = 1, kEndpointOut = 2;
-// Requests, by what begins a setup: USB 2.0, table 9-4; HID 1.11, 7.2.
-constexpr int kGetStatus = 0x8000, kClearStall = 0x0201, kGetDescriptor = 0x8006, kGetOfInterface = 0x8106,
-              kSetConfiguration = 0x0009, kSetInterface = 0x010B, kGetReport = 0xA101, kSetReport = 0x2109,
-              kSetIdle = 0x210A;
+// Requests of an interface, and of its HID (HID 1.11, 7.2), as those of every device.
+constexpr int kGetOfInterface = 0x8106, kGetReport = 0xA101, kSetReport = 0x2109, kSetIdle = 0x210A;
 constexpr int kOutput = 2, kFeature = 3;  // kinds of reports
 
 std::uint8_t low(std::size_t value) {

@@ -17,6 +17,10 @@ struct UsbSetup {
   std::uint16_t value = 0, index = 0, length = 0;
 };
 
+// Requests that every device answers, by type and number: USB 2.0, table 9-4.
+inline constexpr int kGetStatus = 0x8000, kClearStall = 0x0201, kGetDescriptor = 0x8006,
+                     kSetConfiguration = 0x0009, kSetInterface = 0x010B;
+
 enum class UsbSpeed { full, high };
 
 class UsbModel {

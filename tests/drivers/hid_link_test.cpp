@@ -156,11 +156,15 @@ TEST(HidLink, MotorsAreToldOnceAndRestAtTheEnd) {
   Bus bus;
   {
     hid::HidLink link(dualsense_at(bus), [&] { return dualsense_at(bus); });
-    link.drive({1, 0});
-    wait_for([&] { return !bus.all_written().empty(); });
+    wait_for([&] {
+      link.drive({1, 0});
+      return !bus.all_written().empty();
+    });
     EXPECT_EQ(bus.all_written().front()[4], 255);
-    link.drive({0.5, 0});
-    wait_for([&] { return bus.all_written().back()[4] == 128; });
+    wait_for([&] {
+      link.drive({0.5, 0});
+      return bus.all_written().back()[4] == 128;
+    });
   }
   EXPECT_EQ(bus.all_written().back()[4], 0);
   EXPECT_EQ(bus.asked, std::vector<std::uint8_t>{0x20}) << "its firmware's version";
@@ -173,14 +177,16 @@ TEST(HidLink, AReportThatWasNotTakenIsSentAgain) {
     const std::lock_guard lock(bus.mutex);
     bus.takes = false;
   }
-  link.drive({1, 1});
   bus.say({0});  // the link goes on reading meanwhile
   wait_for([&] { return link.refused() == 1; });
   {
     const std::lock_guard lock(bus.mutex);
     bus.takes = true;
   }
-  wait_for([&] { return !bus.all_written().empty() && bus.all_written().back()[4] == 255; });
+  wait_for([&] {
+    link.drive({1, 1});
+    return !bus.all_written().empty() && bus.all_written().back()[4] == 255;
+  });
 }
 
 TEST(HidLink, ItsEndDoesNotWaitForADeviceThatIsAway) {

@@ -138,8 +138,8 @@ TEST(Kernel, SpaceMouseMovesAndDualSenseVibratesBeside) {
   wait_for([&] { return open->device->read().X_DH.p.x() > 0.01; });
   DeviceCommand command;
   command.vibrotactile.level = {20, 10};
-  open->device->write(command);
   wait_for([&] {
+    open->device->write(command);
     const Bytes told = last_rumble(pad, 1);
     return !told.empty() && told[3] == 128 && told[4] == 255;
   });

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,10 +54,13 @@ protected:
   std::size_t right() const { return flags() + 2; }
   std::size_t left() const { return flags() + 3; }
 
-  // The first report of those from `after` on that has these strengths.
-  Bytes told(const DualSenseModel& pad, std::size_t after, int strong, int weak) const {
+  // The first report of those from `after` on that has these strengths. meanwhile: done again and again.
+  Bytes told(
+      const DualSenseModel& pad, std::size_t after, int strong, int weak,
+      const std::function<void()>& meanwhile = [] {}) const {
     Bytes found;
     wait_for([&] {
+      meanwhile();
       const std::vector<Bytes> heard = pad.heard();
       for (std::size_t i = after; i < heard.size() && found.empty(); ++i)
         if ((heard[i].at(flags()) & 0x02) != 0 && heard[i].at(left()) == strong &&
@@ -123,8 +127,9 @@ TEST_P(Rumble, IsToldAsLinuxsOwnDriverTellsIt) {
     told(pad, before, 0, 0);
 
     before = pad.heard().size();
-    ours->drive({strong / 255.0, weak / 255.0});
-    const Bytes own = told(pad, before, strong, weak);
+    const Bytes own =
+        told(pad, before, strong, weak,
+             [&ours, drives = ChannelDrives{strong / 255.0, weak / 255.0}] { ours->drive(drives); });
     ours->drive({});
     told(pad, before, 0, 0);
     expect_whole(theirs);

@@ -43,6 +43,14 @@ void say_until(MockHid& device, const Bytes& report, auto seen) {
   }
 }
 
+// As the haptic thread does it: what is not renewed is let go.
+void drive_until(hid::HidLink& link, const ChannelDrives& drives, auto seen) {
+  wait_for([&] {
+    link.drive(drives);
+    return seen();
+  });
+}
+
 // The first of these devices with its protocol, and again when it is plugged in again; null where none is.
 std::unique_ptr<hid::HidLink> linked(std::span<const hid::HidId> ids);
 

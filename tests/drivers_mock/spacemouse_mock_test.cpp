@@ -56,8 +56,10 @@ TEST_F(Mock, SpaceMouseMovesAndDualSenseVibratesBeside) {
   EXPECT_EQ(open->device->read().X_DH.p.y(), 0);
   DeviceCommand command;
   command.vibrotactile.level = {20, 10};
-  open->device->write(command);
-  wait_for([&] { return !pad.written().empty(); });
+  wait_for([&] {
+    open->device->write(command);
+    return !pad.written().empty();
+  });
   EXPECT_EQ(pad.written().front()[4], 255) << "left";
   EXPECT_EQ(pad.written().front()[3], 128) << "right";
   EXPECT_TRUE(open->device->read().connected);

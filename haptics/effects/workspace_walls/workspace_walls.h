@@ -31,6 +31,7 @@ struct WorkspaceWallsDesc {
 class WorkspaceWalls {
 public:
   static constexpr double kForceShare = 0.5;    // of the device's largest force: the rest is the scene's
+  static constexpr double kMostShare = 0.5;     // of stiffness_limit(): a coupling takes as much of its own
   static constexpr double kDampingRatio = 0.5;  // zeta
   static constexpr double kSmoothing = 2e-3;    // s, time constant of the low-pass
 

@@ -28,10 +28,10 @@ std::optional<Error> WorkspaceWallsEffect::refuse(const Desc& walls, const Plain
     return Error{"device.workspace_walls.margin is " + number_text(margin * 1e3) +
                  " mm, and the workspace of the device '" + device.name + "' reaches " +
                  number_text(reach * 1e3) + " mm from its middle: make it smaller."};
-  const double limit = WorkspaceWalls::stiffness_limit(device, scene.tick_s);
+  const double limit = WorkspaceWalls::kMostShare * WorkspaceWalls::stiffness_limit(device, scene.tick_s);
   if (!walls.stiffness || *walls.stiffness <= limit) return std::nullopt;
   return Error{"device.workspace_walls.stiffness is " + number_text(*walls.stiffness) +
-               " N/m, and the device '" + device.name + "', let go, holds at most " + number_text(limit) +
+               " N/m, and the device '" + device.name + "' holds at most " + number_text(limit) +
                " N/m at a tick of " + number_text(scene.tick_s * 1e3) +
                " ms: lower it, or leave it out and it is chosen."};
 }

@@ -305,7 +305,7 @@ TEST(WorkspaceWallsInAWorld, WhatCannotStandIsRefused) {
             "mm from its "
             "middle: make it smaller.");
   desc = walled_scene();
-  const double limit = WorkspaceWalls::stiffness_limit(desc.device, desc.tick_s);
+  const double limit = WorkspaceWalls::stiffness_limit(desc.device, desc.tick_s) / 2;
   desc.workspace_walls->stiffness = 1.01 * limit;
   EXPECT_NE(refusal(desc).find("N/m at a tick of 1 ms: lower it"), std::string::npos) << refusal(desc);
   desc.workspace_walls->stiffness = 0.99 * limit;
