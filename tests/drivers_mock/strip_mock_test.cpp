@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <thread>
@@ -24,7 +25,7 @@ MockHidFacts strip_board(const std::string& name, std::uint8_t page_high = 0xFF)
                                                           0x95, 0x40, 0x09,      0x01, 0x81, 0x02, 0xC0}};
 }
 
-// Reads its strip as often as what it said was taken.
+// Reads its strip a thousand times a second, as its endpoint's interval has it, once what it said was taken.
 class StripFirmware {
 public:
   explicit StripFirmware(MockMachine& machine)
@@ -46,7 +47,7 @@ public:
 private:
   void run() {
     std::uint32_t number = 0;
-    for (; on_; std::this_thread::yield()) {
+    for (; on_; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
       const std::lock_guard lock(mutex_);
       if (!plugged_ || !hid.all_read()) continue;
       Bytes report{'F', 'S', 'T', '1'};
