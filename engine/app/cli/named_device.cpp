@@ -34,7 +34,7 @@ std::optional<DeviceDesc> device_named(const std::string& name) {
 }
 
 std::optional<DeviceDesc> pushing_device_named(const std::string& name) {
-  const std::optional<DeviceDesc> device = device_named(name);
+  std::optional<DeviceDesc> device = device_named(name);
   if (!device || Actuators::count(*device) > 0) return device;
   complain("the device '" + name + "' has no motors: this command needs one that pushes.");
   return std::nullopt;
