@@ -59,8 +59,7 @@ std::string why_no_joycons(const std::string& no_window_reason) {
     if (reason.empty() || !hid::find_hid(family.ids()).empty()) return reason;
     return std::string(half) +
            " is not paired and awake, and both halves are needed: hold the button between its SL and SR "
-           "until its "
-           "lights run, pair it by Bluetooth, then press one of its keys.";
+           "until its lights run, pair it by Bluetooth, then press one of its keys.";
   };
   std::string left = why_not("the left one", kJoyCon<joycon::Side::left>,
                              why_no_hid<kJoyCon<joycon::Side::left>>(no_window_reason));

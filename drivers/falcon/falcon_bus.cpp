@@ -64,8 +64,7 @@ std::string FalconBus::trouble() const {
   if (boot_.state() == FalconBoot::State::going || !answered_) return {};
   if (!homed_)
     return "it does not know yet where its grip is: pull the grip out as far as it goes, push it in as far "
-           "as "
-           "it goes, let it come back to the middle, and start again. Its ring is red until then.";
+           "as it goes, let it come back to the middle, and start again. Its ring is red until then.";
   if (impossible_)
     return "its legs are where none of its kind can have them: switch it off and on, pull its grip out and "
            "push it in, and start again.";

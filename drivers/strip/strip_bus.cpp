@@ -34,8 +34,7 @@ std::string StripBus::trouble() const {
   if (!spoke_) return {};
   return last_
              ? "it is plugged in, and repeats itself: neither the number of its reports nor their time goes "
-               "on. Its "
-               "firmware stands still; plug it in again."
+               "on. Its firmware stands still; plug it in again."
              : "it is plugged in, and what it says is no strip's report: docs/strip.md has it byte by byte.";
 }
 

@@ -16,7 +16,7 @@ ChannelOutput::ChannelOutput(const ChannelDesc& channel, const VibrotactileSigna
 }
 
 std::span<const double> ChannelOutput::process(double level, const VibrotactileCommand& command) noexcept {
-  if (!(level > 0)) level = 0;                               // nor is what is not a number
+  if (!(level > 0)) level = 0;  // of an effect that asks for less than nothing, or for what is not a number
   if (command.stopping) level = std::min(level, envelope_);  // it may still be on its way up
   if (kind_ != ChannelKind::pcm) {
     envelope_ = level;

@@ -8,6 +8,10 @@
 // p is the handle's place, dp its way in the tick. No farther than that part of its way, not at all while it
 // rests, and the less the nearer it is to the middle: a hand that keeps its tool on a path of the length L,
 // in a workspace of the half extent e, comes back as exp(-drift L / (position_scale e)).
+//
+// A way counts once it is longer than 1.5 encoder steps, since a count may toggle while the handle rests. One
+// that is longer than a hand goes in a tick (20 mm, kFarthestWay in haptics/world/handle_input.cpp) does not
+// count: it is a device's error.
 
 #include "haptics/math/clamp_norm.h"
 #include "haptics/math/linear.h"

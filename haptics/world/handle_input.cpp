@@ -84,7 +84,8 @@ Pose HandleInput::map(const DeviceSample& sample, bool usable) noexcept {
 
 // Only while the tool is free: then it can press on nothing. What the tool gains by it in speed or height the
 // hand has not put in; the passivity observer is told of the handle's own way and sees that
-// (docs/held-devices.md).
+// (docs/held-devices.md). A way counts once it is longer than 1.5 encoder steps, and not if it is longer than
+// kFarthestWay; either way the next one begins where it ended.
 void HandleInput::drift(bool usable) noexcept {
   if (!usable || !drift_from_D_) {  // what lies between is no way of a hand's
     drift_from_D_ = usable ? std::optional(X_DH_.p) : std::nullopt;
@@ -92,7 +93,7 @@ void HandleInput::drift(bool usable) noexcept {
   }
   const Vec3 dp_D = X_DH_.p - *drift_from_D_;
   const double way = dp_D.norm();
-  if (way <= drift_rest_) return;  // counts that toggle while the handle rests
+  if (way <= drift_rest_) return;  // not yet: counts may toggle while the handle rests
   drift_from_D_ = X_DH_.p;
   if (!reaches_ || !free_ || way > kFarthestWay) return;
   const Vec3 shift_D = workspace_drift(mapping_.drift, X_DH_.p, dp_D, workspace_);

@@ -31,8 +31,8 @@ std::optional<Error> WorkspaceWallsEffect::refuse(const Desc& walls, const Plain
   const double limit = WorkspaceWalls::kMostShare * WorkspaceWalls::stiffness_limit(device, scene.tick_s);
   if (!walls.stiffness || *walls.stiffness <= limit) return std::nullopt;
   return Error{"device.workspace_walls.stiffness is " + number_text(*walls.stiffness) +
-               " N/m, and the device '" + device.name + "' holds at most " + number_text(limit) +
-               " N/m at a tick of " + number_text(scene.tick_s * 1e3) +
+               " N/m, and beside a coupling the device '" + device.name + "' holds at most " +
+               number_text(limit) + " N/m at a tick of " + number_text(scene.tick_s * 1e3) +
                " ms: lower it, or leave it out and it is chosen."};
 }
 

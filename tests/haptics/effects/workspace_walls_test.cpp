@@ -302,8 +302,7 @@ TEST(WorkspaceWallsInAWorld, WhatCannotStandIsRefused) {
   desc.workspace_walls->margin = 0.05;
   EXPECT_EQ(refusal(desc),
             "device.workspace_walls.margin is 50 mm, and the workspace of the device 'simulated' reaches 50 "
-            "mm from its "
-            "middle: make it smaller.");
+            "mm from its middle: make it smaller.");
   desc = walled_scene();
   const double limit = WorkspaceWalls::stiffness_limit(desc.device, desc.tick_s) / 2;
   desc.workspace_walls->stiffness = 1.01 * limit;
