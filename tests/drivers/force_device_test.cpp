@@ -22,7 +22,7 @@ struct Cable {
   bool blocked = false;  // a turn does not end
   double x = 0;          // m, of the handle
   std::vector<DeviceCommand> told;
-  int openings = 0;
+  int openings = 0, closings = 0;
 
   void set(auto change) {
     const std::lock_guard lock(mutex);
@@ -42,6 +42,9 @@ public:
   explicit CableBus(Cable& cable) : cable_(cable) {
     const std::lock_guard lock(cable_.mutex);
     ++cable_.openings;
+  }
+  ~CableBus() override {
+    cable_.set([&] { ++cable_.closings; });
   }
   Turn exchange(const DeviceCommand& command, DeviceSample& sample) override {
     std::unique_lock lock(cable_.mutex);
@@ -159,6 +162,26 @@ TEST(ForceDevice, UnpluggedItIsLostAndPluggedInAgainItIsBack) {
   until([&] { return device->read().connected; });
   EXPECT_EQ(device->read().X_DH.p.x(), 0.05);
   EXPECT_EQ(cable.openings, 2);
+}
+
+// What does not answer any more may still hear: the last that it is told is no push.
+TEST(ForceDevice, WhatIsLostIsToldToRestThoughAHandPushesOn) {
+  Cable cable;
+  const auto device = started(cable);
+  std::atomic<bool> renews{true};
+  std::thread hand([&] {
+    while (renews) device->write(pushing(3));
+  });
+  cable.wait_for_told([](const DeviceCommand& c) { return c.F_H_D.force.y() == 3; });
+  cable.set([&] { cable.plugged = false; });
+  {
+    std::unique_lock lock(cable.mutex);
+    cable.turned.wait(lock, [&] { return cable.closings == 1; });
+    EXPECT_TRUE(cable.told.back().F_H_D.is_zero());
+    EXPECT_EQ(cable.told.back().effort[2], 0);
+  }
+  renews = false;
+  hand.join();
 }
 
 TEST(ForceDevice, OneThatSaysNothingFromTheStartIsRefusedWithItsReason) {

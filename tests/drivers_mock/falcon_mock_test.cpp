@@ -214,5 +214,29 @@ TEST_F(FalconMock, OneThatFallsSilentIsLetGo) {
   wait_for([&] { return opened->device->read().age < 0.02; });
 }
 
+// A bad cable: what it says is lost on the way, and it still hears. It is not taken again before the test has
+// seen what it was told last.
+TEST_F(FalconMock, OneWhoseRepliesAreDamagedIsToldToRestAndIsLost) {
+  FalconModel model(falcon_firmware(), true);
+  MockUsb usb(machine, model);
+  auto opened = open_homed(model);
+  ASSERT_TRUE(opened) << opened.error().sentence;
+  std::atomic<bool> renews{true};
+  std::thread hand([&] {
+    while (renews) opened->device->write(push_of({2, 0, 0}));
+  });
+  wait_for([&] { return model.force_D().x() > 1.9; });
+  usb.claim_elsewhere(true);
+  usb.garble_in(true);
+  wait_for([&] { return !usb.is_claimed(); });
+  EXPECT_EQ(model.motors(), (std::array<int, 3>{}));
+  EXPECT_FALSE(opened->device->read().connected);
+  usb.garble_in(false);
+  usb.claim_elsewhere(false);
+  wait_for([&] { return opened->device->read().connected && model.force_D().x() > 1.9; });
+  renews = false;
+  hand.join();
+}
+
 }  // namespace
 }  // namespace fulcrum::test

@@ -126,6 +126,11 @@ void MockUsb::claim_elsewhere(bool claimed) {
   elsewhere_ = claimed;
 }
 
+void MockUsb::garble_in(bool garbles) {
+  const std::lock_guard lock(mutex_);
+  garbles_ = garbles;
+}
+
 bool MockUsb::is_claimed() const {
   const std::lock_guard lock(mutex_);
   return claimed_;
@@ -234,6 +239,7 @@ int MockUsb::discard(UMockdevIoctlClient* client) {
 }
 
 int MockUsb::reap(UMockdevIoctlClient* client) {
+  if (garbles_) finish_all(-EPROTO);
   if (!waiting_.empty() && (model_.has_more() || ++idle_reaps_ % kIdleReaps == 0)) {
     const Transfer transfer = waiting_.front();
     waiting_.pop_front();

@@ -33,6 +33,7 @@ public:
   void unplug();
   const std::string& node() const { return node_; }  // where it was plugged in last
   void claim_elsewhere(bool claimed);                // another program holds it
+  void garble_in(bool garbles);                      // what it says arrives damaged; it hears as before
   bool is_claimed() const;
   std::size_t live() const;  // transfers that libusb has not got back
 
@@ -59,7 +60,7 @@ private:
   std::vector<std::string> nodes_;  // those that it has had
 
   mutable std::mutex mutex_;  // umockdev asks from a thread of its own
-  bool plugged_ = false, claimed_ = false, elsewhere_ = false;
+  bool plugged_ = false, claimed_ = false, elsewhere_ = false, garbles_ = false;
   std::deque<Transfer> waiting_;  // for what the device says
   std::deque<Transfer> done_;     // for libusb to take back
   int idle_reaps_ = 0;

@@ -14,14 +14,20 @@
 
 #include "drivers/force/force_device.h"
 #include "drivers/inverse3/inverse3_bus.h"
+#include "drivers/inverse3/local_websocket.h"
 #include "haptics/math/rotation.h"
+#include "tests/drivers_service/raw_listener.h"
 #include "tests/drivers_service/stand_in_service.h"
 
 namespace fulcrum::test {
 namespace {
 
 using inverse3::Inverse3Bus;
+using inverse3::LocalWebSocket;
+using stand_in::RawListener;
 using stand_in::Service;
+
+constexpr std::chrono::seconds kLongEnough{10};  // for what comes in microseconds
 
 std::unique_ptr<ForceDevice> started_on(int port) {
   auto bus = Inverse3Bus::open(port);
@@ -276,6 +282,57 @@ TEST(Inverse3, AnAnswerThatComesLateIsAsOldAsItIs) {
   while (turn == ForceBus::Turn::none) turn = (*bus)->exchange({}, sample);
   ASSERT_EQ(turn, ForceBus::Turn::fresh);
   EXPECT_GE(sample.age, late.count());
+}
+
+// The messages that are answered are counted off against those that were sent: an answer that never comes
+// would make every later pose look older than it is.
+TEST(Inverse3, WhereAnswersAreLostTheConnectionIsMadeAnew) {
+  Service service;
+  const auto device = started_on(service.port());
+  ASSERT_TRUE(device);
+  const auto opened = [&] { return service.see([](const Service::State& s) { return s.opened; }); };
+  EXPECT_EQ(opened(), 1);
+  service.set([](Service::State& s) { s.swallowed = 60; });
+  until([&] { return opened() > 1; });
+  until([&] { return device->read().connected && device->read().age < 0.02; });
+}
+
+// What is asked stays with who listens here.
+TEST(Inverse3, WhoIsSentElsewhereDoesNotGoThere) {
+  const int elsewhere = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  auto* const any = reinterpret_cast<sockaddr*>(&address);
+  ASSERT_EQ(bind(elsewhere, any, size), 0);
+  ASSERT_EQ(listen(elsewhere, 8), 0);
+  ASSERT_EQ(getsockname(elsewhere, any, &size), 0);
+  const std::string place = "http://127.0.0.1:" + std::to_string(ntohs(address.sin_port)) + "/";
+  std::atomic<int> asked{0};
+  RawListener listener([&](const std::string&) {
+    ++asked;
+    return "HTTP/1.1 302 Found\r\nLocation: " + place + "\r\nContent-Length: 0\r\n\r\n";
+  });
+  EXPECT_FALSE(LocalWebSocket::connect(listener.port(), inverse3::kMostBytes, kLongEnough));
+  EXPECT_EQ(asked, 1);
+  EXPECT_LT(accept(elsewhere, nullptr, nullptr), 0) << "somebody came to where he was sent";
+  close(elsewhere);
+}
+
+TEST(Inverse3, WhoSaysMoreThanWasAskedForIsLeft) {
+  RawListener listener(&stand_in::agreement_to);
+  auto link = LocalWebSocket::connect(listener.port(), inverse3::kMostBytes, kLongEnough);
+  ASSERT_TRUE(link) << link.error().sentence;
+  std::string flood;
+  for (int n = 0; n < 300; ++n) flood += "\x81\x02{}";  // each a message of two bytes
+  ASSERT_TRUE(listener.say(flood));
+  std::string message;
+  int count = 0;
+  LocalWebSocket::Heard heard;
+  while ((heard = (*link)->hear(message, kLongEnough)) == LocalWebSocket::Heard::message) ++count;
+  EXPECT_EQ(heard, LocalWebSocket::Heard::gone);
+  EXPECT_EQ(count, 128);
 }
 
 TEST(Inverse3, WhatIsNonsenseIsNoSample) {

@@ -95,6 +95,10 @@ void Service::heard(lws* socket, const char* piece, std::size_t length) {
   if (lws_remaining_packet_payload(socket) != 0 || lws_is_final_fragment(socket) == 0) return;
   take(coming_);
   coming_.clear();
+  if (state_.swallowed > 0) {
+    --state_.swallowed;
+    return;
+  }
   ++owed_;
   lws_callback_on_writable(socket);
 }

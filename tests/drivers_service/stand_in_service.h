@@ -21,6 +21,7 @@ public:
     bool arm = true, handle = true;
     bool another_before = false;  // another Inverse3, which is listed first
     int answers = -1;             // that it still gives; below 0: to every message
+    int swallowed = 0;            // messages that will never be answered
     std::string babble{};         // in place of each answer
     std::string greets{};         // in place of what is plugged in
     bool calibrated = true, powered = true;

@@ -193,5 +193,23 @@ TEST(VibrotactileOutput, RumbleAndToneAreToldTheirDrive) {
   }
 }
 
+// An effect that has gone wrong asks for what is not a number: that is no drive, and above all not the whole.
+TEST(VibrotactileOutput, WhatIsNotANumberIsNone) {
+  for (const ChannelKind kind : {ChannelKind::rumble, ChannelKind::tone, ChannelKind::pcm}) {
+    ChannelDesc channel = kind == ChannelKind::pcm ? coil() : rumble();
+    channel.kind = kind;
+    ChannelOutput output(channel, kSignal, 1e-3);
+    for (int n = 0; n < 50; ++n) output.process(4, {.glide = 0.01});
+    EXPECT_EQ(output.envelope(), 4);
+    for (int n = 0; n < 50; ++n) {
+      for (const double drive : output.process(std::nan(""), {.glide = 0.01})) {
+        ASSERT_LE(std::abs(drive), 0.45) << n;
+        if (n > 10) ASSERT_EQ(drive, 0) << n;
+      }
+    }
+    EXPECT_EQ(output.envelope(), 0);
+  }
+}
+
 }  // namespace
 }  // namespace fulcrum::test

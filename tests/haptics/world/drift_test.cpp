@@ -128,6 +128,48 @@ TEST(DriftInAWorld, RestsWithTheHandle) {
   }
 }
 
+Vec3 drifted_after(World& world, const Vec3& p_DH) {
+  return *step(world, at({Quat::Identity(), p_DH}), {}).record.drifted_W;
+}
+
+// A device's error is no way of a hand's; the way goes on from where the handle is found.
+TEST(DriftInAWorld, AJumpIsNoWay) {
+  World world = expect(World::build(drifting_scene()));
+  drifted_after(world, {-0.05, 0, 0});
+  const Vec3 moved = drifted_after(world, {-0.04, 0, 0});
+  EXPECT_GT(moved.norm(), 0);
+  EXPECT_EQ(drifted_after(world, {0.06, 0, 0}), moved);
+  EXPECT_NEAR((drifted_after(world, {0.05, 0, 0}) - moved).norm(), kDrift * 0.01 * 0.05 / 0.06, 1e-12);
+}
+
+TEST(DriftInAWorld, WhatLiesBetweenSamplesThatAreLostIsNoWay) {
+  for (const bool finite : {true, false}) {
+    World world = expect(World::build(drifting_scene()));
+    drifted_after(world, {0.03, 0, 0});
+    const Vec3 moved = drifted_after(world, {0.04, 0, 0});
+    DeviceSample lost = at({Quat::Identity(), Vec3(0.04, finite ? 0 : std::nan(""), 0)});
+    lost.connected = !finite;
+    EXPECT_EQ(*step(world, lost, {}).record.drifted_W, moved);
+    EXPECT_EQ(drifted_after(world, {0.05, 0, 0}), moved);
+    EXPECT_GT((drifted_after(world, {0.055, 0, 0}) - moved).norm(), 0);
+  }
+}
+
+TEST(DriftInAWorld, ACountThatTogglesIsNoWay) {
+  SceneDesc desc = drifting_scene();
+  desc.device.encoder_step = 5e-5;
+  World world = expect(World::build(desc));
+  const Vec3 rest(0.05, 0.01, 0);
+  drifted_after(world, {0.04, 0.01, 0});
+  const Vec3 moved = drifted_after(world, rest);
+  EXPECT_GT(moved.norm(), 0);
+  for (int i = 0; i < 2000; ++i)
+    ASSERT_EQ(drifted_after(world, rest + Vec3(i % 2 == 0 ? 5e-5 : 0, 0, i % 3 == 0 ? 5e-5 : 0)), moved) << i;
+  // What goes on is a way, however slowly it goes.
+  for (int i = 1; i <= 20; ++i) drifted_after(world, rest + Vec3(i * 5e-5, 0, 0));
+  EXPECT_GT((drifted_after(world, rest + Vec3(21 * 5e-5, 0, 0)) - moved).norm(), 0.9 * kDrift * 1e-3 * 0.8);
+}
+
 TEST(DriftInAWorld, RestsInContactAndWhileTheClutchIsPressed) {
   SceneDesc desc = drifting_scene(1, 0.05);
   desc.mapping.clutch_button = 0;
