@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "haptics/loop/age_clock.h"
 #include "haptics/loop/real_time.h"
 
 namespace fulcrum {
@@ -15,14 +16,8 @@ constexpr int kLookAgain_ms = 250;                 // between two looks for a de
 constexpr std::int64_t kFirst_ns = 1'000'000'000;  // for the first sample
 constexpr int kLastTurns = 5;                      // of rest, at the end: one may be lost
 
-std::int64_t steady_ns() noexcept {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
 double seconds_since(std::int64_t then_ns) noexcept {
-  return 1e-9 * static_cast<double>(std::max<std::int64_t>(steady_ns() - then_ns, 0));
+  return 1e-9 * static_cast<double>(std::max<std::int64_t>(AgeClock::now_ns() - then_ns, 0));
 }
 
 }  // namespace
@@ -30,11 +25,11 @@ double seconds_since(std::int64_t then_ns) noexcept {
 Result<std::unique_ptr<ForceDevice>> ForceDevice::start(const DeviceDesc& desc, std::unique_ptr<ForceBus> bus,
                                                         Open open) {
   DeviceSample first;
-  std::int64_t begun = steady_ns();
+  std::int64_t begun = AgeClock::now_ns();
   ForceBus::Turn turn = ForceBus::Turn::none;
-  while (turn == ForceBus::Turn::none && steady_ns() - begun < kFirst_ns) {
+  while (turn == ForceBus::Turn::none && AgeClock::now_ns() - begun < kFirst_ns) {
     turn = bus->exchange({}, first);
-    if (bus->starts()) begun = steady_ns();
+    if (bus->starts()) begun = AgeClock::now_ns();
   }
   if (turn == ForceBus::Turn::fresh)
     return std::unique_ptr<ForceDevice>(new ForceDevice(desc, std::move(bus), std::move(open), first));
@@ -67,7 +62,7 @@ DeviceSample ForceDevice::read() noexcept {
 }
 
 void ForceDevice::write(const DeviceCommand& command) noexcept {
-  told_.draft() = {command, steady_ns()};
+  told_.draft() = {command, AgeClock::now_ns()};
   told_.publish();
 }
 
@@ -77,7 +72,7 @@ DeviceCommand ForceDevice::due() {
 }
 
 void ForceDevice::show(const DeviceSample& sample) {
-  seen_.draft() = {sample, steady_ns()};
+  seen_.draft() = {sample, AgeClock::now_ns()};
   seen_.publish();
 }
 
@@ -90,7 +85,7 @@ void ForceDevice::exchange_on(DeviceSample sample) {
   ask_for_scheduling(kReaderPriority);  // where it is refused, the haptic thread has said so
   std::int64_t last_ns = 0;
   const auto pause_ms = [&] {
-    const std::int64_t now = steady_ns();
+    const std::int64_t now = AgeClock::now_ns();
     return now - std::exchange(last_ns, now) < kShortestTurn_ns ? 1 : 0;
   };
   while (rest(pause_ms())) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "haptics/loop/age_clock.h"
 #include "haptics/loop/real_time.h"
 
 namespace fulcrum::hid {
@@ -16,12 +17,6 @@ constexpr std::int64_t kKept_ns = 50'000'000;       // of drives that are not re
 constexpr int kLookAgain_ms = 250;                  // between two looks for a device that is away
 constexpr double kLetGo = 0.1;                      // s, of silence
 constexpr int kMostWaiting = 64;                    // reports; hidraw keeps 63 and drops what is newer
-
-std::int64_t now_ns() noexcept {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 void greet(HidOpened& opened) {
   for (const HidProtocol::Feature& feature : opened.protocol->features()) {
@@ -37,7 +32,8 @@ void greet(HidOpened& opened) {
 HidLink::HidLink(HidOpened opened, Open open)
     : open_(std::move(open)), opened_(std::make_shared<HidOpened>(std::move(opened))) {
   greet(*opened_);
-  state_.draft() = {.told_ns = now_ns(), .seen_ns = now_ns(), .streams = opened_->protocol->streams()};
+  state_.draft() = {
+      .told_ns = AgeClock::now_ns(), .seen_ns = AgeClock::now_ns(), .streams = opened_->protocol->streams()};
   state_.publish();
   reader_ = std::thread([this] { read_on(); });
   writer_ = std::thread([this] { write_on(); });
@@ -57,7 +53,7 @@ HidLink::~HidLink() {
 // it is pushed it speaks, and where it falls silent it has been let go.
 AxesReading HidLink::read() noexcept {
   const State& state = state_.newest();
-  const std::int64_t now = now_ns();
+  const std::int64_t now = AgeClock::now_ns();
   const auto since = [now](std::int64_t then) {
     return 1e-9 * static_cast<double>(std::max(then, now) - then);
   };
@@ -68,14 +64,14 @@ AxesReading HidLink::read() noexcept {
 }
 
 void HidLink::drive(const ChannelDrives& drives) noexcept {
-  told_.draft() = {drives, now_ns()};
+  told_.draft() = {drives, AgeClock::now_ns()};
   told_.publish();
 }
 
 // What nobody renews, because the haptic thread stands still or has ended, vibrates no longer.
 ChannelDrives HidLink::due() {
   const Told& told = told_.newest();
-  return now_ns() - told.at_ns <= kKept_ns ? told.drives : ChannelDrives();
+  return AgeClock::now_ns() - told.at_ns <= kKept_ns ? told.drives : ChannelDrives();
 }
 
 std::shared_ptr<HidOpened> HidLink::opened() {
@@ -104,9 +100,9 @@ bool HidLink::take_reports(HidOpened& opened, State& state) {
     const auto report = std::span(bytes).first(static_cast<std::size_t>(length));
     const bool good = opened.protocol->decode(report, state.axes);
     (good ? reports_ : refused_).fetch_add(1, std::memory_order_relaxed);
-    if (good) state.told_ns = now_ns();
+    if (good) state.told_ns = AgeClock::now_ns();
   }
-  state.seen_ns = now_ns();
+  state.seen_ns = AgeClock::now_ns();
   return true;
 }
 
@@ -115,12 +111,12 @@ bool HidLink::take_reports(HidOpened& opened, State& state) {
 void HidLink::read_on() {
   ask_for_scheduling(kReaderPriority);  // where it is refused, the haptic thread has said so
   const auto begun = [](const HidProtocol& protocol) {
-    return State{.told_ns = now_ns(), .seen_ns = now_ns(), .streams = protocol.streams()};
+    return State{.told_ns = AgeClock::now_ns(), .seen_ns = AgeClock::now_ns(), .streams = protocol.streams()};
   };
   State state = begun(*opened()->protocol);
   std::int64_t last_ns = 0;
   const auto pause_ms = [&] {
-    const std::int64_t now = now_ns();
+    const std::int64_t now = AgeClock::now_ns();
     return now - std::exchange(last_ns, now) < kShortestTurn_ns ? 1 : 0;
   };
   while (rest(pause_ms())) {

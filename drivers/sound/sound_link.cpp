@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "haptics/loop/age_clock.h"
 #include "haptics/loop/real_time.h"
 #include "haptics/math/number_text.h"
 
@@ -12,12 +13,6 @@ namespace {
 constexpr int kTurn_ms = 1;
 constexpr int kLookAgain_ms = 250;  // between two looks for a card that is away
 constexpr int kLastTurns = 200;     // in which what a card holds is played, at the end
-
-std::int64_t clock_ns() noexcept {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 // Ticks that a card holds at most, and some for a thread that is late.
 std::size_t places(const FeedPlan& plan) {
@@ -46,7 +41,7 @@ SoundLink::~SoundLink() {
 
 void SoundLink::drive(const VibrotactileCommand& command) noexcept {
   if (!connected()) return;  // a card that is away is told nothing
-  if (!told_.push({command, clock_ns()})) no_place_.fetch_add(1, std::memory_order_relaxed);
+  if (!told_.push({command, AgeClock::now_ns()})) no_place_.fetch_add(1, std::memory_order_relaxed);
 }
 
 FeedCounts SoundLink::counts() const {
@@ -67,7 +62,7 @@ void SoundLink::play_on() {
   while (rest(pcm_ ? kTurn_ms : kLookAgain_ms)) {
     if (!pcm_) {
       look_again();
-    } else if (!feed_.turn(*pcm_, told_, clock_ns())) {
+    } else if (!feed_.turn(*pcm_, told_, AgeClock::now_ns())) {
       connected_.store(false, std::memory_order_relaxed);
       pcm_ = nullptr;
     }
@@ -86,7 +81,7 @@ void SoundLink::look_again() {
 }
 
 void SoundLink::play_out() {
-  if (!feed_.turn(*pcm_, told_, clock_ns())) return;
+  if (!feed_.turn(*pcm_, told_, AgeClock::now_ns())) return;
   feed_.finish(*pcm_);
   for (int turn = 0; turn < kLastTurns; ++turn) {
     const Pcm::Fill fill = pcm_->fill();

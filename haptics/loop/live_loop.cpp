@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "haptics/loop/age_clock.h"
 #include "haptics/loop/real_time.h"
 #include "haptics/loop/run_tick.h"
 
@@ -14,20 +15,10 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr double kRingSeconds = 8;  // of ticks that the main thread may leave waiting
-// s. Desktops take the processor away for tens of ms: that is a late tick, whose held force has decayed. Past
-// this the thread has hung, and the person may have gone on to something else: the force stops until
-// acknowledged.
-constexpr double kLongStall = 0.25;
-
-std::int64_t monotonic_ns() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<std::int64_t>(now.tv_sec) * kSecond + now.tv_nsec;
-}
 
 void sleep_until(std::int64_t deadline_ns) noexcept {
   const timespec until{static_cast<time_t>(deadline_ns / kSecond), static_cast<long>(deadline_ns % kSecond)};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
+  while (clock_nanosleep(AgeClock::kId, TIMER_ABSTIME, &until, nullptr) == EINTR) {
   }
 }
 
@@ -58,12 +49,11 @@ void LiveLoop::run() {
   grant_ = {ask_for_scheduling(kHapticPriority), ask_for_locked_memory()};
   const double tick_s = world_.desc().tick_s;
   const auto tick_ns = static_cast<std::int64_t>(std::llround(tick_s * 1e9));
-  std::int64_t deadline = monotonic_ns() + tick_ns;
+  std::int64_t deadline = AgeClock::now_ns() + tick_ns;
   while (running_.load(std::memory_order_relaxed)) {
     sleep_until(deadline);
-    const std::int64_t late_ns = std::max<std::int64_t>(monotonic_ns() - deadline, 0);
-    const std::int64_t due = 1 + late_ns / tick_ns;
-    const std::int64_t lost = std::max<std::int64_t>(due - kCatchUp, 0);
+    const Wake wake = wake_at(AgeClock::now_ns(), deadline, tick_ns);
+    const std::int64_t due = wake.due, lost = wake.lost;
     if (lost > 0) {
       lost_.fetch_add(static_cast<std::uint64_t>(lost), std::memory_order_relaxed);
       device_.miss(static_cast<int>(std::min<std::int64_t>(lost, 1000)));
@@ -71,15 +61,14 @@ void LiveLoop::run() {
     for (std::int64_t n = lost; n < due; ++n) {
       std::array<Command, kMaxCommandsPerTick> commands;
       std::size_t count = 0;
-      if (n == lost && static_cast<double>(late_ns) * 1e-9 >= kLongStall)
-        commands[count++] = {Command::Kind::watchdog};
+      if (n == lost && wake.long_stall) commands[count++] = {Command::Kind::watchdog};
       if (n == lost && due > 1)
         commands[count++] = {Command::Kind::caught_up, static_cast<double>(due - lost)};
       while (count < commands.size() && commands_.pop(commands[count])) ++count;
       TickEvent event;
       run_tick(world_, device_, {commands.data(), count}, event);
       event.lost_before = n == lost ? lost : 0;
-      event.wake_late_ns = late_ns - n * tick_ns;
+      event.wake_late_ns = wake.late_ns - n * tick_ns;
       const auto late_us = static_cast<std::uint64_t>(event.wake_late_ns) / 1000;
       ++histogram_[std::min<std::size_t>(std::bit_width(late_us), histogram_.size() - 1)];
       if (event.wake_late_ns >= tick_ns) late_.fetch_add(1, std::memory_order_relaxed);

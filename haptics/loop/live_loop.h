@@ -12,6 +12,7 @@
 #include "haptics/loop/snapshot.h"
 #include "haptics/loop/spsc_ring.h"
 #include "haptics/loop/tick_event.h"
+#include "haptics/loop/wake.h"
 #include "haptics/world/world.h"
 
 namespace fulcrum {
@@ -27,8 +28,6 @@ using LateHistogram = std::array<std::uint64_t, 20>;
 
 class LiveLoop {
 public:
-  static constexpr int kCatchUp = 5;  // ticks run at most after a gap; the rest are lost
-
   LiveLoop(World& world, Device& device);
   ~LiveLoop();  // stops
   LiveLoop(const LiveLoop&) = delete;

@@ -108,8 +108,8 @@ TEST(LiveLoop, AGapIsLostTicksAndALongOneStopsTheForce) {
       return true;
     });
     loop.stop();
-    EXPECT_GE(lost_there, gap_ms - LiveLoop::kCatchUp - 2) << gap_ms;
-    const std::int64_t late_ticks = lost_there + LiveLoop::kCatchUp - 1;
+    EXPECT_GE(lost_there, gap_ms - kCatchUp - 2) << gap_ms;
+    const std::int64_t late_ticks = lost_there + kCatchUp - 1;
     EXPECT_EQ((faults & kWatchdog) != 0, late_ticks >= 250) << gap_ms << ", " << late_ticks;
     EXPECT_TRUE(stopped || late_ticks < 250) << gap_ms << ", " << late_ticks;
     EXPECT_GE(device.missed, lost_there);
