@@ -32,4 +32,11 @@ void EncoderMotion::update(const Vec6& d) noexcept {
   }
 }
 
+void EncoderMotion::jump(const Vec6& d) noexcept {
+  within_ = d;
+  rate_.setZero();
+  last_.setZero();
+  since_.fill(0);
+}
+
 }  // namespace fulcrum

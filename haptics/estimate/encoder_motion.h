@@ -19,6 +19,9 @@ public:
 
   // d (6): what was counted in this tick, m and rad.
   void update(const Vec6& d) noexcept;
+  // The same of a way that the handle has not gone within the tick, such as a device's error or what lies
+  // between samples that could not be used: it is no speed, and the next count begins anew.
+  void jump(const Vec6& d) noexcept;
 
   // (6) m and rad: how far the handle went within this tick.
   //     two counts or more in the tick:  all of d

@@ -136,8 +136,13 @@ HandleMotion HandleInput::follow(const DeviceSample& sample, std::uint32_t& faul
   motion.X_WH = X_WH;
   motion.moved_D = counts_at_device_ ? moved_at_device(X_DH_before) : mapping_.motion_in_device(moved);
   motion.drifted_W = drifted_W_;
+  const bool jumps = found_anew_ || motion.moved_D.head<3>().norm() > kFarthestWay;
   known_ = known_ || usable;
-  counted_.update(motion.moved_D);
+  found_anew_ = !usable;
+  if (jumps)
+    counted_.jump(motion.moved_D);
+  else
+    counted_.update(motion.moved_D);
   motion.within_tick_D = counted_.within_tick();
   motion.per_tick_D = counted_.per_tick();
   motion.sample_age = sample.age;

@@ -72,6 +72,7 @@ private:
   Vec3 drifted_W_ = Vec3::Zero();       // (3) m, by drift alone
   std::optional<Vec3> drift_from_D_{};  // (3) m, where the handle was when its way was last counted
   bool known_ = false;                  // a sample before this one could be used
+  bool found_anew_ = false;             // the last one could not
   bool free_ = true;                    // the tool touched nothing in the tick before
   bool clutched_ = false;
   bool reaches_ = true;  // the tool has followed the handle in this tick

@@ -13,7 +13,9 @@
 //                               al., IEEE Trans. Robotics 22(2), 2006), where there are both;
 //     f_max / margin            with which the force is whole at the workspace's end.
 // B = 2 zeta sqrt(K m) of the bare handle m. The velocity is that of the encoders through a first-order
-// low-pass, as the loop's WallLoop::filter_pole has it.
+// low-pass, as the loop's WallLoop::filter_pole has it. A jump of the handle, by a device's error or over
+// samples that were lost, is no velocity (estimate/encoder_motion.h): the spring alone answers it, and no
+// faster than the slew limit.
 
 #include <optional>
 

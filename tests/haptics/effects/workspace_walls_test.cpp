@@ -280,6 +280,53 @@ TEST(WorkspaceWallsInAWorld, AHandComesToRestInThem) {
   }
 }
 
+// N: the largest force of the motors, and its largest step from tick to tick, while the handle rests at `p`
+// where it has jumped to.
+struct Answer {
+  double force = 0, step = 0;
+};
+Answer answer_at(World& world, const Vec3& p, Vec3 before) {
+  Answer answer;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 told = step(world, handle_at(p), {}).command.F_H_D.force;
+    answer.force = std::max(answer.force, told.norm());
+    answer.step = std::max(answer.step, (told - before).norm());
+    before = told;
+  }
+  return answer;
+}
+
+// Half a millimetre deep in a wall after a jump of 70.5 mm, out of nothing and back in from the other side:
+// its spring pushes with 0.15 N, and its damper takes the jump for no speed.
+TEST(WorkspaceWallsInAWorld, AJumpIsNoSpeedForTheDamper) {
+  SceneDesc desc = walled_scene();
+  const double slew = desc.device.max_force * kTick / 5e-3;
+  World world = expect(World::build(desc));
+  const Vec3 right(0.0705, 0, 0), left(-0.0705, 0, 0);
+  Vec3 last = hold(world, {Quat::Identity(), Vec3::Zero()}, 1000).command.F_H_D.force;
+  for (const Vec3& p : {right, left, right}) {
+    const Answer answer = answer_at(world, p, last);
+    EXPECT_LT(answer.force, 0.16);
+    EXPECT_LT(answer.step, slew);
+    last = step(world, handle_at(p), {}).command.F_H_D.force;
+    EXPECT_NEAR(last.norm(), 0.15, 1e-6);
+  }
+}
+
+// The same where the device was lost meanwhile, by a way that a hand could have gone in a tick.
+TEST(WorkspaceWallsInAWorld, WhatAHandHasGoneUnseenIsNoSpeedForTheDamper) {
+  SceneDesc desc = walled_scene();
+  World world = expect(World::build(desc));
+  hold(world, {Quat::Identity(), Vec3(0.06, 0, 0)}, 1000);
+  DeviceSample lost = handle_at({0.06, 0, 0});
+  lost.connected = false;
+  for (int i = 0; i < 10; ++i) step(world, lost, {});
+  const Command acknowledge{Command::Kind::acknowledge};
+  step(world, handle_at({0.0705, 0, 0}), {&acknowledge, 1});
+  EXPECT_NEAR(step(world, handle_at({0.0705, 0, 0}), {}).record.workspace_walls->force_D.norm(), 0.15, 1e-9);
+  EXPECT_LT(answer_at(world, {0.0705, 0, 0}, Vec3::Zero()).force, 0.16);
+}
+
 TEST(WorkspaceWallsInAWorld, ADeviceThatDoesNotPushHasNone) {
   SceneDesc desc = walled_scene();
   desc.device.renders_force = false;
