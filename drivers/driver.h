@@ -28,11 +28,12 @@ struct Driver {
   const hid::HidFamily* family = nullptr;          // of a HID device
   std::span<const hid::HidId> (*usb)() = nullptr;  // of one that speaks USB without HID
   std::uint32_t stop_buttons = 0, go_buttons = 0;
-  bool in_hand = false;   // a person holds it
-  bool table = false;     // content/devices has its figures
-  bool vibrates = false;  // beside another device, too
-  bool senses = false;    // where another device is held, beside that one alone
-  bool motors = false;    // it pushes back
+  bool in_hand = false;     // a person holds it
+  bool table = false;       // content/devices has its figures
+  bool vibrates = false;    // beside another device, too
+  bool senses = false;      // where another device is held, beside that one alone
+  bool motors = false;      // it pushes back
+  bool by_service = false;  // a service on this machine has it
   bool simulated = false;
 };
 

@@ -1,10 +1,12 @@
 #include "drivers/registry.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
 #include "drivers/driver.h"
 #include "drivers/sound/sound.h"
+#include "drivers/usb/usb_port.h"
 
 namespace fulcrum {
 namespace {
@@ -50,6 +52,15 @@ DeviceListing listing_of(const Driver& driver, const std::string& no_window_reas
       listing.firmware = version_text(place->release);
     }
   }
+  if (driver.usb != nullptr) {
+    const std::vector<usb::UsbPlace> places = usb::find_usb(driver.usb());
+    const auto open = std::ranges::find(places, true, &usb::UsbPlace::permitted);
+    const auto place = open != places.end() ? open : places.begin();
+    if (place != places.end()) {
+      listing.node = place->path;
+      listing.permitted = place->permitted;
+    }
+  }
   listing.present = listing.reason.empty();
   return listing;
 }
@@ -59,6 +70,13 @@ DeviceListing listing_of(const Driver& driver, const std::string& no_window_reas
 std::vector<DeviceListing> list_devices(const std::string& no_window_reason) {
   std::vector<DeviceListing> listings;
   for (const Driver& driver : all_drivers()) listings.push_back(listing_of(driver, no_window_reason));
+  return listings;
+}
+
+std::vector<DeviceListing> list_services(const std::string& no_window_reason) {
+  std::vector<DeviceListing> listings;
+  for (const Driver& driver : all_drivers())
+    if (driver.by_service) listings.push_back(listing_of(driver, no_window_reason));
   return listings;
 }
 

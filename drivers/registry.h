@@ -38,6 +38,9 @@ struct DeviceListing {
 // no_window_reason: why no window can be opened; empty if one can.
 std::vector<DeviceListing> list_devices(const std::string& no_window_reason);
 
+// Those of them that a service on this machine has: the kernel shows nothing of whether it runs.
+std::vector<DeviceListing> list_services(const std::string& no_window_reason);
+
 // The first of the devices in a hand that is there, in the order of the list; the mouse where none before it
 // is, even if there is no window for it: then it is not present, and the listing says why.
 DeviceListing best_device(const std::string& no_window_reason);

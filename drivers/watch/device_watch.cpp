@@ -43,8 +43,12 @@ std::string plugged_in() {
   return text;
 }
 
-DeviceWatch::DeviceWatch(List list)
-    : list_(std::move(list)), seen_(plugged_in()), listed_(seen_), devices_(list_()) {}
+DeviceWatch::DeviceWatch(List list, List services)
+    : list_(std::move(list)),
+      services_(std::move(services)),
+      seen_(plugged_in()),
+      listed_(seen_),
+      devices_(list_()) {}
 
 std::vector<DeviceListing> DeviceWatch::look() {
   const std::string before = std::exchange(seen_, plugged_in());
@@ -54,6 +58,19 @@ std::vector<DeviceListing> DeviceWatch::look() {
   std::vector<DeviceListing> changed;
   for (const DeviceListing& device : devices_)
     if (std::ranges::find(were, device) == were.end()) changed.push_back(device);
+  return changed;
+}
+
+std::vector<DeviceListing> DeviceWatch::ask_services() {
+  const std::vector<DeviceListing> before = std::exchange(asked_, services_());
+  std::vector<DeviceListing> changed;
+  if (asked_ != before) return changed;
+  for (const DeviceListing& device : asked_) {
+    const auto was = std::ranges::find(devices_, device.name, &DeviceListing::name);
+    if (was == devices_.end() || *was == device) continue;
+    *was = device;
+    changed.push_back(device);
+  }
   return changed;
 }
 

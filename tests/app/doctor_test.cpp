@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "engine/app/doctor/held_devices.h"
 #include "engine/app/doctor/machine_files.h"
 #include "engine/app/doctor/wake_ups.h"
 
@@ -69,6 +70,24 @@ TEST(WakeUps, ASecondOfTicksIsMeasured) {
   EXPECT_GE(wake_ups.late, 0);
   EXPECT_LE(wake_ups.late, 1000);
   EXPECT_EQ(wake_ups.late > 0, wake_ups.worst_s >= 1e-3);
+}
+
+// Whatever its driver's words are: what counts is whether its node may be opened.
+TEST(HeldDevices, WhatIsThereAndMayNotBeOpenedIsNamedWithItsCure) {
+  const DeviceListing mouse{.name = "mouse", .what = "a mouse", .present = true};
+  const DeviceListing cap{.name = "cap", .what = "a cap", .present = true, .permitted = true};
+  DeviceListing arm{.name = "arm", .what = "an arm", .reason = "its node is not yours.", .permitted = false};
+  const Finding found = devices_in({mouse, arm, cap}, cap);
+  EXPECT_EQ(found.health, Health::bad);
+  EXPECT_EQ(found.says, "arm: its node is not yours.");
+  EXPECT_NE(found.cure.find("tools/run --udev"), std::string::npos);
+  // Of a device without a node its reason alone tells, and no rule for udev helps.
+  arm.permitted.reset();
+  arm.reason = "you may not open its service.";
+  EXPECT_EQ(devices_in({mouse, arm, cap}, cap).health, Health::good);
+  EXPECT_EQ(devices_in({mouse, arm, cap}, cap).says, "A run takes cap, a cap.");
+  EXPECT_EQ(devices_in({mouse, arm}, mouse).health, Health::fair);
+  EXPECT_EQ(devices_in({arm}, arm).health, Health::fair);
 }
 
 }  // namespace

@@ -168,5 +168,11 @@ TEST(Registry, TheRulesNameEachDeviceByEitherBus) {
   EXPECT_FALSE(knows_usb(0x0403, 0x6001)) << "any other FTDI";
 }
 
+TEST(Registry, OfServicesThereIsTheInverse3s) {
+  const std::vector<DeviceListing> services = list_services("no window");
+  ASSERT_EQ(services.size(), 1u);
+  EXPECT_EQ(services[0].name, "inverse3");
+}
+
 }  // namespace
 }  // namespace fulcrum::test

@@ -91,6 +91,8 @@ TEST_F(FalconMock, FirmwareThatRunsNeedsNoFile) {
   FalconModel model(falcon_firmware(), true);
   MockUsb usb(machine, model);
   EXPECT_TRUE(listed().present) << listed().reason;
+  EXPECT_EQ(listed().permitted, true);
+  EXPECT_EQ(listed().node, usb.node());
   EXPECT_TRUE(model.runs());
 }
 
@@ -107,6 +109,7 @@ TEST_F(FalconMock, WhatMayNotBeOpenedIsSaidWithItsCure) {
   }).join();
   if (!forbidden) GTEST_SKIP() << "this system lets whoever runs the tests open a node of mode 0";
   EXPECT_FALSE(falcon.present);
+  EXPECT_EQ(falcon.permitted, false);
   for (const std::string& part : {usb.node(), std::string("tools/run --udev")})
     EXPECT_NE(falcon.reason.find(part), std::string::npos) << falcon.reason;
 }

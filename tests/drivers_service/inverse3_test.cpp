@@ -15,6 +15,7 @@
 #include "drivers/force/force_device.h"
 #include "drivers/inverse3/inverse3_bus.h"
 #include "drivers/inverse3/local_websocket.h"
+#include "drivers/watch/device_watch.h"
 #include "haptics/math/rotation.h"
 #include "tests/drivers_service/raw_listener.h"
 #include "tests/drivers_service/stand_in_service.h"
@@ -370,3 +371,29 @@ TEST(Inverse3, WhatIsNotReadyIsRefusedWithWhatWouldCureIt) {
 
 }  // namespace
 }  // namespace fulcrum::test
+// As `fulcrum devices --watch` asks it, which no change of the kernel's would have ask.
+TEST(Inverse3, ItsServiceIsSeenToComeAndToGo) {
+  auto service = std::make_unique<Service>();
+  const int port = service->port();
+  service.reset();
+  const auto listed = [port] {
+    DeviceListing listing{.name = "inverse3", .what = "an arm", .reason = inverse3::why_no_inverse3(port)};
+    listing.present = listing.reason.empty();
+    return std::vector<DeviceListing>{listing};
+  };
+  DeviceWatch watch(listed, listed);
+  EXPECT_FALSE(watch.devices()[0].present);
+  EXPECT_TRUE(watch.ask_services().empty());
+  EXPECT_TRUE(watch.ask_services().empty()) << "nothing has changed";
+  service = std::make_unique<Service>(port);
+  EXPECT_TRUE(watch.ask_services().empty()) << "it has said so once";
+  const auto told = [&](bool present) {
+    const std::vector<DeviceListing> changed = watch.ask_services();
+    return !changed.empty() && changed[0].present == present;
+  };
+  until([&] { return told(true); });
+  EXPECT_TRUE(watch.devices()[0].present);
+  service.reset();
+  until([&] { return told(false); });
+}
+

@@ -19,6 +19,8 @@ namespace fulcrum::app {
 
 namespace {
 
+constexpr int kLooksPerService = 8;  // a service is asked every two seconds
+
 struct DevicesOptions {
   bool json = false;
   bool udev = false;
@@ -115,15 +117,20 @@ bool tell_change(const DeviceListing& device, bool json) {
 int watch(bool json) {
   catch_interrupts();
   const std::string no_window = ui::why_no_window();
-  DeviceWatch devices([&no_window] { return list_devices(no_window); });
+  DeviceWatch devices([&no_window] { return list_devices(no_window); },
+                      [&no_window] { return list_services(no_window); });
   bool read = true;
+  const auto tell = [&read, json](const std::vector<DeviceListing>& changed) {
+    for (const DeviceListing& device : changed) read = read && tell_change(device, json);
+  };
   // What is plugged in now comes first, so that who starts late misses nothing.
   for (const DeviceListing& device : devices.devices())
     if (!device.node.empty()) read = read && tell_change(device, json);
   std::fprintf(stderr, "Watching for devices; Ctrl+C ends it.\n");
-  while (read && !interrupted()) {
+  for (int looks = 1; read && !interrupted(); ++looks) {
     std::this_thread::sleep_for(std::chrono::milliseconds(250));
-    for (const DeviceListing& device : devices.look()) read = read && tell_change(device, json);
+    tell(devices.look());
+    if (looks % kLooksPerService == 0) tell(devices.ask_services());
   }
   return kCompleted;
 }

@@ -8,6 +8,7 @@
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
+#include "engine/app/doctor/held_devices.h"
 #include "engine/app/doctor/machine_files.h"
 #include "engine/app/doctor/wake_ups.h"
 #include "engine/ui/window.h"
@@ -63,21 +64,6 @@ Finding display() {
   return {"display", Health::bad, why, ""};
 }
 
-Finding devices() {
-  for (const DeviceListing& device : list_devices(ui::why_no_window()))
-    if (!device.present && device.reason.find("may not open") != std::string::npos)
-      return {"devices", Health::bad, device.name + ": " + device.reason,
-              "tools/run --udev, then plug it in again"};
-  const DeviceListing best = best_device(ui::why_no_window());
-  if (!best.present)
-    return {"devices", Health::fair, "Nothing is there that a hand could hold.",
-            "fulcrum devices says what each lacks"};
-  if (best.name == "mouse")
-    return {"devices", Health::fair, "The mouse is the only device here, and it cannot push.",
-            "fulcrum devices says what others lack"};
-  return {"devices", Health::good, "A run takes " + best.name + ", " + best.what + ".", ""};
-}
-
 // Of the card that `--device mouse+audio` plays on. What is wrong is said before the colon, its cure after
 // it.
 Finding sound_card() {
@@ -92,6 +78,7 @@ Finding sound_card() {
 
 std::vector<Finding> examine() {
   const WakeUps wake_ups = measure_wake_ups();
+  const std::string no_window = ui::why_no_window();
   return {granted("scheduling", wake_ups.scheduling, "The haptic thread is scheduled in real time."),
           granted("memory", wake_ups.memory, "The program's memory is locked."),
           punctual(wake_ups),
@@ -100,7 +87,7 @@ std::vector<Finding> examine() {
           graphics(),
           display(),
           sound_card(),
-          devices()};
+          devices_in(list_devices(no_window), best_device(no_window))};
 }
 
 int doctor_command(bool json) {
