@@ -183,7 +183,7 @@ constexpr Driver kDrivers[] = {
      .shown = "falcon",
      .what = "a Novint Falcon: where its grip is, and pushes on three axes; with its maker's firmware",
      .why_not = &why_no_falcon,
-     .open = &open_force<falcon::FalconBus>,
+     .open = &open_own_force<falcon::FalconBus>,
      .usb = &falcon::usb_ids,
      .in_hand = true,
      .table = true,
@@ -193,7 +193,7 @@ constexpr Driver kDrivers[] = {
      .what = "a Haply Inverse3: six axes with a VerseGrip, three without; pushes on three; by its maker's "
              "service",
      .why_not = &why_no_inverse3,
-     .open = &open_force<inverse3::Inverse3Bus>,
+     .open = &open_own_force<inverse3::Inverse3Bus>,
      .in_hand = true,
      .table = true,
      .motors = true,

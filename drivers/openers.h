@@ -28,10 +28,11 @@ std::string why_no_hid(const std::string& /*no_window_reason*/) {
 // signal: what its channels are to render.
 template <const hid::HidFamily& kFamily>
 Result<std::shared_ptr<AxesSource>> hid_axes(const VibrotactileSignal& signal) {
-  Result<hid::HidOpened> opened = hid::open_spoken(kFamily, signal);
+  const auto own = std::make_shared<OwnDevice>();
+  Result<hid::HidOpened> opened = hid::open_spoken(kFamily, signal, *own);
   if (!opened) return opened.error();
-  const auto again = [signal] {
-    Result<hid::HidOpened> found = hid::open_spoken(kFamily, signal);
+  const auto again = [signal, own] {
+    Result<hid::HidOpened> found = hid::open_spoken(kFamily, signal, *own);
     return found ? std::move(*found) : hid::HidOpened();
   };
   return std::shared_ptr<AxesSource>(std::make_shared<hid::HidLink>(std::move(*opened), again));
@@ -45,33 +46,43 @@ Result<OpenDevice> open_axes(const std::string& /*argument*/, const DeviceOrder&
   return by_axes(std::move(*axes), order);
 }
 
-// Bus: of a device with motors that speaks HID, made of a port and the device's figures.
-template <const hid::HidFamily& kFamily, class Bus>
-Result<OpenDevice> open_hid_force(const std::string& /*argument*/, const DeviceOrder& order) {
-  Result<std::unique_ptr<hid::HidPort>> port = hid::open_one(kFamily);
-  if (!port) return port.error();
-  const auto again = [desc = order.desc]() -> std::unique_ptr<ForceBus> {
-    Result<std::unique_ptr<hid::HidPort>> found = hid::open_one(kFamily);
-    return found ? std::make_unique<Bus>(std::move(*found), desc) : nullptr;
-  };
-  Result<std::unique_ptr<ForceDevice>> device =
-      ForceDevice::start(order.desc, std::make_unique<Bus>(std::move(*port), order.desc), again);
-  if (!device) return device.error();
-  return OpenDevice{.device = std::move(*device)};
-}
-
-// Bus: of a device with motors that finds its device itself, or whose maker's library or service does.
-template <class Bus>
-Result<OpenDevice> open_force(const std::string& /*argument*/, const DeviceOrder& order) {
-  Result<std::unique_ptr<Bus>> bus = Bus::open();
+// open: a Result of a pointer to its bus, now and whenever it is looked for again.
+template <class Open>
+Result<OpenDevice> started(const DeviceOrder& order, Open open) {
+  auto bus = open();
   if (!bus) return bus.error();
-  const auto again = []() -> std::unique_ptr<ForceBus> {
-    Result<std::unique_ptr<Bus>> found = Bus::open();
+  const auto again = [open]() -> std::unique_ptr<ForceBus> {
+    auto found = open();
     return found ? std::move(*found) : nullptr;
   };
   Result<std::unique_ptr<ForceDevice>> device = ForceDevice::start(order.desc, std::move(*bus), again);
   if (!device) return device.error();
   return OpenDevice{.device = std::move(*device)};
+}
+
+// Bus: of a device with motors that speaks HID, made of a port and the device's figures.
+template <const hid::HidFamily& kFamily, class Bus>
+Result<OpenDevice> open_hid_force(const std::string& /*argument*/, const DeviceOrder& order) {
+  const auto own = std::make_shared<OwnDevice>();
+  return started(order, [desc = order.desc, own]() -> Result<std::unique_ptr<Bus>> {
+    Result<std::unique_ptr<hid::HidPort>> port = hid::open_one(kFamily, *own);
+    if (!port) return port.error();
+    return std::make_unique<Bus>(std::move(*port), desc);
+  });
+}
+
+// Bus: of a device with motors that finds its device itself. Bus::Own: by what it finds the same one again.
+template <class Bus>
+Result<OpenDevice> open_own_force(const std::string& /*argument*/, const DeviceOrder& order) {
+  const auto own = std::make_shared<typename Bus::Own>();
+  return started(order, [own] { return Bus::open(*own); });
+}
+
+// Bus: of a device with motors that its maker's library finds, which knows which one it is.
+template <class Bus>
+Result<OpenDevice> open_force(const std::string& /*argument*/, const DeviceOrder& order) {
+  return started(
+      order, [] { return Bus::open(); });
 }
 
 }  // namespace fulcrum

@@ -15,7 +15,6 @@ constexpr std::uint16_t kPurgeIn = 1, kPurgeOut = 2;
 constexpr std::uint16_t kRtsLow = 0x200, kDtrLow = 0x100, kDtrHigh = 0x101;
 constexpr std::uint16_t k9600 = 0x4138, k140000 = 0x15, kFastest = 2;
 constexpr std::uint16_t k8N1 = 8;
-constexpr int kMostDropped = 64;  // packets
 
 }  // namespace
 
@@ -60,12 +59,6 @@ int FalconLine::read(std::span<std::uint8_t> bytes, int wait_ms) {
       return static_cast<int>(count);
     }
     if (left <= 0) return 0;
-  }
-}
-
-void FalconLine::drop() {
-  std::array<std::uint8_t, usb::kPacketBytes> packet{};
-  for (int count = 0; count < kMostDropped && port_.read(packet, 0) > 0; ++count) {
   }
 }
 

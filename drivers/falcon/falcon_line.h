@@ -23,8 +23,6 @@ public:
   bool write(std::span<const std::uint8_t> bytes) { return port_.write(bytes); }
   // As UsbPort::read(), of what is on the line. bytes: of kMostRead.
   int read(std::span<std::uint8_t> bytes, int wait_ms);
-  // What has come until now is forgotten.
-  void drop();
 
 private:
   struct Setting {

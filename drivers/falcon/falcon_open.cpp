@@ -7,15 +7,20 @@
 namespace fulcrum::falcon {
 namespace {
 
-Result<std::unique_ptr<usb::UsbPort>> open_port() {
-  const std::vector<usb::UsbPlace> places = usb::find_usb(kIds);
+Result<std::unique_ptr<usb::UsbPort>> open_port(OwnDevice& own) {
+  const std::vector<usb::UsbPlace> all = usb::find_usb(kIds);
+  std::vector<usb::UsbPlace> places = all;
+  own.keep_own(places);
   if (places.empty()) return Error{"none is plugged in: plug one in, and its power, too."};
   Error why = not_permitted(places.front().path);
   for (const usb::UsbPlace& place : places) {
     if (!place.permitted) continue;
     Result<std::unique_ptr<usb::UsbPort>> port =
         usb::open_usb(place, {.interface = 0, .in = 0x81, .out = 0x02});
-    if (port) return port;
+    if (port) {
+      own.be(place, all);
+      return port;
+    }
     why = port.error();
   }
   return why;
@@ -27,7 +32,8 @@ Result<std::unique_ptr<usb::UsbPort>> open_port() {
 std::string why_no_falcon() {
   const std::vector<usb::UsbPlace> places = usb::find_usb(kIds);
   if (!places.empty() && places.front().permitted && find_firmware()) return {};
-  Result<std::unique_ptr<usb::UsbPort>> port = open_port();
+  OwnDevice any;
+  Result<std::unique_ptr<usb::UsbPort>> port = open_port(any);
   if (!port) return port.error().sentence;
   FalconLine line(**port);
   FalconBoot boot(&find_firmware);
@@ -36,8 +42,8 @@ std::string why_no_falcon() {
   return boot.why();
 }
 
-Result<std::unique_ptr<FalconBus>> FalconBus::open() {
-  Result<std::unique_ptr<usb::UsbPort>> port = open_port();
+Result<std::unique_ptr<FalconBus>> FalconBus::open(Own& own) {
+  Result<std::unique_ptr<usb::UsbPort>> port = open_port(own);
   if (!port) return port.error();
   return std::make_unique<FalconBus>(std::move(*port), &find_firmware);
 }

@@ -10,6 +10,7 @@
 #include "drivers/hid/hid_link.h"
 #include "drivers/hid/hid_port.h"
 #include "drivers/hid/hid_protocol.h"
+#include "drivers/own_device.h"
 #include "haptics/device/vibrotactile_desc.h"
 #include "haptics/math/result.h"
 
@@ -27,8 +28,9 @@ struct HidFamily {
 std::optional<HidPlace> find_one(const HidFamily& family);
 // Where it is, or why it cannot be opened, with what would cure it.
 Result<HidPlace> place_of(const HidFamily& family);
-Result<std::unique_ptr<HidPort>> open_one(const HidFamily& family);
+// own: which of them it is to be; the one that is opened where the run has none yet.
+Result<std::unique_ptr<HidPort>> open_one(const HidFamily& family, OwnDevice& own);
 // With what it speaks.
-Result<HidOpened> open_spoken(const HidFamily& family, const VibrotactileSignal& signal);
+Result<HidOpened> open_spoken(const HidFamily& family, const VibrotactileSignal& signal, OwnDevice& own);
 
 }  // namespace fulcrum::hid

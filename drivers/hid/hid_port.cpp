@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -71,14 +72,25 @@ std::string narrow(const wchar_t* text) {
   return narrowed;
 }
 
-// The bus is in the node's name in sysfs, such as .../0005:054C:0CE6.0001/hidraw/hidraw3.
-bool is_bluetooth(const std::string& node) {
-  const std::string link = "/sys/class/hidraw/" + node.substr(node.rfind('/') + 1) + "/device";
-  char target[512];
-  const ssize_t length = readlink(link.c_str(), target, sizeof target);
-  if (length <= 0) return false;
-  const std::string_view path(target, static_cast<std::size_t>(length));
-  return path.substr(path.rfind('/') + 1).starts_with("0005:");
+// Where it is in sysfs, such as /sys/devices/pci0000:00/.../usb1/1-2/1-2:1.0/0003:054C:0CE6.0001; empty where
+// that is not known.
+std::string device_of(const std::string& node) {
+  std::error_code error;
+  const auto device =
+      std::filesystem::canonical("/sys/class/hidraw/" + node.substr(node.rfind('/') + 1) + "/device", error);
+  return error ? "" : device.string();
+}
+
+// The bus is the first number of the name.
+bool is_bluetooth(const std::string& device) {
+  return device.substr(device.rfind('/') + 1).starts_with("0005:");
+}
+
+// The folder before that of the interface: "1-2" of .../1-2/1-2:1.0/...
+std::string port_of(const std::string& device) {
+  const std::filesystem::path interface = std::filesystem::path(device).parent_path();
+  const std::string name = interface.filename().string(), port = interface.parent_path().filename().string();
+  return name.starts_with(port + ":") ? port : "";
 }
 
 constexpr unsigned short kGenericDesktop = 1, kVendors = 0xFF00;
@@ -114,8 +126,10 @@ std::vector<HidPlace> find_hid(std::span<const HidId> ids, Nodes nodes) {
       const std::string path = info->path;
       const bool known = std::ranges::any_of(places, [&](const HidPlace& p) { return p.path == path; });
       if (known) continue;  // hidapi lists a node once for each of its usages
-      places.push_back({id, path, is_bluetooth(path), narrow(info->product_string),
-                        access(path.c_str(), R_OK | W_OK) == 0, info->release_number});
+      const std::string device = device_of(path);
+      places.push_back({id, path, is_bluetooth(device), narrow(info->product_string),
+                        access(path.c_str(), R_OK | W_OK) == 0, info->release_number,
+                        narrow(info->serial_number), port_of(device)});
     }
     hid_free_enumeration(all);
   }

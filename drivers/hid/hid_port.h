@@ -34,6 +34,8 @@ struct HidPlace {
   bool permitted = true;      // the node may be read and written
   std::uint16_t release = 0;  // of its firmware, two decimal digits before the point and two after it, four
                               // bits each; 0: its bus does not tell
+  std::string serial{};       // of the device, where its bus tells it
+  std::string port{};         // of USB, that it is plugged in at; empty: it is not known
 };
 
 // One device may have several nodes.

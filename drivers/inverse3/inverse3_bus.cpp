@@ -50,8 +50,8 @@ struct Opened {
   ServiceSays first;
 };
 
-// wait: for each of two steps.
-Result<Opened> connected(int port, milliseconds wait) {
+// chosen: none takes the first. wait: for each of two steps.
+Result<Opened> connected(int port, milliseconds wait, const std::optional<Chosen>& chosen) {
   Result<std::unique_ptr<LocalWebSocket>> service = LocalWebSocket::connect(port, kMostBytes, wait);
   if (!service)
     return Error{
@@ -60,7 +60,7 @@ Result<Opened> connected(int port, milliseconds wait) {
   std::string message;
   if ((*service)->hear(message, wait) != LocalWebSocket::Heard::message)
     return Error{"its maker's service says nothing: start Haply Hub again."};
-  const std::optional<ServiceSays> first = decode(message, std::nullopt);
+  const std::optional<ServiceSays> first = decode(message, chosen);
   if (!first)
     return Error{
         "what its maker's service says is not understood: install a version of Haply Hub from 3.1 to 3.5."};
@@ -73,14 +73,15 @@ Result<Opened> connected(int port, milliseconds wait) {
 }  // namespace
 
 std::string why_no_inverse3(int port) {
-  const Result<Opened> opened = connected(port, kLook);
+  const Result<Opened> opened = connected(port, kLook, std::nullopt);
   return opened ? "" : opened.error().sentence;
 }
 
-Result<std::unique_ptr<Inverse3Bus>> Inverse3Bus::open(int port) {
-  Result<Opened> opened = connected(port, kOpening);
+Result<std::unique_ptr<Inverse3Bus>> Inverse3Bus::open(Own& own, int port) {
+  Result<Opened> opened = connected(port, kOpening, own);
   if (!opened) return opened.error();
-  return std::unique_ptr<Inverse3Bus>(new Inverse3Bus(std::move(opened->service), opened->first));
+  if (!own) own = opened->first.of;
+  return std::unique_ptr<Inverse3Bus>(new Inverse3Bus(std::move(opened->service), *own, opened->first));
 }
 
 bool Inverse3Bus::told(const DeviceCommand& command) {
@@ -118,7 +119,8 @@ ForceBus::Turn Inverse3Bus::exchange(const DeviceCommand& command, DeviceSample&
   if (says->of.arm.empty()) return Turn::lost;
   says_ = *says;
   if (!trouble().empty()) return Turn::none;
-  sample.X_DH = {says->q_SH ? ours(*says->q_SH) : Quat::Identity(), ours(says->p_SH - kMiddle_S)};
+  sample.X_DH.p = ours(says->p_SH - kMiddle_S);
+  if (says->q_SH) sample.X_DH.q = ours(*says->q_SH);  // what does not tell its turn keeps the one that it had
   sample.age = std::chrono::duration<double>(Clock::now() - asked).count();
   sample.buttons = says->buttons;
   return Turn::fresh;

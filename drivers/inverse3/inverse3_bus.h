@@ -6,11 +6,14 @@
 #include <chrono>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "drivers/force/force_bus.h"
 #include "drivers/inverse3/local_websocket.h"
 #include "drivers/inverse3/service_messages.h"
+#include "haptics/loop/age_clock.h"
 
 namespace fulcrum::inverse3 {
 
@@ -21,17 +24,19 @@ std::string why_no_inverse3(int port = kServicePort);
 
 class Inverse3Bus final : public ForceBus {
 public:
+  // The arm and the handle that a run goes on with, by their names; none: it has none yet.
+  using Own = std::optional<Chosen>;
   // Errors: there is no service, or it has no such device.
-  static Result<std::unique_ptr<Inverse3Bus>> open(int port = kServicePort);
+  static Result<std::unique_ptr<Inverse3Bus>> open(Own& own, int port = kServicePort);
 
   Turn exchange(const DeviceCommand& command, DeviceSample& sample) override;
   std::string trouble() const override;
 
 private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = AgeClock;
 
-  Inverse3Bus(std::unique_ptr<LocalWebSocket> service, const ServiceSays& first)
-      : service_(std::move(service)), chosen_(first.of), since_3_5_(first.since_3_5), says_(first) {}
+  Inverse3Bus(std::unique_ptr<LocalWebSocket> service, Chosen chosen, const ServiceSays& first)
+      : service_(std::move(service)), chosen_(std::move(chosen)), since_3_5_(first.since_3_5), says_(first) {}
   bool told(const DeviceCommand& command);
 
   std::unique_ptr<LocalWebSocket> service_;

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <fstream>
 #include <utility>
 
 #include "drivers/permission.h"
@@ -45,6 +47,23 @@ std::string node_of(int bus, int address) {
   return path;
 }
 
+// Bus and ports from there on.
+std::string port_of(libusb_device* device) {
+  std::array<std::uint8_t, 7> ports{};  // as deep as USB goes
+  const int count = libusb_get_port_numbers(device, ports.data(), static_cast<int>(ports.size()));
+  std::string name = std::to_string(libusb_get_bus_number(device));
+  for (int i = 0; i < count; ++i)
+    name.append(i == 0 ? "-" : ".").append(std::to_string(ports[static_cast<std::size_t>(i)]));
+  return name;
+}
+
+// As the kernel has read it: libusb would have to open the device.
+std::string serial_at(const std::string& port) {
+  std::string serial;
+  std::getline(std::ifstream("/sys/bus/usb/devices/" + port + "/serial"), serial);
+  return serial;
+}
+
 Error cannot_open(const UsbPlace& place, int error) {
   if (error == LIBUSB_ERROR_ACCESS) return not_permitted(place.path);
   std::string sentence = "it is plugged in (";
@@ -67,9 +86,11 @@ std::vector<UsbPlace> find_usb(std::span<const hid::HidId> ids) {
     libusb_device_descriptor says{};
     if (libusb_get_device_descriptor(device, &says) != 0) continue;
     if (std::ranges::find(ids, hid::HidId{says.idVendor, says.idProduct}) == ids.end()) continue;
-    UsbPlace place{libusb_get_bus_number(device), libusb_get_device_address(device), "", true};
+    UsbPlace place{.bus = libusb_get_bus_number(device), .address = libusb_get_device_address(device)};
     place.path = node_of(place.bus, place.address);
     place.permitted = access(place.path.c_str(), R_OK | W_OK) == 0;
+    place.port = port_of(device);
+    place.serial = serial_at(place.port);
     places.push_back(std::move(place));
   }
   std::ranges::sort(places, {}, &UsbPlace::path);

@@ -32,8 +32,10 @@ public:
 // A device that is plugged in.
 struct UsbPlace {
   int bus = 0, address = 0;
-  std::string path;       // of its node
+  std::string path{};     // of its node
   bool permitted = true;  // the node may be read and written
+  std::string serial{};   // where it has one
+  std::string port{};     // that it is plugged in at, as the kernel names it: 1-2.3
 };
 // Those of `ids` that are there now, in the order of their paths.
 std::vector<UsbPlace> find_usb(std::span<const hid::HidId> ids);

@@ -134,6 +134,35 @@ TEST(Falcon, ALateAnswerIsNotTaken) {
   EXPECT_NEAR(falcon.sample.X_DH.p.x(), 0.03, 6e-5) << "the newest";
 }
 
+// An answer that comes after the next packet has gone is one to the packet before it.
+TEST(Falcon, ALateAnswerIsAsOldAsItsQuestion) {
+  OnFalcon falcon;
+  falcon.make_ready();
+  falcon.port->late = 1;
+  const AgeClock::time_point before = AgeClock::now();
+  EXPECT_EQ(falcon.turn(), ForceBus::Turn::none);
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  EXPECT_EQ(falcon.turn(), ForceBus::Turn::fresh);
+  EXPECT_GE(falcon.sample.age, 0.03);
+  EXPECT_LE(falcon.sample.age, std::chrono::duration<double>(AgeClock::now() - before).count());
+}
+
+// One that was lost does not make all that come after it look older than they are.
+TEST(Falcon, AnAnswerThatIsLostAgesOneSampleAlone) {
+  OnFalcon falcon;
+  falcon.make_ready();
+  falcon.model.have(Fault::garbles);
+  EXPECT_EQ(falcon.turn(), ForceBus::Turn::none);
+  falcon.model.have(Fault::none);
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  EXPECT_EQ(falcon.turn(), ForceBus::Turn::fresh);
+  EXPECT_GE(falcon.sample.age, 0.03) << "it may be the answer to the first";
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  const AgeClock::time_point before = AgeClock::now();
+  EXPECT_EQ(falcon.turn(), ForceBus::Turn::fresh);
+  EXPECT_LE(falcon.sample.age, std::chrono::duration<double>(AgeClock::now() - before).count());
+}
+
 TEST(Falcon, OneThatLosesItsPlaceIsLetGo) {
   OnFalcon falcon;
   falcon.make_ready();

@@ -241,5 +241,26 @@ TEST_F(FalconMock, OneWhoseRepliesAreDamagedIsToldToRestAndIsLost) {
   hand.join();
 }
 
+// Two of them: whichever is listed first, the run goes on with its own, by its serial number at whatever
+// port, or by its port. What it would be taken for was there before, and is listed before it.
+TEST_F(FalconMock, PluggedInAgainItIsTheRunsOwn) {
+  for (const bool numbered : {true, false}) {
+    FalconModel model(falcon_firmware(), true), another(falcon_firmware(), true);
+    MockUsb usb(machine, model, numbered ? "FN1" : "", numbered);
+    MockUsb beside(machine, another, numbered ? "FN2" : "");
+    model.hold({0.02, 0, 0});
+    auto opened = open_homed(model);
+    ASSERT_TRUE(opened) << opened.error().sentence;
+    ASSERT_TRUE(usb.is_claimed());
+    usb.unplug();
+    wait_for([&] { return !opened->device->read().connected; });
+    usb.plug();
+    wait_for([&] { return opened->device->read().connected || beside.is_claimed(); });
+    EXPECT_FALSE(beside.is_claimed()) << numbered;
+    EXPECT_EQ(another.packets(), 0) << numbered;
+    EXPECT_TRUE(usb.is_claimed()) << numbered;
+  }
+}
+
 }  // namespace
 }  // namespace fulcrum::test

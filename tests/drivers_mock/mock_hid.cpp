@@ -101,18 +101,19 @@ void MockHid::plug() {
     tree += "P: " + path + "\n" + lines + "\n";
   };
   if (!facts_.bluetooth) {
-    add(formatted("/1-%d", number),
+    if (port_ == 0 || facts_.wanders) port_ = number;
+    add(formatted("/1-%d", port_),
         formatted("E: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: idVendor=%04x\nA: idProduct=%04x\n", vendor,
                   product) +
             "A: manufacturer=Mock\nA: product=" + facts_.name + "\nA: bcdDevice=0100\n");
-    add(formatted("/1-%d:1.0", number),
+    add(formatted("/1-%d:1.0", port_),
         "E: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\nA: bInterfaceNumber=00\n");
   }
   const std::string device =
       formatted("%04X:%04X:%04X.%04X", bus, vendor, product, static_cast<unsigned>(number));
   add("/" + device, "E: SUBSYSTEM=hid\n" + formatted("E: HID_ID=%04X:%08X:%08X\n", bus, vendor, product) +
-                        "E: HID_NAME=" + facts_.name + "\nE: HID_PHYS=mock\nE: HID_UNIQ=\n" +
-                        "H: report_descriptor=" + hex(facts_.descriptor) + "\n");
+                        "E: HID_NAME=" + facts_.name + "\nE: HID_PHYS=mock\nE: HID_UNIQ=" + facts_.serial +
+                        "\n" + "H: report_descriptor=" + hex(facts_.descriptor) + "\n");
   const std::string named = "N: " + node + "\nE: DEVNAME=" + node_ + "\n";
   add("/hidraw/" + node, (facts_.named ? named : "") + "E: SUBSYSTEM=hidraw\n" +
                              formatted("E: MAJOR=240\nE: MINOR=%d\nA: dev=240:%d\n", number, number) +

@@ -46,6 +46,8 @@ struct MockHidFacts {
   std::string name;
   Bytes descriptor;               // of its reports
   std::vector<Bytes> features{};  // each begins with its number; the device stalls at any other
+  std::string serial{};           // empty: it has none
+  bool wanders = false;           // it is plugged in at another port of USB each time
   bool named = true;              // false: its node in /dev is gone, what is in /sys not yet
 };
 
@@ -93,6 +95,7 @@ private:
   std::string node_;
   std::vector<std::string> nodes_;  // those that it has had
   int bell_ = -1;                   // the node's other end
+  int port_ = 0;                    // of USB; 0: it was never plugged in
 
   mutable std::mutex mutex_;  // umockdev asks from a thread of its own
   bool plugged_ = false, takes_ = true, goes_ = false;

@@ -60,8 +60,12 @@ usbdevfs_urb block_of(const UMockdevIoctlData* data) {
 
 }  // namespace
 
-MockUsb::MockUsb(MockMachine& machine, FalconModel& model)
-    : machine_(machine), model_(model), handler_(umockdev_ioctl_base_new()) {
+MockUsb::MockUsb(MockMachine& machine, FalconModel& model, std::string serial, bool wanders)
+    : machine_(machine),
+      model_(model),
+      handler_(umockdev_ioctl_base_new()),
+      serial_(std::move(serial)),
+      wanders_(wanders) {
   g_signal_connect_data(handler_, "handle-ioctl", reinterpret_cast<GCallback>(&MockUsb::on_ioctl), this,
                         nullptr, static_cast<GConnectFlags>(0));
   plug();
@@ -83,7 +87,8 @@ MockUsb::~MockUsb() {
 void MockUsb::plug() {
   const int number = machine_.next_number_++;
   node_ = text_of("/dev/bus/usb/001/%03d", number);
-  const std::string path = text_of("/devices/pci0000:00/usb1/1-%d", number);
+  if (port_ == 0 || wanders_) port_ = number;
+  const std::string path = text_of("/devices/pci0000:00/usb1/1-%d", port_);
   Bytes descriptors = FalconModel::device_descriptor();
   const unsigned vendor = descriptors[8] + 256u * descriptors[9];
   const unsigned product = descriptors[10] + 256u * descriptors[11];
@@ -96,7 +101,7 @@ void MockUsb::plug() {
               number) +
       text_of("A: idVendor=%04x\nA: idProduct=%04x\nA: bConfigurationValue=1\nA: speed=12\n", vendor,
               product) +
-      "H: descriptors=" + hex_of(descriptors) + "\n";
+      (serial_.empty() ? "" : "A: serial=" + serial_ + "\n") + "H: descriptors=" + hex_of(descriptors) + "\n";
   {
     const std::lock_guard lock(mutex_);
     plugged_ = true;

@@ -23,8 +23,8 @@ namespace fulcrum::test {
 // Outlives every handle to it that is open.
 class MockUsb {
 public:
-  // Plugged in.
-  MockUsb(MockMachine& machine, FalconModel& model);
+  // Plugged in. serial: empty, it has none. wanders: it is plugged in at another port each time.
+  MockUsb(MockMachine& machine, FalconModel& model, std::string serial = "", bool wanders = false);
   ~MockUsb();
   MockUsb(const MockUsb&) = delete;
   MockUsb& operator=(const MockUsb&) = delete;
@@ -56,6 +56,9 @@ private:
   MockMachine& machine_;
   FalconModel& model_;
   UMockdevIoctlBase* const handler_;
+  const std::string serial_;
+  const bool wanders_;
+  int port_ = 0;  // 0: it was never plugged in
   std::string path_, node_;
   std::vector<std::string> nodes_;  // those that it has had
 

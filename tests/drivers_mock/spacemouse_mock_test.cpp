@@ -67,5 +67,27 @@ TEST_F(Mock, SpaceMouseMovesAndDualSenseVibratesBeside) {
   wait_for([&] { return !open->device->read().connected; });
 }
 
+// Two of them: the one that was there all along is listed first when the other comes back, and is not taken.
+TEST_F(Mock, PluggedInAgainACapIsTheRunsOwn) {
+  for (const bool numbered : {true, false}) {
+    MockHidFacts facts = spacemouse(), others = spacemouse();
+    facts.serial = numbered ? "CAP1" : "";
+    others.serial = numbered ? "CAP2" : "";
+    facts.wanders = numbered;
+    MockHid own(machine, facts), beside(machine, others);
+    auto opened = open_device("spacemouse", {.desc = DeviceDesc{}, .X_DH = Pose{}});
+    ASSERT_TRUE(opened) << opened.error().sentence;
+    own.unplug();
+    wait_for([&] { return !opened->device->read().connected; });
+    own.plug();
+    wait_for([&] { return opened->device->read().connected; });
+    own.say(kMiddle);
+    beside.say(kMiddle);
+    wait_for([&] { return own.all_read() || beside.all_read(); });
+    EXPECT_TRUE(own.all_read()) << numbered;
+    EXPECT_FALSE(beside.all_read()) << numbered;
+  }
+}
+
 }  // namespace
 }  // namespace fulcrum::test

@@ -30,14 +30,21 @@ using stand_in::Service;
 
 constexpr std::chrono::seconds kLongEnough{10};  // for what comes in microseconds
 
+Result<std::unique_ptr<Inverse3Bus>> open_first(int port) {
+  Inverse3Bus::Own own;
+  return Inverse3Bus::open(own, port);
+}
+
 std::unique_ptr<ForceDevice> started_on(int port) {
-  auto bus = Inverse3Bus::open(port);
+  Inverse3Bus::Own own;
+  auto bus = Inverse3Bus::open(own, port);
   EXPECT_TRUE(bus) << (bus ? "" : bus.error().sentence);
   if (!bus) return nullptr;
-  auto device = ForceDevice::start(DeviceDesc{}, std::move(*bus), [port]() -> std::unique_ptr<ForceBus> {
-    auto again = Inverse3Bus::open(port);
-    return again ? std::move(*again) : nullptr;
-  });
+  auto device =
+      ForceDevice::start(DeviceDesc{}, std::move(*bus), [port, own]() mutable -> std::unique_ptr<ForceBus> {
+        auto again = Inverse3Bus::open(own, port);
+        return again ? std::move(*again) : nullptr;
+      });
   EXPECT_TRUE(device) << (device ? "" : device.error().sentence);
   return device ? std::move(*device) : nullptr;
 }
@@ -78,7 +85,7 @@ TEST(Inverse3, WithoutItsServiceThatIsSaidWithItsRemedy) {
   const std::string reason = inverse3::why_no_inverse3(nobody);
   EXPECT_NE(reason.find("nobody listens"), std::string::npos) << reason;
   EXPECT_NE(reason.find("start Haply Hub"), std::string::npos) << reason;
-  EXPECT_FALSE(Inverse3Bus::open(nobody));
+  EXPECT_FALSE(open_first(nobody));
 }
 
 // Such as listens, and never answers.
@@ -102,7 +109,7 @@ TEST(Inverse3, WhatTheServiceLacksIsSaid) {
   until([&] { return why_not(service).empty(); });
   const auto refused_with = [&service](const char* words) {
     until([&] { return why_not(service).find(words) != std::string::npos; });
-    EXPECT_FALSE(Inverse3Bus::open(service.port())) << words;
+    EXPECT_FALSE(open_first(service.port())) << words;
   };
   service.set([](Service::State& s) { s.arm = false; });
   refused_with("plug one in");
@@ -132,7 +139,7 @@ TEST(Inverse3, WhatTheServiceLacksIsSaid) {
 TEST(Inverse3, NoProxyIsAsked) {
   setenv("http_proxy", "127.0.0.1:1", 1);
   Service service;
-  const auto bus = Inverse3Bus::open(service.port());
+  const auto bus = open_first(service.port());
   unsetenv("http_proxy");
   EXPECT_TRUE(bus) << (bus ? "" : bus.error().sentence);
 }
@@ -267,10 +274,79 @@ TEST(Inverse3, AnotherOneIsNotTakenForIt) {
   EXPECT_EQ(service.see([](const Service::State& s) { return s.misunderstood; }), 0) << "no other was pushed";
 }
 
+// Nor is it taken while the run's own is unplugged. Each look for that is a connection.
+TEST(Inverse3, AnotherOneIsNotTakenInItsPlace) {
+  Service service;
+  const auto device = started_on(service.port());
+  ASSERT_TRUE(device);
+  service.set([](Service::State& s) {
+    s.another_before = true;
+    s.arm = false;
+    s.opened = 0;
+  });
+  until([&] { return !device->read().connected; });
+  until([&] {
+    return device->read().connected || service.see([](const Service::State& s) { return s.opened; }) > 2;
+  });
+  EXPECT_FALSE(device->read().connected);
+  service.set([](Service::State& s) { s.arm = true; });
+  until([&] { return device->read().connected; });
+  EXPECT_LT(device->read().X_DH.p.norm(), 1e-12);
+}
+
+// A connection that is made anew while the handle is asleep: the tool does not turn back meanwhile.
+TEST(Inverse3, AVerseGripThatComesLaterThanTheConnectionKeepsItsTurn) {
+  auto service = std::make_unique<Service>();
+  const int port = service->port();
+  const auto turn = [](Service::State& s) {
+    s.q[0] = std::cos(0.3);
+    s.q[3] = std::sin(0.3);
+  };
+  service->set(turn);
+  const auto device = started_on(port);
+  ASSERT_TRUE(device);
+  const Quat turned = quaternion_exp(Vec3(0, 0.6, 0));
+  until([&] { return device->read().X_DH.q.angularDistance(turned) < 1e-9; });
+  service.reset();
+  until([&] { return !device->read().connected; });
+  service = std::make_unique<Service>(port);
+  service->set([&](Service::State& s) {
+    turn(s);
+    s.handle = false;
+  });
+  until([&] {
+    return device->read().connected || service->see([](const Service::State& s) { return s.forces; }) > 10;
+  });
+  EXPECT_FALSE(device->read().connected);
+  EXPECT_LT(device->read().X_DH.q.angularDistance(turned), 1e-9);
+  service->set([](Service::State& s) { s.handle = true; });
+  until([&] { return device->read().connected; });
+  EXPECT_LT(device->read().X_DH.q.angularDistance(turned), 1e-9);
+}
+
+// The run has begun without one: a handle that the service has later is none of its own.
+TEST(Inverse3, AVerseGripThatComesLaterThanTheRunTurnsNothing) {
+  auto service = std::make_unique<Service>();
+  const int port = service->port();
+  service->set([](Service::State& s) { s.handle = false; });
+  const auto device = started_on(port);
+  ASSERT_TRUE(device);
+  service.reset();
+  until([&] { return !device->read().connected; });
+  service = std::make_unique<Service>(port);
+  service->set([](Service::State& s) {
+    s.q[0] = std::cos(0.3);
+    s.q[3] = std::sin(0.3);
+    s.p[0] = 0.05;
+  });
+  until([&] { return device->read().connected && device->read().X_DH.p.x() == 0.05; });
+  EXPECT_TRUE(device->read().X_DH.q.isApprox(Quat::Identity()));
+}
+
 // Wherever an answer was held up: the pose is as old as the question may be.
 TEST(Inverse3, AnAnswerThatComesLateIsAsOldAsItIs) {
   Service service;
-  const auto bus = Inverse3Bus::open(service.port());
+  const auto bus = open_first(service.port());
   ASSERT_TRUE(bus) << bus.error().sentence;
   DeviceSample sample;
   service.set([](Service::State& s) { s.answers = 0; });
@@ -336,41 +412,6 @@ TEST(Inverse3, WhoSaysMoreThanWasAskedForIsLeft) {
   EXPECT_EQ(count, 128);
 }
 
-TEST(Inverse3, WhatIsNonsenseIsNoSample) {
-  Service service;
-  const auto device = started_on(service.port());
-  ASSERT_TRUE(device);
-  const std::string deep(40000, '[');
-  const std::string huge(300000, ' ');
-  const std::string far =
-      R"({"inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":9,"y":0,"z":0}}}]})";
-  for (const std::string& babble : {std::string("{\"inverse3\":"), deep, huge, far}) {
-    service.set([&](Service::State& s) { s.babble = babble; });
-    until([&] { return device->read().age > 0.05; });
-    EXPECT_LT(device->read().X_DH.p.norm(), 1e-12);
-    EXPECT_TRUE(device->read().connected);
-    service.set([](Service::State& s) { s.babble.clear(); });
-    until([&] { return device->read().age < 0.02; });
-  }
-}
-
-TEST(Inverse3, WhatIsNotReadyIsRefusedWithWhatWouldCureIt) {
-  Service service;
-  const auto refusal = [&](auto change) {
-    service.set(change);
-    auto bus = Inverse3Bus::open(service.port());
-    EXPECT_TRUE(bus) << (bus ? "" : bus.error().sentence);
-    if (!bus) return std::string();
-    const auto refused = ForceDevice::start(
-        DeviceDesc{}, std::move(*bus), [] { return nullptr; });
-    return refused ? std::string() : refused.error().sentence;
-  };
-  EXPECT_NE(refusal([](Service::State& s) { s.calibrated = false; }).find("inkwell"), std::string::npos);
-  EXPECT_NE(refusal([](Service::State& s) { s.powered = false; }).find("power supply"), std::string::npos);
-}
-
-}  // namespace
-}  // namespace fulcrum::test
 // As `fulcrum devices --watch` asks it, which no change of the kernel's would have ask.
 TEST(Inverse3, ItsServiceIsSeenToComeAndToGo) {
   auto service = std::make_unique<Service>();
@@ -397,3 +438,38 @@ TEST(Inverse3, ItsServiceIsSeenToComeAndToGo) {
   until([&] { return told(false); });
 }
 
+TEST(Inverse3, WhatIsNonsenseIsNoSample) {
+  Service service;
+  const auto device = started_on(service.port());
+  ASSERT_TRUE(device);
+  const std::string deep(40000, '[');
+  const std::string huge(300000, ' ');
+  const std::string far =
+      R"({"inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":9,"y":0,"z":0}}}]})";
+  for (const std::string& babble : {std::string("{\"inverse3\":"), deep, huge, far}) {
+    service.set([&](Service::State& s) { s.babble = babble; });
+    until([&] { return device->read().age > 0.05; });
+    EXPECT_LT(device->read().X_DH.p.norm(), 1e-12);
+    EXPECT_TRUE(device->read().connected);
+    service.set([](Service::State& s) { s.babble.clear(); });
+    until([&] { return device->read().age < 0.02; });
+  }
+}
+
+TEST(Inverse3, WhatIsNotReadyIsRefusedWithWhatWouldCureIt) {
+  Service service;
+  const auto refusal = [&](auto change) {
+    service.set(change);
+    auto bus = open_first(service.port());
+    EXPECT_TRUE(bus) << (bus ? "" : bus.error().sentence);
+    if (!bus) return std::string();
+    const auto refused = ForceDevice::start(
+        DeviceDesc{}, std::move(*bus), [] { return nullptr; });
+    return refused ? std::string() : refused.error().sentence;
+  };
+  EXPECT_NE(refusal([](Service::State& s) { s.calibrated = false; }).find("inkwell"), std::string::npos);
+  EXPECT_NE(refusal([](Service::State& s) { s.powered = false; }).find("power supply"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fulcrum::test
