@@ -38,8 +38,10 @@ protected:
     ASSERT_TRUE(machine.stands_in()) << "begin it by umockdev-wrapper";
     folder = std::filesystem::temp_directory_path() / ("falcon_mock_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder / "fulcrum");
+    // NOLINTBEGIN(concurrency-mt-unsafe): no thread of a device runs yet.
     setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
     unsetenv("FULCRUM_FALCON_FIRMWARE");
+    // NOLINTEND(concurrency-mt-unsafe)
   }
   void TearDown() override { std::filesystem::remove_all(folder); }
   void bring_firmware() const {

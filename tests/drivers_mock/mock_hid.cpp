@@ -17,6 +17,7 @@ namespace {
 
 // Here is no sound: ALSA would look for 32 cards, and umockdev has places for 50 nodes, of which those that
 // could not be opened keep theirs.
+// NOLINTNEXTLINE(concurrency-mt-unsafe): no thread runs yet.
 [[maybe_unused]] const int kNoSound = setenv("ALSA_CONFIG_PATH", "/dev/null", 1);
 
 std::string formatted(const char* format, auto... values) {
