@@ -87,8 +87,8 @@ std::optional<DistanceField> field_from_bytes(std::span<const std::byte> bytes) 
   data.centre_m = in.vector<float>();
   data.format = in.value<FieldFormat>();
   data.quantum_m = in.value<double>();
-  data.values_float = in.vector<float>();
-  data.values_int16 = in.vector<std::int16_t>();
+  data.values_float = in.vector<float, HugePages<float>>();
+  data.values_int16 = in.vector<std::int16_t, HugePages<std::int16_t>>();
   data.slot_error_m = in.vector<float>();
   if (!in.finished_well() || !is_of_one_piece(data)) return std::nullopt;
   return DistanceField(std::move(data));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -16,8 +17,8 @@ public:
     static_assert(std::is_trivially_copyable_v<T>);
     array(std::span(&v, 1));
   }
-  template <class T>
-  void vector(const std::vector<T>& v) {
+  template <class T, class Allocator>
+  void vector(const std::vector<T, Allocator>& v) {
     value(v.size());
     array(std::span(v));
   }
@@ -44,14 +45,14 @@ public:
     take(&v, sizeof(T));
     return v;
   }
-  template <class T>
-  std::vector<T> vector() {
+  template <class T, class Allocator = std::allocator<T>>
+  std::vector<T, Allocator> vector() {
     const auto count = value<std::size_t>();
     if (count > rest_.size() / sizeof(T)) {
       failed_ = true;
       return {};
     }
-    std::vector<T> v(count);
+    std::vector<T, Allocator> v(count);
     take(v.data(), count * sizeof(T));
     return v;
   }

@@ -18,7 +18,7 @@ const std::vector<Pose>& DeviceLinks::follow(const Pose& X_WH) {
   mechanism_.follow(mapping_.handle_in_device(X_WH));
   auto X_WL = X_WL_.begin();
   for (int arm = 0; arm < mechanism_.arms(); ++arm) {
-    const JointChain::Placed placed = mechanism_.placed(arm);
+    const JointChain::Placed& placed = mechanism_.placed(arm);
     const JointAngles& angles = mechanism_.angles(arm);
     Quat q_DL = Quat::Identity();
     for (std::size_t j = 0; j < static_cast<std::size_t>(joints_[static_cast<std::size_t>(arm)]); ++j) {

@@ -60,9 +60,9 @@ JointChain::Offset JointChain::offset(const Pose& X_DE, const Placed& placed) co
 }
 
 // Levenberg-Marquardt steps within the stops: a joint at one of them that would go on is left where it is.
-double JointChain::descend(const Pose& X_DE, JointAngles& angles, int steps) const noexcept {
+double JointChain::descend(const Pose& X_DE, Posture& arm, int steps) const noexcept {
+  auto& [angles, placed] = arm;
   double damping = kMinDamping;
-  Placed placed = place(angles);
   Offset away = offset(X_DE, placed);
   for (int step = 0; step < steps && !(away.norm() < kReached); ++step) {
     Jacobian J = jacobian(placed);
@@ -95,14 +95,14 @@ double JointChain::descend(const Pose& X_DE, JointAngles& angles, int steps) con
   return away.norm();
 }
 
-double JointChain::reach(const Pose& X_DE, JointAngles& angles) const noexcept {
-  const double away = descend(X_DE, angles, kMaxJointSteps);
+double JointChain::reach(const Pose& X_DE, Posture& arm) const noexcept {
+  const double away = descend(X_DE, arm, kMaxJointSteps);
   if (away < kOutOfReach) return away;
   // Out of reach, or on a branch of the arm from which there is no way: from home there may be one.
-  JointAngles anew = home_;
+  Posture anew = posture(home_);
   const double away_anew = descend(X_DE, anew, kMaxJointSteps);
   if (!(away_anew < kOutOfReach)) return away;
-  angles = anew;
+  arm = anew;
   return away_anew;
 }
 

@@ -34,9 +34,17 @@ public:
   using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
   Jacobian jacobian(const Placed& placed) const noexcept;
 
-  // Moves `angles` to where the end is at X_DE, as near as the joints' stops allow: of an arm of three joints
+  // Angles, and where the joints are there: finding that out takes a third of a tick of an arm, and each tick
+  // begins where the one before has ended.
+  struct Posture {
+    JointAngles angles;  // (joints) rad
+    Placed placed;       // place(angles)
+  };
+  Posture posture(const JointAngles& angles) const noexcept { return {angles, place(angles)}; }
+
+  // Moves the arm to where its end is at X_DE, as near as the joints' stops allow: of an arm of three joints
   // its position alone. Answers how far it stays away, m, with kLever for each rad.
-  double reach(const Pose& X_DE, JointAngles& angles) const noexcept;
+  double reach(const Pose& X_DE, Posture& arm) const noexcept;
 
   int joints() const { return joints_; }
   JointAngles home() const { return home_; }
@@ -48,7 +56,7 @@ public:
 private:
   using Offset = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
   Offset offset(const Pose& X_DE, const Placed& placed) const noexcept;  // (joints) m
-  double descend(const Pose& X_DE, JointAngles& angles, int steps) const noexcept;
+  double descend(const Pose& X_DE, Posture& arm, int steps) const noexcept;
 
   int joints_;
   std::array<Vec3, kMaxJoints> axis_D_{}, point_D_{};

@@ -91,7 +91,8 @@ Mechanism::Mechanism(const MechanismDesc& desc) {
   const Pose X_DK{desc.q_DK, -home};
   for (const ArmDesc& arm : desc.arms) {
     const JointChain chain(arm, X_DK);
-    arms_.push_back({chain, chain.place(chain.home()).X_DE, chain.home()});
+    const JointChain::Posture at_home = chain.posture(chain.home());
+    arms_.push_back({chain, at_home.placed.X_DE, at_home});
   }
   if (desc.spin) spin_H_ = (arms_[1].X_HE.p - arms_[0].X_HE.p).normalized() / desc.spin->ratio;
   follow(Pose{});
@@ -102,7 +103,7 @@ void Mechanism::follow(const Pose& X_DH) noexcept {
   q_DH_ = X_DH.q;
   int column = 0;
   for (Arm& arm : arms_) {
-    out_of_reach_ = std::max(out_of_reach_, arm.chain.reach(X_DH * arm.X_HE, arm.angles));
+    out_of_reach_ = std::max(out_of_reach_, arm.chain.reach(X_DH * arm.X_HE, arm.posture));
     write_columns(arm, X_DH, column);
     column += arm.chain.joints();
   }
@@ -111,7 +112,7 @@ void Mechanism::follow(const Pose& X_DH) noexcept {
 
 void Mechanism::write_columns(const Arm& arm, const Pose& X_DH, int first) noexcept {
   const int joints = arm.chain.joints();
-  JointChain::Jacobian J = arm.chain.jacobian(arm.chain.place(arm.angles));
+  JointChain::Jacobian J = arm.chain.jacobian(arm.posture.placed);
   for (int j = joints - 1; j > 0; --j)  // the last one first: the next goes by what it has become
     if (arm.chain.through_parallelogram(j)) J.col(j - 1) -= J.col(j);
   if (joints == 3) {
@@ -141,9 +142,8 @@ WrenchMatrix Mechanism::jacobian(const Vec3& p_HG) const noexcept {
   return J;
 }
 
-JointChain::Placed Mechanism::placed(int arm) const noexcept {
-  const Arm& at = arms_[static_cast<std::size_t>(arm)];
-  return at.chain.place(at.angles);
+const JointChain::Placed& Mechanism::placed(int arm) const noexcept {
+  return arms_[static_cast<std::size_t>(arm)].posture.placed;
 }
 
 }  // namespace fulcrum

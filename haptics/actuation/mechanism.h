@@ -47,8 +47,8 @@ public:
   WrenchMatrix jacobian(const Vec3& p_HG) const noexcept;
   int arms() const { return static_cast<int>(arms_.size()); }
   // Where the joints of an arm are, and its end.
-  JointChain::Placed placed(int arm) const noexcept;
-  const JointAngles& angles(int arm) const { return arms_[static_cast<std::size_t>(arm)].angles; }
+  const JointChain::Placed& placed(int arm) const noexcept;
+  const JointAngles& angles(int arm) const { return arms_[static_cast<std::size_t>(arm)].posture.angles; }
   // m, how far an arm's end stays from where the handle holds it; above 0 out of reach.
   double out_of_reach() const { return out_of_reach_; }
 
@@ -58,7 +58,7 @@ private:
   struct Arm {
     JointChain chain;
     Pose X_HE;  // the handle's hold on the end
-    JointAngles angles;
+    JointChain::Posture posture;
   };
   void write_columns(const Arm& arm, const Pose& X_DH, int first) noexcept;
 

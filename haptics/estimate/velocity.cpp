@@ -14,7 +14,7 @@
 namespace fulcrum {
 
 VelocityEstimator::VelocityEstimator(const VelocityEstimatorDesc& desc, double tick_s)
-    : desc_(desc), tick_s_(tick_s) {
+    : desc_(desc), tick_s_(tick_s), keep_(math::exp(-2.0 * std::numbers::pi * desc.cutoff_Hz * tick_s)) {
   const bool long_path = desc.kind == VelocityEstimatorKind::adaptive_window;
   path_.assign(long_path ? static_cast<std::size_t>(desc.window) + 1 : 2, Vec6::Zero());
 }
@@ -29,13 +29,17 @@ void VelocityEstimator::reset(const Pose& X_WH) noexcept {
 }
 
 Twist VelocityEstimator::update(const Pose& X_WH) noexcept {
+  return update(X_WH, started_ ? rotation_vector(X_WH.q * last_.q.conjugate()) : Vec3::Zero());
+}
+
+Twist VelocityEstimator::update(const Pose& X_WH, const Vec3& turned) noexcept {
   if (!started_) {
     reset(X_WH);
     return {};
   }
   Vec6 now = path_[head_];
   now.head<3>() += X_WH.p - last_.p;
-  now.tail<3>() += rotation_vector(X_WH.q * last_.q.conjugate());
+  now.tail<3>() += turned;
   last_ = X_WH;
   head_ = (head_ + 1) % path_.size();
   path_[head_] = now;
@@ -46,12 +50,10 @@ Twist VelocityEstimator::update(const Pose& X_WH) noexcept {
     case VelocityEstimatorKind::difference:
       velocity = difference();
       break;
-    case VelocityEstimatorKind::low_pass: {
-      const double keep = math::exp(-2.0 * std::numbers::pi * desc_.cutoff_Hz * tick_s_);
-      filtered_ = keep * filtered_ + (1.0 - keep) * difference();
+    case VelocityEstimatorKind::low_pass:
+      filtered_ = keep_ * filtered_ + (1.0 - keep_) * difference();
       velocity = filtered_;
       break;
-    }
     case VelocityEstimatorKind::adaptive_window:
       velocity = adaptive();
       break;
@@ -88,10 +90,8 @@ double VelocityEstimator::delay() const {
   switch (desc_.kind) {
     case VelocityEstimatorKind::difference:
       return 0.5 * tick_s_;
-    case VelocityEstimatorKind::low_pass: {
-      const double keep = math::exp(-2.0 * std::numbers::pi * desc_.cutoff_Hz * tick_s_);
-      return tick_s_ * (0.5 + keep / (1.0 - keep));
-    }
+    case VelocityEstimatorKind::low_pass:
+      return tick_s_ * (0.5 + keep_ / (1.0 - keep_));
     case VelocityEstimatorKind::adaptive_window:
       return 0.5 * tick_s_ * desc_.window;
   }

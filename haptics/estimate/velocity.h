@@ -28,6 +28,9 @@ public:
 
   // Called once a tick. The first call sets the pose and answers zero.
   Twist update(const Pose& X_WH) noexcept;
+  // The same of a caller who has the turn since the last pose, (3) rad: rotation_vector() of X_WH.q times
+  // that one's conjugate.
+  Twist update(const Pose& X_WH, const Vec3& turned) noexcept;
   // The pose jumped on purpose (a clutch, a first sample): velocity starts from zero at X_WH.
   void reset(const Pose& X_WH) noexcept;
 
@@ -40,6 +43,7 @@ private:
 
   VelocityEstimatorDesc desc_;
   double tick_s_;
+  double keep_;  // low_pass: of the velocity of the tick before
   Pose last_;
   bool started_ = false;
   Vec6 filtered_ = Vec6::Zero();

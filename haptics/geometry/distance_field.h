@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "haptics/geometry/huge_vector.h"
 #include "haptics/geometry/triangle_mesh.h"
 #include "haptics/math/linear.h"
 #include "haptics/math/names_of.h"
@@ -70,9 +71,9 @@ struct FieldData {
   std::vector<float> centre_m;           // (bricks) exact at the brick's centre, rounded towards zero
   // (slots x 9^3) exact at the lattice points, in one of the two, as the format says
   FieldFormat format = FieldFormat::float32;
-  double quantum_m = 1.0;                  // what a stored 1 stands for
-  std::vector<float> values_float;         // m
-  std::vector<std::int16_t> values_int16;  // quanta
+  double quantum_m = 1.0;                 // what a stored 1 stands for
+  HugeVector<float> values_float;         // m
+  HugeVector<std::int16_t> values_int16;  // quanta
   std::vector<float> slot_error_m;  // (slots) largest |value - exact| measured in the band in that brick
   Box3 surface_box;                 // m, bounds of the solid
   double error_bound_m = 0.0;       // largest of slot_error_m

@@ -8,6 +8,11 @@
 #include "haptics/math/rotation.h"
 
 namespace fulcrum {
+namespace {
+
+constexpr double kUnbent = 1e-9;  // of a spring's limit, up to which it is a straight one to rounding
+
+}  // namespace
 
 VirtualCoupling::VirtualCoupling(const CouplingDesc& desc, const RigidBody& tool)
     : desc_(desc),
@@ -27,8 +32,9 @@ Wrench VirtualCoupling::pull(const Pose& X_WG, const Twist& V_WG, const BodyStat
   if (!held_at_T_) return pull_at_grip(X_WG, V_WG, tool);
   Wrench F;
   // The sum is bounded too: a hand that flies past a held tool would push it with its damper alone.
-  F.force = saturated_spring(offset_, desc_.stiffness, desc_.max_force) - damping_ * (tool.V_WT.v - V_WG.v);
-  F.torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
+  F.force =
+      saturated_spring(offset_, desc_.stiffness, desc_.max_force, pulls_) - damping_ * (tool.V_WT.v - V_WG.v);
+  F.torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque, twists_) -
              angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
   F.force = clamp_norm(F.force, desc_.max_force);
   full_torque_ = clamp_norm(F.torque, desc_.max_torque);
@@ -43,10 +49,10 @@ Wrench VirtualCoupling::pull_at_grip(const Pose& X_WG, const Twist& V_WG, const 
   const Vec3 v_W = tool.V_WT.v + tool.V_WT.w.cross(lever_W_);
   const Vec3 wanted_v_W = V_WG.v + V_WG.w.cross(wanted_lever_W);
   Wrench F;
-  F.force =
-      clamp_norm(saturated_spring(offset_, desc_.stiffness, desc_.max_force) - damping_ * (v_W - wanted_v_W),
-                 desc_.max_force);
-  const Vec3 torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque) -
+  F.force = clamp_norm(
+      saturated_spring(offset_, desc_.stiffness, desc_.max_force, pulls_) - damping_ * (v_W - wanted_v_W),
+      desc_.max_force);
+  const Vec3 torque = saturated_spring(rotation_, desc_.angular_stiffness, desc_.max_torque, twists_) -
                       angular_damping_ * (tool_.root_inertia_W(tool.X_WT.q) * (tool.V_WT.w - V_WG.w));
   full_torque_ = clamp_norm(torque, desc_.max_torque);
   moment_ = lever_W_.cross(F.force);
@@ -84,19 +90,31 @@ double VirtualCoupling::stored() const noexcept {
   const double yields =
       torque_limit_ < most ? std::min(turn, -most / k_R * math::log1p(-torque_limit_ / most)) : turn;
   const double beyond = turn > yields ? torque_limit_ * (turn - yields) : 0.0;
-  return saturated_spring_energy(offset_.norm(), desc_.stiffness, desc_.max_force) +
-         saturated_spring_energy(yields, k_R, most) + beyond;
+  const double twisted = yields == turn ? saturated_spring_energy(turn, k_R, most, twists_)
+                                        : saturated_spring_energy(yields, k_R, most);
+  return saturated_spring_energy(offset_.norm(), desc_.stiffness, desc_.max_force, pulls_) + twisted + beyond;
+}
+
+Vec3 saturated_spring(const Vec3& d, double stiffness, double limit, double& part) noexcept {
+  const double length = d.norm();
+  const double x = stiffness * length / limit;
+  part = -math::expm1(-x);
+  if (x < kUnbent) return stiffness * d;
+  return d * (limit * part / length);
 }
 
 Vec3 saturated_spring(const Vec3& d, double stiffness, double limit) noexcept {
-  const double length = d.norm();
-  const double x = stiffness * length / limit;
-  if (x < 1e-9) return stiffness * d;
-  return d * (-limit * math::expm1(-x) / length);
+  if (stiffness * d.norm() / limit < kUnbent) return stiffness * d;
+  double part = 0;
+  return saturated_spring(d, stiffness, limit, part);
+}
+
+double saturated_spring_energy(double length, double stiffness, double limit, double part) noexcept {
+  return limit * length - limit * limit / stiffness * part;
 }
 
 double saturated_spring_energy(double length, double stiffness, double limit) noexcept {
-  return limit * length + limit * limit / stiffness * math::expm1(-stiffness * length / limit);
+  return saturated_spring_energy(length, stiffness, limit, -math::expm1(-stiffness * length / limit));
 }
 
 }  // namespace fulcrum

@@ -66,12 +66,17 @@ private:
   Vec3 moment_ = Vec3::Zero();       // (3) N m, of the force there about T
   Vec3 offset_ = Vec3::Zero();       // (3) m, of the last pull
   Vec3 rotation_ = Vec3::Zero();     // (3) rad, of the last pull, as a rotation vector
+  double pulls_ = 0, twists_ = 0;    // of the springs' limits, at the last pull
   Vec3 full_torque_ = Vec3::Zero();  // (3) N m, of the last pull, before torque_limit_
   double torque_limit_ = std::numeric_limits<double>::infinity();  // N m
 };
 
 // F_s (1 - exp(-k |d| / F_s)) d / |d|: a spring that yields at F_s. d (3), k per unit of d.
 Vec3 saturated_spring(const Vec3& d, double stiffness, double limit) noexcept;
-double saturated_spring_energy(double length, double stiffness, double limit) noexcept;  // J
+// part: of the limit that the force is, 0 to 1.
+Vec3 saturated_spring(const Vec3& d, double stiffness, double limit, double& part) noexcept;
+// J, by that part: k |d| over the limit is -log(1 - part).
+double saturated_spring_energy(double length, double stiffness, double limit, double part) noexcept;
+double saturated_spring_energy(double length, double stiffness, double limit) noexcept;
 
 }  // namespace fulcrum

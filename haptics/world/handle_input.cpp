@@ -147,7 +147,8 @@ HandleMotion HandleInput::follow(const DeviceSample& sample, std::uint32_t& faul
   motion.per_tick_D = counted_.per_tick();
   motion.sample_age = sample.age;
   motion.engaged = !clutched_;
-  motion.V_WH = velocity_.update(X_WH);
+  // A clutch begins the velocity anew, from where the handle is now.
+  motion.V_WH = reaches_ ? velocity_.update(X_WH, moved.tail<3>()) : velocity_.update(X_WH);
   motion.X_WG = X_WH * X_HT_;
   motion.V_WG = {motion.V_WH.v + motion.V_WH.w.cross(Vec3(motion.X_WG.p - X_WH.p)), motion.V_WH.w};
 
