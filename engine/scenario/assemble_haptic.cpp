@@ -6,7 +6,7 @@
 
 #include "engine/scenario/assemble.h"
 #include "haptics/bake/surface_samples.h"
-#include "haptics/effects/impact_vibration/impact_vibration_effect.h"
+#include "haptics/effects/effects.h"
 #include "haptics/world/couple_without_motors.h"
 
 namespace fulcrum::scenario {
@@ -153,10 +153,9 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   scene.allocation = scenario.device.allocation;
   scene.impact = scenario.impact;
   static_cast<EffectDescs&>(scene) = scenario.effects;
-  if (scene.impact_vibration) scene.impact_vibration->materials = materials_of(scenario);
+  if (!scenario.impact_material.empty()) set_materials(scene, materials_of(scenario));
   scene.holding_point = scenario.holding_point;
-  if (is_built<ImpactVibrationEffect>(scene, scene.impact_vibration))
-    scene.scene_objects = objects_of(scenario, models);
+  if (tells_objects_apart(scene, scene)) scene.scene_objects = objects_of(scenario, models);
   scene.coupling = tune_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
   for (const std::string& warning : advice_on_effects(scene, scene)) result.warnings.push_back(warning);

@@ -9,7 +9,7 @@
 #include "engine/scenario/to_glm.h"
 #include "engine/scenario/words.h"
 #include "haptics/actuation/mechanism.h"
-#include "haptics/effects/torque_substitution/torque_substitution_effect.h"
+#include "haptics/effects/effects.h"
 
 namespace fulcrum::scenario {
 
@@ -112,8 +112,7 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   desc.key_light = scenario.light;
   desc.ambient = scenario.ambient;
   desc.background = scenario.background;
-  if (is_built<TorqueSubstitutionEffect>(scene, scene.torque_substitution) && scene.device.senses_rotation)
-    desc.ghost = render::Ghost{};
+  if (shows_ghost(scene, scene)) desc.ghost = render::Ghost{};
   result.views = scenario.views;
   for (View& view : result.views) view.camera.layers = view.cut ? kCut : kWhole;
   if (!result.views.empty()) desc.camera = result.views.front().camera;

@@ -2,6 +2,7 @@
 // The descriptions of the files: every key with its type, unit, range, default and meaning, said once.
 
 #include <array>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,8 @@ void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material);
 void describe_tool(KeyVisitor& visitor, ToolEntry& tool);
 void describe_mechanics(KeyVisitor& visitor, Scenario& scenario);  // field to device
 void describe_effects(KeyVisitor& visitor, Scenario& scenario);
+// Where a scenario says what models are made of that do not say so themselves.
+std::initializer_list<std::string_view> impact_material_key();
 void describe_effects_of_device(KeyVisitor& visitor, Scenario& scenario);  // within 'device'
 void describe_look(KeyVisitor& visitor, Scenario& scenario);               // views to background
 

@@ -79,6 +79,7 @@ void describe_impact_vibration(KeyVisitor& visitor, Scenario& scenario) {
   effect.voices = static_cast<std::size_t>(voices);
   visitor.number({"hand_stiffness", "N m/rad", "of the hand that is to turn by 0.02 rad at most"},
                  effect.hand_stiffness, above_to(0, 100));
+  scenario.impact_material = "steel";
   visitor.word({"material", "", "of models that name none: content/materials/MATERIAL.yaml"},
                scenario.impact_material);
 }
@@ -196,6 +197,11 @@ void describe_workspace_walls(KeyVisitor& visitor, WorkspaceWallsDesc& effect) {
 }
 
 }  // namespace
+
+std::initializer_list<std::string_view> impact_material_key() {
+  static const std::initializer_list<std::string_view> kKey{"impact_vibration", "material"};
+  return kKey;
+}
 
 void describe_effects_of_device(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping(

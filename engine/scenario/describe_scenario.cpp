@@ -25,7 +25,7 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
         each.word(
             {"material", "",
              "of a scene: what a blow on it sounds like, content/materials/MATERIAL.yaml; without it that "
-             "of impact_vibration"},
+             "of the effect that vibrates at impacts"},
             model.material);
         each.rule("material", model.material.empty() || model.role == ModelRole::scene,
                   "is for a model with 'role: scene'");

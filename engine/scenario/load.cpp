@@ -121,7 +121,7 @@ Faults read_materials(Scenario& scenario, const Node& root, TextStore& texts) {
                                 [&](KeyVisitor& visitor) { describe_material_file(visitor, material); }));
   };
   for (const ModelEntry& model : scenario.models) read(model.material, {"models", model.name, "material"});
-  if (scenario.effects.impact_vibration) read(scenario.impact_material, {"impact_vibration", "material"});
+  read(scenario.impact_material, impact_material_key());
   return faults;
 }
 

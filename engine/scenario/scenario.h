@@ -112,7 +112,7 @@ struct Scenario {
   DeviceEntry device;
   EffectDescs effects;  // that it names; the materials of impact vibration are looked up below
   ImpactDetectorDesc impact;
-  std::string impact_material = "steel";                   // of models that name none
+  std::string impact_material;  // of models that name none; empty: no effect asks what models are made of
   std::map<std::string, ImpactMaterial> impact_materials;  // that are named, what their files say
   std::optional<HoldingPointDesc> holding_point;
   std::vector<Checkpoint> checkpoints;

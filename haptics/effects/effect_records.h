@@ -66,6 +66,11 @@ inline const VibrotactileCommand* channel_command(const EffectRecords& records) 
   return records.vibrotactile_motion ? &records.vibrotactile_motion->command : nullptr;
 }
 
+// How plainly the tool is drawn once more where the hand has turned to, 0 to 1.
+inline double ghost_opacity(const EffectRecords& records) {
+  return records.torque_substitution ? records.torque_substitution->ghost : 0;
+}
+
 template <class V>
 void describe(V& values, const EffectRecords& records) {
   const auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion,

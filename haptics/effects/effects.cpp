@@ -17,8 +17,8 @@ template <ListedEffect T>
 struct Entry {
   using Type = T;
 };
-template <class F>  // (Entry<EffectType>, const std::optional<EffectType::Desc>&)
-void for_each_effect(const EffectDescs& descs, F&& f) {
+template <class Descs, class F>  // (Entry<EffectType>, std::optional<EffectType::Desc>&)
+void for_each_effect(Descs& descs, F&& f) {
   f(Entry<TorqueSubstitutionEffect>(), descs.torque_substitution);
   f(Entry<ImpactVibrationEffect>(), descs.impact_vibration);
   f(Entry<BrakingPulseEffect>(), descs.braking_pulse);
@@ -94,6 +94,38 @@ std::optional<ChannelUse> channel_use(const PlainScene& scene, const EffectDescs
     if (!use) use = T::channel_use(desc, scene);
   });
   return use;
+}
+
+std::optional<TorqueNote> torque_note(const PlainScene& scene, const EffectDescs& descs,
+                                      const EffectRecords& records) {
+  std::optional<TorqueNote> note;
+  for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc& desc) {
+    if (!note) note = T::torque_note(desc, scene, records);
+  });
+  return note;
+}
+
+bool shows_ghost(const PlainScene& scene, const EffectDescs& descs) {
+  bool shows = false;
+  for_each_built(scene, descs,
+                 [&]<class T>(Entry<T>, const typename T::Desc&) { shows = shows || T::kShowsGhost; });
+  return shows && scene.device.senses_rotation;
+}
+
+bool tells_objects_apart(const PlainScene& scene, const EffectDescs& descs) {
+  bool tells = false;
+  for_each_built(scene, descs,
+                 [&]<class T>(Entry<T>, const typename T::Desc&) { tells = tells || T::kTellsObjectsApart; });
+  return tells;
+}
+
+void set_materials(EffectDescs& descs, const std::vector<ImpactMaterial>& materials) {
+  for_each_effect(
+      descs,
+      [&]<class T>(Entry<T>, std::optional<typename T::Desc>& desc) {
+        if constexpr (T::kTellsObjectsApart)
+          if (desc) desc->materials = materials;
+      });
 }
 
 std::vector<std::string> advice_on_effects(const PlainScene& scene, const EffectDescs& descs) {

@@ -70,5 +70,18 @@ std::vector<Knob> effect_knobs(const PlainScene& scene, const EffectDescs& descs
 
 // What the scene does without, and why.
 std::vector<LeftOut> left_out_effects(const PlainScene& scene, const EffectDescs& descs);
+// What one of those tells of torque; none: none does.
+std::optional<TorqueNote> torque_note(const PlainScene& scene, const EffectDescs& descs,
+                                      const EffectRecords& records);
+
+// Whether one of those shows where the hand has turned to.
+bool shows_ghost(const PlainScene& scene, const EffectDescs& descs);
+
+// Whether one of those asks which of the scene's objects was struck.
+bool tells_objects_apart(const PlainScene& scene, const EffectDescs& descs);
+
+// What the scene's objects are made of, by their numbers, for those effects that ask.
+void set_materials(EffectDescs& descs, const std::vector<ImpactMaterial>& materials);
+
 
 }  // namespace fulcrum

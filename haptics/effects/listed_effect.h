@@ -38,6 +38,14 @@ concept ListedEffect = std::derived_from<T, Effect> &&
   { T::advise(desc, scene) } -> std::same_as<std::optional<std::string>>;
   // What a person can set while it runs, as the records have it. Two knobs have two keys.
   { T::knobs(desc, scene, records) } -> std::same_as<std::vector<Knob>>;
+  // What it tells of torque, where it does.
+  { T::torque_note(desc, scene, records) } -> std::same_as<std::optional<TorqueNote>>;
+  // Whether it sets DeviceCommand::Cues::ghost: then the tool is drawn once more, where the device senses how
+  // it is turned.
+  { T::kShowsGhost } -> std::convertible_to<bool>;
+  // Whether it asks which of a scene's objects was struck, and of which material that is: its Desc has
+  // `materials`.
+  { T::kTellsObjectsApart } -> std::convertible_to<bool>;
   // Whether it reads EffectTick::impacts: else they are not looked for.
   { T::kAsksForImpacts } -> std::convertible_to<bool>;
   // Whether shape() pushes while the clutch is pressed: then the handle's way is counted there, too.

@@ -16,4 +16,10 @@ struct Knob {
   const char* effect = "";  // its name, which effect_knobs() writes
 };
 
+// What the panel says of torque above the knobs.
+struct TorqueNote {
+  bool bad = false;          // no force that the hand feels can tell of it
+  const char* variant = "";  // of the study that the knobs amount to, such as "variant B"; empty: of none
+};
+
 }  // namespace fulcrum

@@ -8,7 +8,7 @@
 #include "engine/scenario/followed.h"
 #include "engine/scenario/level_bars.h"
 #include "engine/scenario/to_glm.h"
-#include "haptics/effects/torque_substitution/torque_substitution_effect.h"
+#include "haptics/effects/effects.h"
 #include "haptics/math/functions.h"
 #include "haptics/safety/faults.h"
 #include "haptics/safety/guard.h"
@@ -50,12 +50,6 @@ std::vector<ui::MotorBar> motor_bars(const MechanismDesc& mechanism, const TickR
         {std::move(name), record.actuator_load[i], afterglow.motors()[i].low, afterglow.motors()[i].high});
   }
   return bars;
-}
-
-std::string variant_text(const TorqueRecord& cues) {
-  const bool vibration = cues.vibration_gain > 0, ghost = cues.ghost_gain > 0;
-  if (ghost) return vibration ? "variant C" : "";
-  return vibration ? "variant B" : "variant A";
 }
 
 std::string stop_reason(std::uint32_t faults) {
@@ -127,7 +121,7 @@ render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow&
   state.X_WM = X_WM_;
   state.markers = marker_states_;
   if (ghost_q_HT_)
-    state.ghost = {static_cast<float>(record.torque_substitution.value_or(TorqueRecord()).ghost),
+    state.ghost = {static_cast<float>(ghost_opacity(record)),
                    scenario::to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
   state.camera = camera;
   state.time_s = time;
@@ -168,11 +162,12 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
   state.cues = cue_lines(scene, record, afterglow);
-  state.tells_torque = is_built<TorqueSubstitutionEffect>(scene, scene.torque_substitution) &&
-                       (scene.device.renders_force || scene.device.senses_rotation);
-  const TorqueRecord torque = record.torque_substitution.value_or(TorqueRecord());
-  if (state.tells_torque) state.variant = variant_text(torque);
-  state.torque_bad = torque.bad;
+  const std::optional<TorqueNote> torque = torque_note(scene, scene, record);
+  state.tells_torque = torque.has_value();
+  if (torque) {
+    state.variant = torque->variant;
+    state.torque_bad = torque->bad;
+  }
   if (scenario::draws_arms(prepared.scenario, scene))
     state.motors = motor_bars(scene.device.mechanism, record, afterglow);
   state.holding = holding_panel(scene, record);

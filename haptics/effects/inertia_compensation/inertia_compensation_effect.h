@@ -27,8 +27,13 @@ public:
   static std::optional<std::string> advise(const Desc&, const PlainScene&) { return std::nullopt; }
   // Its method is chosen on the panel of the holding point.
   static std::vector<Knob> knobs(const Desc&, const PlainScene&, const EffectRecords&) { return {}; }
+  static std::optional<TorqueNote> torque_note(const Desc&, const PlainScene&, const EffectRecords&) {
+    return std::nullopt;
+  }
   static constexpr bool kAsksForImpacts = false;
   static constexpr bool kPushesWhileClutched = false;
+  static constexpr bool kShowsGhost = false;
+  static constexpr bool kTellsObjectsApart = false;
 
   InertiaCompensationEffect(const Desc& desc, const PlainScene& scene);
 

@@ -26,8 +26,13 @@ public:
   static std::optional<ChannelUse> channel_use(const Desc&, const PlainScene&) { return std::nullopt; }
   static std::optional<std::string> advise(const Desc&, const PlainScene&) { return std::nullopt; }
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
+  static std::optional<TorqueNote> torque_note(const Desc&, const PlainScene&, const EffectRecords&) {
+    return std::nullopt;
+  }
   static constexpr bool kAsksForImpacts = false;
   static constexpr bool kPushesWhileClutched = false;
+  static constexpr bool kShowsGhost = false;
+  static constexpr bool kTellsObjectsApart = false;
 
   TextureEffect(const Desc& desc, const PlainScene& scene);
 

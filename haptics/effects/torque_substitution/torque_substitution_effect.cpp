@@ -105,6 +105,15 @@ std::vector<Knob> TorqueSubstitutionEffect::knobs(const Desc& desc, const PlainS
   return knobs;
 }
 
+std::optional<TorqueNote> TorqueSubstitutionEffect::torque_note(const Desc& /*desc*/, const PlainScene& scene,
+                                                                const EffectRecords& records) {
+  if (!scene.device.renders_force && !scene.device.senses_rotation) return std::nullopt;
+  const TorqueRecord record = records.torque_substitution.value_or(TorqueRecord());
+  const bool vibration = record.vibration_gain > 0, ghost = record.ghost_gain > 0;
+  const char* const with_ghost = vibration ? "variant C" : "";
+  return TorqueNote{record.bad, ghost ? with_ghost : vibration ? "variant B" : "variant A"};
+}
+
 TorqueSubstitutionEffect::TorqueSubstitutionEffect(const Desc& desc, const PlainScene& scene)
     : effect_(desc, torque_surroundings(scene)),
       tool_weight_(tool_weight(scene.tool)),

@@ -30,8 +30,12 @@ public:
   static std::optional<std::string> advise(const Desc&, const PlainScene&) { return std::nullopt; }
   // What a person can set of it in this scene, as the records have it.
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
+  static std::optional<TorqueNote> torque_note(const Desc& desc, const PlainScene& scene,
+                                               const EffectRecords& records);
   static constexpr bool kAsksForImpacts = false;
   static constexpr bool kPushesWhileClutched = false;
+  static constexpr bool kShowsGhost = true;
+  static constexpr bool kTellsObjectsApart = false;
 
   TorqueSubstitutionEffect(const Desc& desc, const PlainScene& scene);
 

@@ -28,8 +28,13 @@ public:
   static std::optional<ChannelUse> channel_use(const Desc& desc, const PlainScene& scene);
   static std::optional<std::string> advise(const Desc& desc, const PlainScene& scene);
   static std::vector<Knob> knobs(const Desc& desc, const PlainScene& scene, const EffectRecords& records);
+  static std::optional<TorqueNote> torque_note(const Desc&, const PlainScene&, const EffectRecords&) {
+    return std::nullopt;
+  }
   static constexpr bool kAsksForImpacts = false;
   static constexpr bool kPushesWhileClutched = false;
+  static constexpr bool kShowsGhost = false;
+  static constexpr bool kTellsObjectsApart = false;
 
   VibrotactileMotionEffect(const Desc& desc, const PlainScene& scene);
 
