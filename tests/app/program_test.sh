@@ -9,7 +9,7 @@ cd "$work" || exit 1
 # --- commands
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
-for command in list run replay check explain devices device-test doctor stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
+for command in list run replay check explain devices device-test calibrate doctor stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
 expect 2 'run .*Run a scenario' "$FULCRUM"
 mkdir apart && cp "$FULCRUM" apart/fulcrum
 expect 1 'apart/fulcrum-studies, which could not be started .*tools/run --build' apart/fulcrum hardness
@@ -63,9 +63,10 @@ expect 0 'edges .* contact.edges is 0' "$FULCRUM" explain piping --set contact.e
 expect 2 'vibrates at impacts' "$FULCRUM" run piping --headless --circle
 expect 0 'good' "$FULCRUM" check piping
 
-# --- runs
+# --- runs; where the picture does not matter it is a small one, which is sooner drawn
+small=(--size 160x90)
 expect 0 'Completed' "$FULCRUM" run piping --headless --hand expert --out A
-expect 0 'Completed' "$FULCRUM" run piping --headless --hand expert --out B
+expect 0 'Completed' "$FULCRUM" run piping --headless --hand expert --out B "${small[@]}"
 [ "$(sha256sum <A/trace.csv)" = "$(sha256sum <B/trace.csv)" ] || fail "two runs differ"
 grep -q "$(sha256sum <A/trace.csv | cut -d' ' -f1)" A/summary.json || fail "summary.json has another trace_sha256"
 expect 0 'bit for bit' "$FULCRUM" replay A/tape --out C
@@ -74,15 +75,15 @@ cp -r "$(dirname "$FULCRUM")/content" other && sed -i 's/^max_force: 7.9 /max_fo
 expect 0 "the tape's file of the device 'phantom_like' is not the installed one" env FULCRUM_CONTENT="$work/other" "$FULCRUM" replay A/tape --out other/run
 for file in summary.json trace.csv trace.json timing.csv tape frame.png; do [ -s "A/$file" ] || fail "no A/$file"; done
 expect 1 'holds results.*--force' "$FULCRUM" run piping --headless --out A
-expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --seconds 1 --out D
-expect 3 'Not completed' "$FULCRUM" run piping --headless --device simulated:w6d --seconds 0.5 --out on_w6d
+expect 3 'Not completed' "$FULCRUM" run piping --headless --hand clumsy --seconds 1 --out D "${small[@]}"
+expect 3 'Not completed' "$FULCRUM" run piping --headless --device simulated:w6d --seconds 0.5 --out on_w6d "${small[@]}"
 head -1 on_w6d/trace.csv | grep -q 'actuator/load/twist' || fail "a scene on the W6D has no column of its seventh motor"
 expect 0 'bit for bit' "$FULCRUM" replay on_w6d/tape --out on_w6d_again
-expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/tape --seconds 1 --out E
-expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/trace.csv --seconds 1 --out F
-expect 3 'Late ticks: [0-9]+, lost: [0-9]+' "$FULCRUM" run piping --headless --realtime --seconds 2 --out G
+expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/tape --seconds 1 --out E "${small[@]}"
+expect 3 'Not completed' "$FULCRUM" run piping --headless --device replay:A/trace.csv --seconds 1 --out F "${small[@]}"
+expect 3 'Late ticks: [0-9]+, lost: [0-9]+' "$FULCRUM" run piping --headless --realtime --seconds 2 --out G "${small[@]}"
 for view in overview slot; do
-  expect 3 'Not completed' "$FULCRUM" run piping --headless --seconds 0.1 --view $view --out V/$view
+  expect 3 'Not completed' "$FULCRUM" run piping --headless --seconds 0.1 --view $view --out V/$view --size 320x180
 done
 cmp -s V/overview/frame.png V/slot/frame.png && fail "--view slot draws the overview"
 cmp -s V/overview/trace.csv V/slot/trace.csv || fail "--view changes the run"
@@ -91,7 +92,7 @@ expect 2 "no view 'slott'; did you mean 'slot'" "$FULCRUM" run piping --headless
 expect 2 "no view 'slott'" env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --view slott --out W
 expect 1 'no hand' env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --headless --hand nobody --out W
 [ -e cold ] && fail "an unknown view or hand was refused after a bake"
-expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H
+expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H "${small[@]}"
 
 # --- reports: of one device, since the study takes ten seconds of a processor for each
 expect 1 "no device 'phantom_lik'; did you mean 'phantom_like'" "$FULCRUM" stability --device phantom_lik --out S
@@ -139,7 +140,7 @@ expect 3 'no picture' env VK_ICD_FILENAMES=/nothing VK_DRIVER_FILES=/nothing "$F
 [ -s J/trace.csv ] && [ ! -e J/frame.png ] || fail "without Vulkan: a trace and no picture were to be there"
 
 # --- a full disk: said, and what was written stays
-expect 1 'Cannot write K/trace.csv.*--out' bash -c "ulimit -f 2000; exec '$FULCRUM' run piping --headless --hand expert --out K"
+expect 1 'Cannot write K/trace.csv.*--out' bash -c "ulimit -f 2000; exec '$FULCRUM' run piping --headless --hand expert --out K ${small[*]}"
 [ "$(wc -l <K/trace.csv)" -gt 100 ] || fail "a full disk lost the trace"
 
 # --- SIGKILL: all but the last second is kept
