@@ -95,6 +95,9 @@ std::string summary_json(const Summary& summary) {
     document["hard_touches"] = summary.hard_touches->count;
     document["hard_touch_s"] = summary.hard_touches->time_s;
   }
+  if (summary.sound_latency)
+    document["sound_latency_ms"] = {{"mean", summary.sound_latency->mean_ms},
+                                    {"max", summary.sound_latency->max_ms}};
   // A name that is not UTF-8 must not cost the run its summary.
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

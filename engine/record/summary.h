@@ -23,6 +23,11 @@ struct HardTouches {
   double time_s = 0;  // that they lasted
 };
 
+// From a tick to the output of the sound card that plays it.
+struct SoundLatency {
+  double mean_ms = 0, max_ms = 0;
+};
+
 struct Summary {
   std::string scenario;
   std::string device;
@@ -44,6 +49,7 @@ struct Summary {
   std::optional<std::string> max_penetration_part;  // of the scene, at the deepest point
   std::optional<TickCpu> tick_cpu_us;
   std::int64_t late_ticks = 0;
+  std::optional<SoundLatency> sound_latency;  // absent where no sound card played
   std::int64_t lost_ticks = 0;
   std::vector<FaultCount> faults;
   std::vector<FaultCount> limits;

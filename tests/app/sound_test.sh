@@ -41,6 +41,9 @@ count=$(wc -l <wavs)
 head -n "$count" played | cmp -s - wavs || fail "the card did not play what the WAVs have"
 [ "$(tail -n 1 played)" = "0 0" ] || fail "the end is not silence: $(tail -n 1 played)"
 grep -q '"device": "simulated+audio:tape"' A/summary.json || fail "the summary does not name the device"
+tr -d '\n' <A/summary.json | sed -n 's/.*"sound_latency_ms": {[^0-9]*\([0-9.]*\)[^0-9]*\([0-9.]*\).*/\1 \2/p' |
+  awk '{ good = $1 > 0 && $1 <= $2 } END { exit !good }' ||
+  fail "the summary does not tell the latency of the sound"
 grep -q '"hand": "expert"' A/summary.json || fail "the summary does not name the hand"
 
 # --- it keeps time with a card that has a clock of its own, beside any simulated device, and is gone when it is unplugged

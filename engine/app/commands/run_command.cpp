@@ -121,8 +121,13 @@ public:
     RunSink::Outcome outcome = sink_.finish();
     outcome.summary.device = device_in_results(prepared_, options_.device);
     outcome.summary.hand = is_simulated(options_.device) ? options_.hand : "";
-    if (device_.sound != nullptr)
-      std::fprintf(stderr, "%s\n", sound::sound_text(device_.sound->counts()).c_str());
+    if (device_.sound != nullptr) {
+      const sound::FeedCounts counts = device_.sound->counts();
+      std::fprintf(stderr, "%s\n", sound::sound_text(counts).c_str());
+      if (counts.ticks > 0)
+        outcome.summary.sound_latency = {1e3 * counts.latency_sum / static_cast<double>(counts.ticks),
+                                         1e3 * counts.latency_most};
+    }
     const bool written =
         write_results(folder_, outcome,
                       inventory(world_, prepared_, plan, options_.circle, options_.device)) &&
