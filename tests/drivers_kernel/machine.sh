@@ -11,7 +11,7 @@ skip() {
   echo "skipped: $*"
   exit 77
 }
-for need in "qemu-system-x86_64 qemu-system-x86" "busybox busybox-static" "cpio cpio" "modprobe kmod"; do
+for need in "qemu-system-x86_64 qemu-system-x86" "busybox busybox-static" "cpio cpio" "modprobe kmod" "udevadm udev"; do
   command -v "${need% *}" >/dev/null || skip "no ${need% *} (Debian package ${need#* }): \`tools/test -L kernel\` installs it"
 done
 [ -e "${FULCRUM_KERNEL:?}/vmlinuz" ] || skip "no kernel in $FULCRUM_KERNEL: \`tools/test -L kernel\` gets one"
