@@ -138,8 +138,7 @@ void SimulatedDevice::advance(const Wrench& F_H_D, const DeviceCommand::Cues& cu
   Wrench force_D = F_H_D;
   HandTarget target;
   if (task_) {
-    const Vec3 up_D = task_->mapping.X_WD.q.conjugate() * Vec3::UnitY();
-    force_D.force += task_->carried_D - desc_.device.handle_weight * up_D;
+    force_D.force += task_->carried_D - desc_.device.handle_weight * Vec3::UnitY();
     if (yielding_) yielding_->advance(cues);
     drifted_W_ = cues.drifted_W;
     target = hand_target(time_);

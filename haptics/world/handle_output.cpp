@@ -28,8 +28,8 @@ double returnable(const Wrench& wanted_F_H_D, double force_part, double torque_p
 
 Wrench handle_weight(const SceneDesc& desc) {
   Wrench weight;
-  if (desc.device.renders_force)
-    weight.force = desc.mapping.X_WD.q.conjugate() * Vec3(0, desc.device.handle_weight, 0);
+  // D's y is up, however the device's base lies in the scene.
+  if (desc.device.renders_force) weight.force = Vec3(0, desc.device.handle_weight, 0);
   return weight;
 }
 

@@ -123,7 +123,7 @@ private:
 // answers it. How long that takes is said; that it comes is what is tested, and that the haptic thread asked
 // the system for nothing meanwhile.
 TEST_F(Mock, AReportBecomesAForce) {
-  constexpr int kSteps = 100, kShallow = 200, kDeep = 400;
+  constexpr int kSteps = 100, kShallow = -200, kDeep = -400;
   MockPolhem board(machine);
   const SceneDesc desc = wall_to_the_right();
   auto open = open_device("polhem", {.desc = desc.device, .X_DH = Pose{}});
@@ -135,6 +135,7 @@ TEST_F(Mock, AReportBecomesAForce) {
   std::set<int> seen;
   {
     Pressed hand(world, device, board);
+    board.turn(kShallow);  // into the wall, without which nothing presses on the motor
     for (int step = 0; step < kSteps; ++step) {
       hand.come_to_rest();
       if (const std::optional<double> ms = hand.turn(step % 2 == 0 ? kDeep : kShallow)) ticks.push_back(*ms);
