@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/files/config_folder.h"
 #include "engine/files/regular_file.h"
 
 namespace fulcrum::falcon {
@@ -13,14 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostBytes = 256 * 1024;  // all the memory of its processor
-
-// XDG Base Directory Specification 0.8: a path that is not absolute is to be ignored.
-fs::path configuration() {
-  const char* const xdg = std::getenv("XDG_CONFIG_HOME");
-  if (xdg != nullptr && fs::path(xdg).is_absolute()) return fs::path(xdg) / "fulcrum";
-  const char* const home = std::getenv("HOME");
-  return fs::path(home != nullptr ? home : "~") / ".config" / "fulcrum";
-}
 
 Error cannot_be_used(const fs::path& file, const std::string& why) {
   std::string sentence = "its firmware, ";
@@ -46,7 +39,9 @@ Error is_missing(const fs::path& file) {
 Result<std::vector<std::uint8_t>> find_firmware() {
   const char* const given = std::getenv("FULCRUM_FALCON_FIRMWARE");
   const bool named = given != nullptr && *given != 0;
-  const fs::path path = named ? fs::path(given) : configuration() / "falcon_firmware.bin";
+  const fs::path folder = config_folder();
+  if (!named && folder.empty()) return is_missing("~/.config/fulcrum/falcon_firmware.bin");
+  const fs::path path = named ? fs::path(given) : folder / "falcon_firmware.bin";
   std::error_code ignored;
   if (!named && !fs::exists(path, ignored)) return is_missing(path);
   const Result<RegularFile> file = RegularFile::open(path);

@@ -4,5 +4,5 @@ int main(int argc, char** argv) {
   using namespace fulcrum::app;
   return run_program(argc, argv, "Fulcrum, a haptic training simulator.",
                      {add_list, add_run, add_replay, add_check, add_explain, add_devices, add_device_test,
-                      add_doctor, add_studies, add_strip, add_schema});
+                      add_calibrate, add_doctor, add_studies, add_strip, add_schema});
 }

@@ -32,6 +32,7 @@ struct Summary {
   std::string scenario;
   std::string device;
   std::string hand;
+  bool left_handed = false;  // the scene was mirrored
   std::int64_t seed = 1;
   std::int64_t ticks = 0;
   double tick_s = 1e-3;
@@ -48,8 +49,8 @@ struct Summary {
   std::optional<double> max_penetration_at_s;       // absent where nothing was touched
   std::optional<std::string> max_penetration_part;  // of the scene, at the deepest point
   std::optional<TickCpu> tick_cpu_us;
-  std::int64_t late_ticks = 0;
   std::optional<SoundLatency> sound_latency;  // absent where no sound card played
+  std::int64_t late_ticks = 0;
   std::int64_t lost_ticks = 0;
   std::vector<FaultCount> faults;
   std::vector<FaultCount> limits;

@@ -55,13 +55,22 @@ void describe_materials(KeyVisitor& visitor, std::vector<MaterialOverride>& mate
 }
 
 void describe_task(KeyVisitor& visitor, Scenario& scenario) {
-  std::set<std::string> names;
+  std::set<std::string> names, mirrored_names;
   visitor.list({"checkpoints", "", "where the tool's touch point has to go, in order", true}, 1,
                [&](KeyVisitor& each) {
                  Checkpoint& checkpoint = scenario.checkpoints.emplace_back();
                  each.text({"name", "", "as results and panels call it", true}, checkpoint.name);
-                 each.rule("name", names.insert(checkpoint.name).second,
-                           "is the name of an earlier one; choose another");
+                 const bool differs = names.insert(checkpoint.name).second;
+                 each.rule("name", differs, "is the name of an earlier one; choose another");
+                 std::string& mirrored = checkpoint.mirrored_name;
+                 each.text({"mirrored_name", "",
+                            "its name where 'left_handed' mirrors the scene, such as 'left 1' of 'right 1'; "
+                            "without it the same"},
+                           mirrored);
+                 const std::string& seen = mirrored.empty() ? checkpoint.name : mirrored;
+                 each.rule(mirrored.empty() ? "name" : "mirrored_name",
+                           mirrored_names.insert(seen).second || !differs,
+                           "is the name of an earlier one where the scene is mirrored; choose another");
                  each.vector({"position", "m", "in the world", true}, checkpoint.position, kPosition);
                  each.number({"radius", "m", "how near counts as there"}, checkpoint.radius, above_to(0, 10));
                });
@@ -135,12 +144,18 @@ void describe_scenario(KeyVisitor& visitor, Scenario& scenario) {
                   std::numeric_limits<std::int64_t>::max());
   visitor.number({"tick_rate_Hz", "", "of the haptic loop"}, scenario.tick_rate_Hz,
                  from_to(kSlowestTicks_Hz, kFastestTicks_Hz));
+  visitor.boolean({"left_handed", "", "the scene is mirrored, for a tool in the left hand"},
+                  scenario.left_handed);
   describe_models(visitor, scenario.models);
   describe_materials(visitor, scenario.materials);
   visitor.mapping({"tool", "", "the tool in the hand; poses are of its model's own frame", true},
                   [&](KeyVisitor& inner) { describe_tool(inner, scenario.tool); });
   describe_mechanics(visitor, scenario);
   describe_effects(visitor, scenario);
+  visitor.rule(
+      "left_handed", !scenario.left_handed || !scenario.holding_point,
+      "and 'holding_point' exclude each other: the places along a stick are those of the device's own, "
+      "which has no mirror image");
   describe_task(visitor, scenario);
   describe_hands(visitor, scenario.hands);
   describe_look(visitor, scenario);

@@ -8,6 +8,7 @@
 #include "engine/scenario/content.h"
 #include "engine/scenario/content_file.h"
 #include "engine/scenario/describe.h"
+#include "engine/scenario/mirror.h"
 #include "engine/scenario/nearby.h"
 #include "engine/scenario/overrides.h"
 #include "engine/scenario/text_store.h"
@@ -110,6 +111,43 @@ Faults read_device(DeviceEntry& device, const Node& root, const std::filesystem:
   return faults;
 }
 
+// The key of the calibration among the texts that are kept. A scenario names no file by an absolute path.
+constexpr const char* kCalibrationText = "/calibration.yaml";
+
+// What was measured of the device that a person holds, in place of its table's figures. Whether the scene is
+// mirrored is the scenario's to say, or --set's, and only where neither does the calibration's.
+Faults read_calibration(Scenario& scenario, const Node& root, const std::filesystem::path& file,
+                        TextStore& texts) {
+  if (texts.reads_files() ? file.empty() : !texts.has(kCalibrationText)) return {};
+  const std::string source = file.empty() ? "the tape's calibration" : file.string();
+  const std::string& model = scenario.device.model;
+  const auto refused = [&](Faults faults) {
+    for (Fault& fault : faults)
+      fault.sentence.append(": calibrate it again with `fulcrum calibrate ")
+          .append(model)
+          .append("`, or forget that with `fulcrum calibrate ")
+          .append(model)
+          .append(" --forget`");
+    return faults;
+  };
+  const auto text = texts.get(kCalibrationText, [&] { return RegularFile::open(file); });
+  if (!text) return refused({{source, 0, 0, "cannot read the calibration: " + text.error().sentence}});
+  Calibration calibration;
+  Faults faults = read_keys(*text, source, file.parent_path(),
+                            [&](KeyVisitor& visitor) { describe_calibration_file(visitor, calibration); });
+  if (!faults.empty()) return refused(std::move(faults));
+  if (calibration.device != model)
+    return refused({{source, 0, 0,
+                     "it is a calibration of " + in_quotes(calibration.device) + ", and the device is " +
+                         in_quotes(model)}});
+  Result<DeviceDesc> device = calibrated(scenario.device.desc, calibration);
+  if (!device) return refused({{source, 0, 0, device.error().sentence}});
+  scenario.device.desc = std::move(*device);
+  if (root.find("left_handed") == nullptr && !scenario.holding_point)
+    scenario.left_handed = calibration.left_handed;
+  return {};
+}
+
 // Each material that is named, once.
 Faults read_materials(Scenario& scenario, const Node& root, TextStore& texts) {
   Faults faults;
@@ -128,7 +166,7 @@ Faults read_materials(Scenario& scenario, const Node& root, TextStore& texts) {
 // `source`: how faults call the text. `name`: what it is called among the texts that are kept.
 Checked<Scenario> load(const std::string& text, const std::string& source, const std::string& name,
                        const std::filesystem::path& folder, std::span<const std::string> overrides,
-                       TextStore& texts) {
+                       TextStore& texts, const std::filesystem::path& calibration = {}) {
   auto root = parse_yaml(text, source);
   if (!root) return root.faults();
 
@@ -150,9 +188,11 @@ Checked<Scenario> load(const std::string& text, const std::string& source, const
     append(faults, read_hand(hand, *root, scenario.folder, texts));
   }
   append(faults, read_device(scenario.device, *root, scenario.folder, texts));
+  if (faults.empty()) faults = read_calibration(scenario, *root, calibration, texts);
   append(faults, read_materials(scenario, *root, texts));
   if (!faults.empty()) return faults;
 
+  if (scenario.left_handed) mirror(scenario);
   texts.put(name, text);
   scenario.texts = {name, texts.take_used()};
   return scenario;
@@ -160,11 +200,23 @@ Checked<Scenario> load(const std::string& text, const std::string& source, const
 
 }  // namespace
 
-Checked<Scenario> load_scenario(const std::filesystem::path& file, std::span<const std::string> overrides) {
+Checked<Scenario> load_scenario(const std::filesystem::path& file, std::span<const std::string> overrides,
+                                const std::filesystem::path& calibration) {
   const auto text = read_text(RegularFile::open_within(file.parent_path(), file.filename()));
   if (!text) return Faults{{file.string(), 0, 0, "cannot read the scenario: " + text.error().sentence}};
   TextStore texts;
-  return load(*text, file.string(), file.filename().string(), file.parent_path(), overrides, texts);
+  return load(*text, file.string(), file.filename().string(), file.parent_path(), overrides, texts,
+              calibration);
+}
+
+Checked<Calibration> load_calibration(const std::filesystem::path& file) {
+  const auto text = read_text(RegularFile::open(file));
+  if (!text) return Faults{{file.string(), 0, 0, "cannot read the calibration: " + text.error().sentence}};
+  Calibration calibration;
+  Faults faults = read_keys(*text, file.string(), file.parent_path(),
+                            [&](KeyVisitor& visitor) { describe_calibration_file(visitor, calibration); });
+  if (!faults.empty()) return faults;
+  return calibration;
 }
 
 Checked<DeviceDesc> load_device(const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/scenario/calibration.h"
 #include "engine/scenario/fault.h"
 #include "engine/scenario/scenario.h"
 
@@ -18,8 +19,12 @@ namespace fulcrum::scenario {
 //
 // Everything that a scenario names lies in its folder. Devices and materials are looked for there, in
 // devices/ and materials/, and in the content roots (content.h).
+//
+// `calibration`: the file of the device that a person holds (calibration.h); empty: there is none, or nobody
+// holds it. It is kept among the texts, so that a tape has it.
 Checked<Scenario> load_scenario(const std::filesystem::path& file,
-                                std::span<const std::string> overrides = {});
+                                std::span<const std::string> overrides = {},
+                                const std::filesystem::path& calibration = {});
 
 // The same from a text, as if it lay in `folder`; files that it names are read from there.
 Checked<Scenario> load_scenario_text(std::string_view text, const std::filesystem::path& folder,
@@ -29,6 +34,9 @@ Checked<Scenario> load_scenario_text(std::string_view text, const std::filesyste
 // the texts is a fault. Models are named relative to `folder`.
 Checked<Scenario> load_scenario_texts(const SourceTexts& texts, const std::filesystem::path& folder,
                                       std::span<const std::string> overrides = {});
+
+// What calibration_file() names, alone.
+Checked<Calibration> load_calibration(const std::filesystem::path& file);
 
 // A file of content/devices alone.
 Checked<DeviceDesc> load_device(const std::filesystem::path& file);

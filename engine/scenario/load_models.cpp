@@ -3,6 +3,7 @@
 
 #include "engine/assets/gltf.h"
 #include "engine/scenario/assemble.h"
+#include "engine/scenario/mirror.h"
 
 namespace fulcrum::scenario {
 
@@ -31,9 +32,11 @@ Result<Solid> solid_of(const ModelEntry& entry, TriangleMesh mesh) {
 
 Result<LoadedModels> load_models(const Scenario& scenario) {
   LoadedModels loaded;
+  if (scenario.left_handed) loaded.notes.emplace_back("the scene is mirrored, for a tool in the left hand");
   for (const ModelEntry& entry : scenario.models) {
     auto model = load_gltf(scenario.folder, entry.file.path);
     if (!model) return at(entry, model.error().sentence);
+    if (scenario.left_handed) mirror(*model);
     loaded.models.push_back(std::move(*model));
     if (entry.role != ModelRole::tool) continue;
 

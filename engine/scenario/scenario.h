@@ -99,6 +99,7 @@ struct Scenario {
   double time_limit = 0;  // s
   std::int64_t seed = 1;
   double tick_rate_Hz = 1000;
+  bool left_handed = false;  // all below is mirrored; the models are where they are loaded (mirror.h)
   std::vector<ModelEntry> models;
   std::vector<MaterialOverride> materials;
   ToolEntry tool;

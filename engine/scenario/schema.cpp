@@ -1,5 +1,6 @@
 #include "engine/scenario/schema.h"
 
+#include "engine/scenario/calibration.h"
 #include "engine/scenario/describe.h"
 #include "engine/scenario/schema_writer.h"
 
@@ -26,6 +27,12 @@ std::string hand_path_schema() {
 std::string device_schema() {
   DeviceDesc device;
   return text_of("Fulcrum device", [&](KeyVisitor& visitor) { describe_device_file(visitor, device); });
+}
+
+std::string calibration_schema() {
+  Calibration calibration;
+  return text_of("Fulcrum calibration",
+                 [&](KeyVisitor& visitor) { describe_calibration_file(visitor, calibration); });
 }
 
 std::string material_schema() {

@@ -13,6 +13,7 @@ struct Checkpoint {
   std::string name;
   Vec3 position = Vec3::Zero();  // (3) m, in W
   double radius = 0.01;          // m
+  std::string mirrored_name{};   // where the scene is mirrored; empty: the same
 };
 
 struct TaskDesc {

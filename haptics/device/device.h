@@ -75,7 +75,8 @@ struct DeviceDesc {
   double encoder_step_rad = 2.0e-4;               // rad
   double sample_rate_Hz = 0;                      // of a device that has its own; 0: a sample for each tick
   double firmware_watchdog = 0;  // s without a command after which its firmware lets go; 0: none is known
-  Vec3 workspace{0.080, 0.060, 0.060};             // (3) m, half extents about D's origin
+  Vec3 workspace{0.080, 0.060, 0.060};             // (3) m, half extents
+  Vec3 workspace_centre = Vec3::Zero();            // (3) m, in D; a table has it at D's origin
   MechanismDesc mechanism{};                       // of arms
   std::optional<StructureDesc> structure{};        // where it is known
   std::optional<VibrotactileDesc> vibrotactile{};  // its channels, where it has such

@@ -18,11 +18,12 @@
 
 namespace fulcrum {
 
-// (3) m in D, that the scene is shifted by against the device: the tool goes on by it. dp_D, p_DH (3) m.
-// workspace (3) m, half extents; an axis without extent does not drift.
-inline Vec3 workspace_drift(double drift, const Vec3& p_DH, const Vec3& dp_D,
-                            const Vec3& workspace) noexcept {
-  const Vec3 r = (workspace.array() > 0).select(p_DH.cwiseQuotient(workspace), Vec3::Zero());
+// (3) m in D, that the scene is shifted by against the device: the tool goes on by it. p_D (3) m, the
+// handle's place from the workspace's middle, dp_D (3) m. workspace (3) m, half extents; an axis of less
+// than kLeastExtent does not drift.
+inline constexpr double kLeastExtent = 1e-6;  // m
+inline Vec3 workspace_drift(double drift, const Vec3& p_D, const Vec3& dp_D, const Vec3& workspace) noexcept {
+  const Vec3 r = (workspace.array() >= kLeastExtent).select(p_D.cwiseQuotient(workspace), Vec3::Zero());
   return drift * dp_D.norm() * clamp_norm(r, 1);
 }
 

@@ -34,6 +34,15 @@ struct EffectDescs {
   std::optional<WorkspaceWallsDesc> workspace_walls{};
 };
 
+// What they are in the scene's mirror image (math/mirror.h): each Desc has a mirror() of its own beside it.
+inline void mirror(EffectDescs& descs) {
+  auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion, inertia_compensation,
+         texture, workspace_walls] = descs;
+  const auto each = [](auto&... desc) { ((desc ? mirror(*desc) : void()), ...); };
+  each(torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion, inertia_compensation,
+       texture, workspace_walls);
+}
+
 // Whether an effect, such as BrakingPulseEffect, is built: the scene names it and its device can use it.
 template <class T>
 bool is_built(const PlainScene& scene, const std::optional<typename T::Desc>& desc) {
@@ -61,15 +70,6 @@ std::vector<TransientSource> transient_sources(const PlainScene& scene, const Ef
 // What one of those does with the device's channels; none: nothing drives them.
 std::optional<ChannelUse> channel_use(const PlainScene& scene, const EffectDescs& descs);
 
-// What is likely to go ill with those, sentences.
-std::vector<std::string> advice_on_effects(const PlainScene& scene, const EffectDescs& descs);
-
-// What a person can set of those, as the records have it; the same in number and order in every tick.
-std::vector<Knob> effect_knobs(const PlainScene& scene, const EffectDescs& descs,
-                               const EffectRecords& records);
-
-// What the scene does without, and why.
-std::vector<LeftOut> left_out_effects(const PlainScene& scene, const EffectDescs& descs);
 // What one of those tells of torque; none: none does.
 std::optional<TorqueNote> torque_note(const PlainScene& scene, const EffectDescs& descs,
                                       const EffectRecords& records);
@@ -83,5 +83,14 @@ bool tells_objects_apart(const PlainScene& scene, const EffectDescs& descs);
 // What the scene's objects are made of, by their numbers, for those effects that ask.
 void set_materials(EffectDescs& descs, const std::vector<ImpactMaterial>& materials);
 
+// What is likely to go ill with those, sentences.
+std::vector<std::string> advice_on_effects(const PlainScene& scene, const EffectDescs& descs);
+
+// What a person can set of those, as the records have it; the same in number and order in every tick.
+std::vector<Knob> effect_knobs(const PlainScene& scene, const EffectDescs& descs,
+                               const EffectRecords& records);
+
+// What the scene does without, and why.
+std::vector<LeftOut> left_out_effects(const PlainScene& scene, const EffectDescs& descs);
 
 }  // namespace fulcrum

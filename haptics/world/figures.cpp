@@ -79,7 +79,7 @@ void check(FigureCheck& figures, const DeviceDesc& device) {
   const auto& [name, kinematics, renders_force, renders_torque, senses_rotation, max_force, max_torque,
                handle_mass, handle_inertia, handle_weight, bandwidth_Hz, damping, angular_damping, friction,
                angular_friction, encoder_step, encoder_step_rad, sample_rate_Hz, firmware_watchdog, workspace,
-               mechanism, structure, vibrotactile, strip] = device;
+               workspace_centre, mechanism, structure, vibrotactile, strip] = device;
   figures.at_least("device.max_force", max_force);
   figures.at_least("device.max_torque", max_torque);
   figures.above("device.handle_mass", handle_mass);
@@ -95,6 +95,7 @@ void check(FigureCheck& figures, const DeviceDesc& device) {
   figures.from_to("device.sample_rate_Hz", sample_rate_Hz, 0, FigureCheck::kFastest_Hz);
   figures.from_to("device.firmware_watchdog", firmware_watchdog, 0, FigureCheck::kLongestTime);
   figures.at_least("device.workspace", workspace);
+  figures.finite("device.workspace_centre", workspace_centre);
   if (kinematics == Kinematics::arms) check(figures, mechanism);
   if (structure) check(figures, *structure);
   if (vibrotactile) check(figures, *vibrotactile);

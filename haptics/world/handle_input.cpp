@@ -40,6 +40,7 @@ HandleInput::HandleInput(const PlainScene& scene, bool pushed_clutched)
       structure_(scene.device.structure),
       has_strip_(scene.device.strip.has_value()),
       workspace_(scene.device.workspace),
+      workspace_centre_(scene.device.workspace_centre),
       renders_force_(scene.device.renders_force),
       renders_torque_(scene.device.renders_torque),
       drift_rest_(1.5 * scene.device.encoder_step),
@@ -96,7 +97,7 @@ void HandleInput::drift(bool usable) noexcept {
   if (way <= drift_rest_) return;  // not yet: counts may toggle while the handle rests
   drift_from_D_ = X_DH_.p;
   if (!reaches_ || !free_ || way > kFarthestWay) return;
-  const Vec3 shift_D = workspace_drift(mapping_.drift, X_DH_.p, dp_D, workspace_);
+  const Vec3 shift_D = workspace_drift(mapping_.drift, X_DH_.p - workspace_centre_, dp_D, workspace_);
   const Vec3 shift_W = mapping_.position_scale * (mapping_.X_WD.q * shift_D);
   clutch_X_.p += shift_W;
   drifted_W_ += shift_W;

@@ -60,7 +60,7 @@ private:
   std::optional<HoldingPointDesc> holding_desc_;
   std::optional<StructureDesc> structure_;
   bool has_strip_;
-  Vec3 workspace_;  // (3) m, half extents
+  Vec3 workspace_, workspace_centre_;  // (3) m, half extents; in D
   bool renders_force_, renders_torque_;
   double drift_rest_;      // m, of the handle's way, that is none
   bool counts_at_device_;  // the handle's way is told by the device, not by what the mapping makes of it

@@ -75,5 +75,63 @@ grep -q 'Did it go' asked && fail "it pushed where it was told not to"
 [ -e data/fulcrum/reports ] || fail "without --out a report has no folder of its own"
 [ "$(find data -name device-test.html | wc -l)" = 1 ] || fail "a test that was refused left a report"
 
+# --- calibrate: what is kept is in the person's own configuration, and runs take it
+export XDG_CONFIG_HOME="$work/config"
+kept=$XDG_CONFIG_HOME/fulcrum/calibration/omega6.yaml
+expect 1 'A simulated device is as its table has it' "$FULCRUM" calibrate simulated:polhem --yes
+expect 1 "'polhem' cannot be had: none is plugged in" "$FULCRUM" calibrate polhem --yes
+expect 1 "no terminal.*--yes" env LD_LIBRARY_PATH="$STAND_INS" "$FULCRUM" calibrate omega6 </dev/null
+expect 1 "'mouse' cannot be had: it needs a window" "$FULCRUM" calibrate mouse --yes
+expect 0 'There is no calibration of omega6' "$FULCRUM" calibrate omega6 --forget
+# The stand-in's handle is held fast: it weighs nothing that can be told, and nothing is kept.
+LD_LIBRARY_PATH=$STAND_INS "$FULCRUM" calibrate omega6 --yes >real 2>&1
+case $? in
+  3) tr -s ' \n' ' ' <real | grep -qE 'someone held it|it was held, lies on something' && grep -q 'Nothing was kept' real || fail "a held omega6 is weighed: $(cat real)" ;;
+  4) grep -q 'sent nothing for more than 20 ms' real || fail "a stopped omega6 does not say why: $(cat real)" ;;
+  *) fail "calibrate omega6: $(cat real)" ;;
+esac
+[ ! -e "$kept" ] || fail "a calibration that found nothing left a file"
+# At a terminal: who leaves out everything changes nothing; who says so holds it in the left hand.
+refuses | LD_LIBRARY_PATH=$STAND_INS script -qec "'$FULCRUM' calibrate omega6" /dev/null >asked 2>&1
+[ ! -e "$kept" ] || fail "who left out everything left a calibration: $(cat "$kept")"
+answers() { # ANSWER...: each to the next question
+  local question=0 answer
+  for answer; do
+    question=$((question + 1))
+    until [ "$(grep -o 'Enter: yes' asked | wc -l)" -ge $question ]; do sleep 0.1; [ ! -e ended ] || return; done
+    sleep 0.2
+    echo "$answer"
+  done
+  until [ -e ended ]; do sleep 0.1; done
+}
+rm -f asked && touch asked
+answers n n y | { LD_LIBRARY_PATH=$STAND_INS script -qec "'$FULCRUM' calibrate omega6" /dev/null >asked 2>&1; touch ended; }
+stopped_by_machine() { tr -s ' \r\n' ' ' <asked | grep -q 'sent nothing for more than 20 ms'; }
+if ! stopped_by_machine; then
+  grep -q '^left_handed: true' "$kept" || fail "the left hand is not kept: $(cat asked)"
+  expect 0 "calibrated, as $kept has it" "$FULCRUM" devices
+fi
+mkdir -p "${kept%/*}"
+printf 'fulcrum: 1\ndevice: omega6\nhandle_weight: 0.25\nworkspace: {centre: [0.005, 0, 0], half_extents: [0.04, 0.04, 0.03]}\n' >"$kept"
+expect 0 '"calibration": ".*/omega6.yaml"' "$FULCRUM" devices --json
+# A run takes it, says so and keeps it on its tape; a simulated device of that name is as its table has it.
+export VK_ICD_FILENAMES=/nothing VK_DRIVER_FILES=/nothing # no picture is wanted
+held=(env LD_LIBRARY_PATH="$STAND_INS" "$FULCRUM" run stick --headless --realtime --seconds 0.3 --device omega6)
+"${held[@]}" --out H >said 2>&1
+grep -q "Device: calibrated, as $kept has it" said || fail "a run does not say that its device is calibrated: $(cat said)"
+expect 0 'calibrated, as .*omega6.yaml has it' env LD_LIBRARY_PATH="$STAND_INS" "$FULCRUM" explain stick --device omega6
+"$FULCRUM" run stick --headless --seconds 0.1 --device simulated:omega6 --out I 2>&1 | grep -q 'calibrated' && fail "a simulated device is calibrated"
+mv "$kept" away
+expect 0 'bit for bit' "$FULCRUM" replay H/tape --out H_again
+mv away "$kept"
+for damage in 's/0.25/99/' 's/omega6/touch/' 's/0.04,/1e-310,/' 's/handle_weight/handle_wait/' '1,$d'; do
+  sed "$damage" "$kept" >damaged && cp damaged "$kept.new" && cp "$kept" whole && mv "$kept.new" "$kept"
+  expect 1 'fulcrum calibrate omega6 --forget' env LD_LIBRARY_PATH="$STAND_INS" "$FULCRUM" explain stick --device omega6
+  mv whole "$kept"
+done
+expect 1 'Neither XDG_CONFIG_HOME nor HOME' env -u XDG_CONFIG_HOME -u HOME LD_LIBRARY_PATH="$STAND_INS" "$FULCRUM" calibrate omega6 --yes
+expect 0 'is removed' "$FULCRUM" calibrate omega6 --forget
+[ ! -e "$kept" ] || fail "calibrate --forget leaves it"
+
 [ $failures = 0 ] && echo "all good"
 exit $((failures > 0))

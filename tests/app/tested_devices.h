@@ -104,9 +104,10 @@ public:
     if (on_ask) on_ask(asked.back());
   }
   std::optional<Answer> answer() override {
-    if (++polls_ < 30) return std::nullopt;
+    if (++polls_ < wait) return std::nullopt;
     return says ? says(asked.back()) : Answer::yes;
   }
+  int wait = 30;  // ticks until the answer
   std::function<void(const std::string&)> on_ask;
   std::function<Answer(const std::string&)> says;
   std::vector<std::string> asked;

@@ -1,6 +1,6 @@
-// dictionary scenario|device|material|hand|override: the words that such a fuzzer puts into its inputs, in
-// libFuzzer's form. They are every key of the files and every value that has a name, as the schema has them;
-// for overrides every key with its path.
+// dictionary scenario|device|material|calibration|hand|override: the words that such a fuzzer puts into its
+// inputs, in libFuzzer's form. They are every key of the files and every value that has a name, as the schema
+// has them; for overrides every key with its path.
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -50,12 +50,13 @@ Words options() {
 
 int main(int count, char** arguments) {
   const std::string kind = count == 2 ? arguments[1] : "";
-  const Words words = kind == "scenario"   ? words_of(scenario_schema())
-                      : kind == "device"   ? words_of(device_schema())
-                      : kind == "material" ? words_of(material_schema())
-                      : kind == "hand"     ? words_of(hand_path_schema())
-                      : kind == "override" ? options()
-                                           : Words();
+  const Words words = kind == "scenario"      ? words_of(scenario_schema())
+                      : kind == "device"      ? words_of(device_schema())
+                      : kind == "material"    ? words_of(material_schema())
+                      : kind == "calibration" ? words_of(calibration_schema())
+                      : kind == "hand"        ? words_of(hand_path_schema())
+                      : kind == "override"    ? options()
+                                              : Words();
   for (const std::string& word : words) std::printf("\"%s\"\n", word.c_str());
   return words.empty() ? 1 : 0;
 }

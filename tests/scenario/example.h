@@ -81,6 +81,7 @@ private:
 };
 
 // $FULCRUM_CONTENT for as long as this lives.
+// NOLINTBEGIN(concurrency-mt-unsafe): no thread runs yet.
 class Installed {
 public:
   explicit Installed(const std::filesystem::path& root) { ::setenv("FULCRUM_CONTENT", root.c_str(), 1); }
@@ -96,6 +97,7 @@ private:
                                            ? std::optional<std::string>(std::getenv("FULCRUM_CONTENT"))
                                            : std::nullopt;
 };
+// NOLINTEND(concurrency-mt-unsafe)
 
 inline std::string replaced(std::string text, std::string_view what, std::string_view by) {
   const std::size_t at = text.find(what);

@@ -116,6 +116,7 @@ TEST(Schema, DescribesEveryKey) {
   expect_described(Json::parse(scenario_schema()), "");
   expect_described(Json::parse(device_schema()), "");
   expect_described(Json::parse(material_schema()), "");
+  expect_described(Json::parse(calibration_schema()), "");
 }
 
 }  // namespace

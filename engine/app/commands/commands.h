@@ -12,6 +12,7 @@ void add_check(Program& program);
 void add_explain(Program& program);
 void add_devices(Program& program);
 void add_device_test(Program& program);
+void add_calibrate(Program& program);
 void add_doctor(Program& program);
 void add_strip(Program& program);
 void add_schema(Program& program);

@@ -12,6 +12,7 @@
 #include "engine/app/commands/commands.h"
 #include "engine/app/device_test/opened.h"
 #include "engine/app/device_test/parts.h"
+#include "engine/app/device_test/print.h"
 #include "engine/app/device_test/report.h"
 #include "engine/app/prepare/capabilities.h"
 #include "haptics/math/number_text.h"
@@ -26,24 +27,6 @@ struct DeviceTestOptions {
   bool yes = false;
   RunOptions output;
 };
-
-std::string in_colour(dt::Outcome outcome) {
-  const std::string name(name_of(outcome));
-  const std::string room(name_of(dt::Outcome::unknown).size() - name.size(), ' ');
-  if (outcome == dt::Outcome::good) return green(name) + room;
-  if (outcome == dt::Outcome::bad) return red(name) + room;
-  return (outcome == dt::Outcome::odd ? yellow(name) : dim(name)) + room;
-}
-
-void print_findings(const dt::Findings& findings) {
-  std::size_t width = 0;
-  for (const dt::Part& part : findings.parts) width = std::max(width, part.name.size());
-  constexpr std::size_t kOutcome = 9;  // with its two spaces
-  for (const dt::Part& part : findings.parts)
-    std::printf("%s  %s  %s\n", (part.name + std::string(width - part.name.size(), ' ')).c_str(),
-                in_colour(part.outcome).c_str(),
-                in_lines(part.says, width + 2 + kOutcome).substr(width + 2 + kOutcome).c_str());
-}
 
 // What nobody asked for is nowhere on the page: no date, so that the same test gives the same page.
 report::Facts about(const DeviceTestOptions& options, const dt::TestBench& bench) {
@@ -102,7 +85,7 @@ int device_test_command(const DeviceTestOptions& options) {
     json["report"] = (*folder / dt::kPageName).string();
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    print_findings(findings);
+    dt::print(findings);
     std::printf("Figures and plots lie in %s\n", bold(folder->string()).c_str());
   }
   if (bench.stopped()) return kEndedByFault;

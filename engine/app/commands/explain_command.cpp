@@ -104,7 +104,10 @@ std::optional<Prepared> prepare_on(const ExplainOptions& options) {
   }
   std::vector<std::string> overrides = options.overrides;
   overrides.insert(overrides.end(), choice->overrides.begin(), choice->overrides.end());
-  std::optional<Prepared> prepared = prepare(options.scenario, overrides);
+  std::optional<Prepared> prepared = prepare(options.scenario, overrides, choice->calibration);
+  if (prepared && !choice->calibration.empty())
+    prepared->haptic.notes.push_back("the device is calibrated, as " + choice->calibration.string() +
+                                     " has it");
   if (prepared) prepared->haptic.scene = scene_for_device(*prepared, choice->device);
   return prepared;
 }

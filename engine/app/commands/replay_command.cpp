@@ -71,6 +71,7 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
   RunSink::Outcome outcome = sink.finish();
   outcome.summary.device = tape->header.device;
   outcome.summary.hand = tape->header.hand;
+  outcome.summary.left_handed = prepared->scenario.left_handed;
   const Inventory list = inventory(*world, *prepared, nullptr);
   const bool written = write_results(results->folder, outcome, list);
   std::printf("%s\n", results->folder.string().c_str());

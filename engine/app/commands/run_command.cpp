@@ -120,6 +120,7 @@ public:
   int finish(const render::RenderPlan* plan, bool person) {
     RunSink::Outcome outcome = sink_.finish();
     outcome.summary.device = device_in_results(prepared_, options_.device);
+    outcome.summary.left_handed = prepared_.scenario.left_handed;
     outcome.summary.hand = is_simulated(options_.device) ? options_.hand : "";
     if (device_.sound != nullptr) {
       const sound::FeedCounts counts = device_.sound->counts();
@@ -272,8 +273,12 @@ int run_command(const RunOptions& given) {
   }
   options.device = choice->device;
   std::ranges::move(choice->overrides, std::back_inserter(options.overrides));
-  std::optional<scenario::Scenario> scenario = load_named(options.scenario, options.overrides);
+  std::optional<scenario::Scenario> scenario =
+      load_named(options.scenario, options.overrides, choice->calibration);
   if (!scenario) return kError;
+  if (!choice->calibration.empty())
+    std::fprintf(stderr, "Device: calibrated, as %s has it.\n", choice->calibration.c_str());
+  if (scenario->left_handed) std::fprintf(stderr, "The scene is mirrored, for a tool in the left hand.\n");
   if (const auto refused = refuse_view(*scenario, options.scenario, options.view)) {
     complain(refused->sentence);
     return kUsage;

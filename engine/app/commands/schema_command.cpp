@@ -10,10 +10,11 @@ namespace fulcrum::app {
 namespace {
 
 int schema_command(const std::string& of) {
-  const std::string schema = of == "hand"       ? scenario::hand_path_schema()
-                             : of == "device"   ? scenario::device_schema()
-                             : of == "material" ? scenario::material_schema()
-                                                : scenario::scenario_schema();
+  const std::string schema = of == "hand"          ? scenario::hand_path_schema()
+                             : of == "device"      ? scenario::device_schema()
+                             : of == "calibration" ? scenario::calibration_schema()
+                             : of == "material"    ? scenario::material_schema()
+                                                   : scenario::scenario_schema();
   std::printf("%s\n", schema.c_str());
   return kCompleted;
 }
@@ -25,8 +26,8 @@ void add_schema(Program& program) {
   program.add(
       "schema", "The JSON Schema of a file, for an editor",
       [of](Arguments& arguments) {
-        arguments.choice("of", "scenario (default), hand, device or material", *of,
-                         {"scenario", "hand", "device", "material"});
+        arguments.choice("of", "scenario (default), hand, device, calibration or material", *of,
+                         {"scenario", "hand", "device", "calibration", "material"});
       },
       [of] { return schema_command(*of); });
 }

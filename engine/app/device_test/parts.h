@@ -26,6 +26,9 @@ void vibrate(TestBench& bench, Person& person, Findings& findings);
 // What the channels have to be made for.
 VibrotactileSignal signal_of_test(const VibrotactileDesc& vibrators);
 
+// Why the bench is over, where it is; then ticks of no force.
+void end(TestBench& bench, Findings& findings);
+
 // Of an axis, 0 to 5: the way along or about it, the other way, and what both are called.
 struct Way {
   const char* there;

@@ -18,6 +18,11 @@ Findings walk(TestBench& bench, Person& person) {
   Findings findings;
   for (const auto part : {&listen, &follow_hand, &follow_buttons, &push, &vibrate})
     if (!bench.over()) part(bench, person, findings);
+  end(bench, findings);
+  return findings;
+}
+
+void end(TestBench& bench, Findings& findings) {
   if (bench.stopped())
     findings.parts.push_back({"the end", Outcome::bad,
                               "The force was stopped, and with it the test. " + bench.why_stopped() +
@@ -25,7 +30,6 @@ Findings walk(TestBench& bench, Person& person) {
   else if (bench.over())
     findings.parts.push_back({"the end", Outcome::unknown, "The test was ended before it was through."});
   for (double time = 0; time < kLastTicks; time += bench.tick_s()) bench.tick();
-  return findings;
 }
 
 const Way& way_of(int axis) {

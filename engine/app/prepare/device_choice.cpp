@@ -1,6 +1,9 @@
 #include "engine/app/prepare/device_choice.h"
 
+#include <system_error>
+
 #include "drivers/registry.h"
+#include "engine/scenario/calibration.h"
 
 namespace fulcrum::app {
 
@@ -8,12 +11,18 @@ Result<DeviceChoice> choose_device(const std::string& asked) {
   constexpr std::string_view simulated = "simulated:";
   const Result<DeviceName> name = read_device_name(asked);
   if (!name) return name.error();
-  DeviceChoice choice{asked, {}};
+  DeviceChoice choice{asked, {}, {}};
   if (name->moves.starts_with(simulated)) {
     choice.device = "simulated" + asked.substr(name->moves.size());
     choice.overrides.push_back("device.model=" + name->moves.substr(simulated.size()));
   }
-  if (has_table(name->moves)) choice.overrides.push_back("device.model=" + name->moves);
+  if (has_table(name->moves)) {
+    choice.overrides.push_back("device.model=" + name->moves);
+    const std::filesystem::path file = scenario::calibration_file(name->moves);
+    std::error_code ignored;
+    if (!file.empty() && std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
+      choice.calibration = file;
+  }
   if (!name->beside.empty()) choice.overrides.push_back("device.beside=" + table_of(name->beside));
   return choice;
 }

@@ -43,13 +43,14 @@ double sag(const SceneDesc& scene) {
 }  // namespace
 
 std::optional<scenario::Scenario> load_named(const std::string& name_or_file,
-                                             const std::vector<std::string>& overrides) {
+                                             const std::vector<std::string>& overrides,
+                                             const std::filesystem::path& calibration) {
   const Result<std::filesystem::path> file = scenario::find_scenario(name_or_file);
   if (!file) {
     complain(file.error().sentence);
     return std::nullopt;
   }
-  scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario(*file, overrides);
+  scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario(*file, overrides, calibration);
   if (!loaded) {
     complain("the scenario '" + name_or_file + "' cannot be used:\n" + scenario::to_text(loaded.faults()));
     return std::nullopt;
@@ -57,8 +58,9 @@ std::optional<scenario::Scenario> load_named(const std::string& name_or_file,
   return std::move(*loaded);
 }
 
-std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides) {
-  std::optional<scenario::Scenario> loaded = load_named(name_or_file, overrides);
+std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides,
+                                const std::filesystem::path& calibration) {
+  std::optional<scenario::Scenario> loaded = load_named(name_or_file, overrides, calibration);
   if (!loaded) return std::nullopt;
   return prepare(name_or_file, std::move(*loaded));
 }

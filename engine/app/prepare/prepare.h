@@ -1,6 +1,7 @@
 #pragma once
 // From a name on the command line to something that can run.
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,9 +26,12 @@ struct Prepared {
 // Every sentence that is wrong about it is written to stderr; then nothing is returned. load_named() reads
 // the scenario's file alone; prepare() its models, too, and bakes what is not in the cache. progress: told
 // besides the terminal, on the calling thread; what it throws ends the bake and comes out of prepare().
+// calibration: of the device that a person holds, see load_scenario().
 std::optional<scenario::Scenario> load_named(const std::string& name_or_file,
-                                             const std::vector<std::string>& overrides);
-std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides);
+                                             const std::vector<std::string>& overrides,
+                                             const std::filesystem::path& calibration = {});
+std::optional<Prepared> prepare(const std::string& name_or_file, const std::vector<std::string>& overrides,
+                                const std::filesystem::path& calibration = {});
 std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario,
                                 const scenario::BakeProgress& progress = {});
 

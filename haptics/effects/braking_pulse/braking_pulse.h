@@ -17,6 +17,7 @@
 #include "haptics/contact/impact.h"
 #include "haptics/device/mapping.h"
 #include "haptics/effects/braking_pulse/pulse_record.h"
+#include "haptics/math/mirror.h"
 #include "haptics/math/pose.h"
 #include "haptics/tick/command.h"
 
@@ -29,6 +30,10 @@ struct BrakingPulseDesc {
   bool moment = true;        // at the start
   double gain = 1;           // of the force; 0: named but off
 };
+
+inline void mirror(BrakingPulseDesc& desc) {
+  mirror(desc.p_HG);
+}
 
 class BrakingPulse {
 public:

@@ -51,6 +51,8 @@ struct ImpactVibrationDesc {
   std::vector<ImpactMaterial> materials{ImpactMaterial()};  // of each object of the scene, by its number
 };
 
+inline void mirror(ImpactVibrationDesc&) {}  // it has no sides
+
 // What the effect needs to know of the scene around it.
 struct ImpactSurroundings {
   double tick_s;

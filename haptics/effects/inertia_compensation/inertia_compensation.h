@@ -43,6 +43,8 @@ struct InertiaCompensationDesc {
   std::optional<double> encoder_noise{};  // m rms, of the position; without it that of the device's encoder
 };
 
+inline void mirror(InertiaCompensationDesc&) {}  // it has no sides
+
 class InertiaCompensation {
 public:
   struct Figures {

@@ -19,6 +19,7 @@
 
 #include "haptics/contact/contact_set.h"
 #include "haptics/effects/texture/texture_record.h"
+#include "haptics/math/mirror.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/wrench.h"
 #include "haptics/tick/command.h"
@@ -31,6 +32,10 @@ struct TextureDesc {
   Vec3 direction_W = Vec3(1, 0, 0);  // across the ridges; of any length
   double gain = 1;                   // of the force; 0: named but off
 };
+
+inline void mirror(TextureDesc& desc) {
+  mirror(desc.direction_W);
+}
 
 class Texture {
 public:

@@ -47,6 +47,8 @@ struct TorqueSubstitutionDesc {
   double ghost_fade = 0.15;           // s
 };
 
+inline void mirror(TorqueSubstitutionDesc&) {}  // it has no sides
+
 // N m: what a Desc says, and where it says nothing what follows from the coupling's largest torque.
 struct TorqueThresholds {
   double bad, ghost_above, ghost_below;  // T_min, T_on, T_off

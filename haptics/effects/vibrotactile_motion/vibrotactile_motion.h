@@ -25,6 +25,7 @@
 #include "haptics/effects/vibrotactile_motion/vibrotactile_law.h"
 #include "haptics/effects/vibrotactile_motion/vibrotactile_record.h"
 #include "haptics/math/linear.h"
+#include "haptics/math/mirror.h"
 #include "haptics/math/names_of.h"
 #include "haptics/signal/ramp.h"
 #include "haptics/tick/command.h"
@@ -48,6 +49,11 @@ struct VibrotactileMotionDesc {
   double full_speed = 0.1;       // m/s, v_0
   double full_force = 1;         // N, fallback: at which the vibration is at its strongest
 };
+
+inline void mirror(VibrotactileMotionDesc& desc) {
+  mirror(desc.centre_W);
+  mirror_axis(desc.axis_W);  // to the right of the finger, whose vibrators stay where they are
+}
 
 class VibrotactileMotion {
 public:

@@ -54,7 +54,8 @@ double WorkspaceWalls::margin(const WorkspaceWallsDesc& desc, const DeviceDesc& 
 }
 
 WorkspaceWalls::WorkspaceWalls(const WorkspaceWallsDesc& desc, const DeviceDesc& device, double tick_s)
-    : border_D_(device.workspace.array() - margin(desc, device)),
+    : centre_D_(device.workspace_centre),
+      border_D_(device.workspace.array() - margin(desc, device)),
       max_force_(kForceShare * device.max_force),
       stiffness_(desc.stiffness ? *desc.stiffness
                                 : suited_stiffness(device, tick_s, max_force_ / margin(desc, device))),
@@ -65,7 +66,8 @@ WorkspaceWalls::WorkspaceWalls(const WorkspaceWallsDesc& desc, const DeviceDesc&
 Vec3 WorkspaceWalls::process(const Vec3& p_DH, const Vec3& per_tick_D) noexcept {
   velocity_D_ = pole_ * velocity_D_ + (1 - pole_) / tick_s_ * per_tick_D;
   record_ = {};
-  const Vec3 outside_D = p_DH - p_DH.cwiseMax(-border_D_).cwiseMin(border_D_);
+  const Vec3 p_D = p_DH - centre_D_;
+  const Vec3 outside_D = p_D - p_D.cwiseMax(-border_D_).cwiseMin(border_D_);
   if (outside_D.isZero(0)) return record_.force_D;
   record_.depth = outside_D.norm();
   const Vec3 dhat_D = outside_D / record_.depth;

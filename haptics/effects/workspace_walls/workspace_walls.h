@@ -1,7 +1,8 @@
 #pragma once
-// The border of the workspace is felt before an arm comes to its hard stops: a box in D, a margin inside the
-// device's half extents, that pushes a handle outside of it back towards its nearest point. With d (3) m from
-// that point to the handle, dhat its direction and v the handle's velocity:
+// The border of the workspace is felt before an arm comes to its hard stops: a box in D, a margin inside
+// the device's half extents about its workspace's centre, that pushes a handle outside of it back towards
+// its nearest point. With d (3) m from that point to the handle, dhat its direction and v the handle's
+// velocity:
 //     f = -clamp(K |d| + B v . dhat, 0, f_max) dhat
 // K |d|, no larger than f_max, is the slope of a potential in |d|, so that without the damper a closed way
 // costs nothing and gives nothing; the damper only takes, and the walls never pull.
@@ -30,6 +31,8 @@ struct WorkspaceWallsDesc {
   std::optional<double> stiffness{};  // N/m at the device, K; without it what suits the device
 };
 
+inline void mirror(WorkspaceWallsDesc&) {}  // it has no sides
+
 class WorkspaceWalls {
 public:
   static constexpr double kForceShare = 0.5;    // of the device's largest force: the rest is the scene's
@@ -54,7 +57,8 @@ public:
   const WorkspaceWallsRecord& record() const { return record_; }
 
 private:
-  Vec3 border_D_;  // (3) m, half extents of the box in which nothing is felt
+  Vec3 centre_D_;  // (3) m
+  Vec3 border_D_;  // (3) m, half extents of the box about it in which nothing is felt
   double max_force_, stiffness_, damping_;
   double pole_;  // of the low-pass, 0 to 1
   double tick_s_;

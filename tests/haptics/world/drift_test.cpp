@@ -43,6 +43,7 @@ TEST(WorkspaceDrift, IsAPartOfTheWayAndOfTheWayOut) {
   for (const Vec3& p : {Vec3(0.1, 0.05, 0.2), Vec3(-3, 2, 1), Vec3(0, 0.3, 0)})
     EXPECT_NEAR(workspace_drift(0.1, p, {0, 1e-3, 0}, workspace).norm(), 1e-4, 1e-16);
   EXPECT_EQ(workspace_drift(0.1, {0.01, 0.01, 0}, {1e-3, 0, 0}, {0, 0.1, 0}).x(), 0);
+  EXPECT_TRUE(workspace_drift(0.1, {0.01, 0.01, 0}, {1e-3, 0, 0}, {1e-310, 0.1, 0}).allFinite());
 }
 
 // How the handle goes round, `off` from the workspace's middle, once in a second; in D.

@@ -93,6 +93,7 @@ std::vector<Figure> figures() {
       FIGURE("device.sample_rate_Hz", s.device.sample_rate_Hz),
       FIGURE("device.firmware_watchdog", s.device.firmware_watchdog),
       FIGURE("device.workspace", s.device.workspace.x()),
+      FIGURE("device.workspace_centre", s.device.workspace_centre.y()),
       FIGURE("device.base.orientation", s.device.mechanism.q_DK.x()),
       FIGURE("axis", s.device.mechanism.arms[0].joints[1].axis_K.y()),
       FIGURE("point", s.device.mechanism.arms[1].joints[2].point_K.z()),

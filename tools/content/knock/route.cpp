@@ -41,6 +41,16 @@ Knock at_station(std::size_t i, const std::string& from, const char* peg, const 
   return knock;
 }
 
+// What a knock is called in the mirror image of the scene; empty: the same.
+std::string mirrored(std::string name) {
+  const auto replaced = [&name](const std::string& side, const std::string& other) {
+    const std::size_t at = name.find(side);
+    if (at != std::string::npos) name.replace(at, side.size(), other);
+    return at != std::string::npos;
+  };
+  return replaced("the right", "the left") || replaced("the left", "the right") ? name : "";
+}
+
 }  // namespace
 
 std::vector<Knock> make_knocks() {
@@ -91,7 +101,8 @@ std::vector<RoutePose> make_route(const std::vector<Knock>& knocks, double press
 std::string knocks_yaml(const std::vector<Knock>& knocks) {
   std::string text;
   for (const Knock& knock : knocks)
-    if (knock.counts) text += checkpoint_yaml(knock.name, knock.X_WT * bar_middle, sphere);
+    if (knock.counts)
+      text += checkpoint_yaml(knock.name, knock.X_WT * bar_middle, sphere, mirrored(knock.name));
   // A run ends with the last checkpoint: it is over the row, so that the last knock is felt to its end.
   const Knock& last = knocks.back();
   return text + checkpoint_yaml("off again", last.X_WT * bar_middle - last.run * last.motion_W, end_sphere);

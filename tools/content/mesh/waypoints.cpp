@@ -40,8 +40,10 @@ std::string route_yaml(const std::string& how, const std::string& program,
   return text;
 }
 
-std::string checkpoint_yaml(const std::string& name, const Eigen::Vector3d& p_W, double radius) {
-  return "  - {name: " + name + ", position: " + list({p_W.x(), p_W.y(), p_W.z()}) +
+std::string checkpoint_yaml(const std::string& name, const Eigen::Vector3d& p_W, double radius,
+                            const std::string& mirrored_name) {
+  const std::string mirrored = mirrored_name.empty() ? "" : ", mirrored_name: " + mirrored_name;
+  return "  - {name: " + name + mirrored + ", position: " + list({p_W.x(), p_W.y(), p_W.z()}) +
          ", radius: " + number("%.4f", radius) + "}\n";
 }
 

@@ -23,7 +23,9 @@ struct RoutePose {
 std::string route_yaml(const std::string& how, const std::string& program,
                        const std::vector<RoutePose>& route);
 
-// A line of a scenario's list of checkpoints; position and radius in m.
-std::string checkpoint_yaml(const std::string& name, const Eigen::Vector3d& p_W, double radius);
+// A line of a scenario's list of checkpoints; position and radius in m. mirrored_name: where the scene is
+// mirrored; empty: the same.
+std::string checkpoint_yaml(const std::string& name, const Eigen::Vector3d& p_W, double radius,
+                            const std::string& mirrored_name = {});
 
 }  // namespace fulcrum::content

@@ -40,8 +40,9 @@ std::vector<RoutePose> make_route(double press) {
 std::string sweeps_yaml() {
   std::string text;
   for (int i = 1; i <= sweeps; ++i) {
-    text += checkpoint_yaml("right " + std::to_string(i), turn_at * Vector3d::UnitX(), sphere);
-    text += checkpoint_yaml("left " + std::to_string(i), -turn_at * Vector3d::UnitX(), sphere);
+    const std::string right = "right " + std::to_string(i), left = "left " + std::to_string(i);
+    text += checkpoint_yaml(right, turn_at * Vector3d::UnitX(), sphere, left);
+    text += checkpoint_yaml(left, -turn_at * Vector3d::UnitX(), sphere, right);
   }
   return text + checkpoint_yaml("off again", {-turn_at, above, 0.0}, sphere);
 }

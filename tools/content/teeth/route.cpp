@@ -51,6 +51,20 @@ Vector3d beside(const Dentition& dentition, int number_a, int number_b, double o
   return Vector3d(middle.x() + out * place.outward.x(), 5.0, middle.z() + out * place.outward.y()) * mm;
 }
 
+// What a stop is called in the mirror image of the jaw: its teeth's numbers begin with 4 on the right, and
+// with 3 on the left (ISO 3950).
+std::string mirrored(std::string name) {
+  const auto is_digit = [&name](std::size_t i) {
+    return i < name.size() && name[i] >= '0' && name[i] <= '9';
+  };
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (!is_digit(i) || !is_digit(i + 1)) continue;
+    name[i] = name[i] == '4' ? '3' : '4';
+    ++i;
+  }
+  return name;
+}
+
 }  // namespace
 
 std::vector<Stop> make_stops(const Dentition& dentition, const TriangleTree& scene) {
@@ -91,7 +105,7 @@ std::vector<RoutePose> make_route(const std::vector<Stop>& stops) {
 
 std::string stops_yaml(const std::vector<Stop>& stops) {
   std::string text;
-  for (const Stop& stop : stops) text += checkpoint_yaml(stop.name, stop.tip_W, sphere);
+  for (const Stop& stop : stops) text += checkpoint_yaml(stop.name, stop.tip_W, sphere, mirrored(stop.name));
   return text;
 }
 

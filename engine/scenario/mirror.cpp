@@ -1,0 +1,89 @@
+#include "engine/scenario/mirror.h"
+
+#include <utility>
+
+#include "haptics/math/mirror.h"
+
+namespace fulcrum::scenario {
+namespace {
+
+// Each of these names all members of what it mirrors: who adds one decides here what becomes of it, or the
+// file does not compile.
+
+void mirror(glm::vec3& p) {
+  negate(p.x);
+}
+
+void mirror(ToolEntry& tool) {
+  auto& [density, mass, X_HM, X_WM_start, touch_point, weight] = tool;
+  fulcrum::mirror(X_HM);
+  fulcrum::mirror(X_WM_start);
+  fulcrum::mirror(touch_point);
+}
+
+void mirror(DeviceEntry& device) {
+  auto& [model, own, beside, desc, mapping, allocation, drawn, floor] = device;
+  auto& [X_WD, position_scale, force_scale, engages_at_start, clutch_button, drift] = mapping;
+  fulcrum::mirror(X_WD);
+}
+
+void mirror(Checkpoint& checkpoint) {
+  auto& [name, position, radius, mirrored_name] = checkpoint;
+  if (!mirrored_name.empty()) std::swap(name, mirrored_name);
+  fulcrum::mirror(position);
+}
+
+void mirror(HandEntry& hand) {
+  auto& [name, path, desc, waypoints] = hand;
+  for (Waypoint& waypoint : waypoints) {
+    auto& [X_WT, travel, dwell, hold, press] = waypoint;
+    fulcrum::mirror(X_WT);
+  }
+}
+
+void mirror(GuideDesc& guide) {
+  auto& [from_W, to_W, speed, wait, rest, radius] = guide;
+  fulcrum::mirror(from_W);
+  fulcrum::mirror(to_W);
+}
+
+void mirror(View& view) {
+  auto& [name, camera, cut] = view;
+  auto& [eye, target, vertical_fov_rad, layers] = camera;
+  mirror(eye);
+  mirror(target);
+}
+
+void mirror(render::KeyLight& light) {
+  auto& [kind, position, direction, colour, intensity, cone_rad, casts_shadow] = light;
+  mirror(position);
+  mirror(direction);
+}
+
+}  // namespace
+
+void mirror(Scenario& scenario) {
+  auto& [title, about, time_limit, seed, tick_rate_Hz, left_handed, models, materials, tool, field, shell,
+         contact, edges, integrator, coupling, velocity_estimator, device, effects, impact, impact_material,
+         impact_materials, holding_point, checkpoints, dwell, hard_touch, hands, guide, views, light, ambient,
+         background, folder, overrides, texts] = scenario;
+  mirror(tool);
+  mirror(device);
+  fulcrum::mirror(effects);
+  for (Checkpoint& checkpoint : checkpoints) mirror(checkpoint);
+  for (HandEntry& hand : hands) mirror(hand);
+  if (guide) mirror(*guide);
+  for (View& view : views) mirror(view);
+  if (light) mirror(*light);
+}
+
+void mirror(Model& model) {
+  for (ModelPart& part : model.parts) {
+    auto& [name, positions, normals, colours, indices, material] = part;
+    for (Vec3& p : positions) fulcrum::mirror(p);
+    for (Vec3& n : normals) fulcrum::mirror(n);
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
+  }
+}
+
+}  // namespace fulcrum::scenario
