@@ -19,10 +19,11 @@ TEST(DeviceTestPerson, NothingPushesWhereThePersonDeclines) {
   const dt::Findings findings = dt::walk(bench, person);
   for (const Wrench& F : device.told) EXPECT_TRUE(F.is_zero());
   for (const char* const name : kPushes) EXPECT_EQ(part(findings, name).outcome, Outcome::unknown);
+  EXPECT_EQ(part(findings, "latency").outcome, Outcome::unknown);
   EXPECT_EQ(
       std::ranges::count_if(
           person.asked, [](const std::string& q) { return q.find("going to push") != std::string::npos; }),
-      3);
+      4);  // along three axes, and for the latency
 }
 
 TEST(DeviceTestPerson, WhatAPersonDoesNotFeelIsBad) {

@@ -21,6 +21,9 @@ void follow_buttons(TestBench& bench, Person& person, Findings& findings);
 // second, and ends as soon as the handle has given way.
 void push(TestBench& bench, Person& person, Findings& findings);
 
+// Short pushes, and how long they take to show in a sample (latency.h).
+void measure_latency(TestBench& bench, Person& person, Findings& findings);
+
 // Each channel by itself.
 void vibrate(TestBench& bench, Person& person, Findings& findings);
 // What the channels have to be made for.

@@ -16,7 +16,7 @@ constexpr double kLastTicks = 0.02;  // s of no force at the end
 
 Findings walk(TestBench& bench, Person& person) {
   Findings findings;
-  for (const auto part : {&listen, &follow_hand, &follow_buttons, &push, &vibrate})
+  for (const auto part : {&listen, &follow_hand, &follow_buttons, &push, &measure_latency, &vibrate})
     if (!bench.over()) part(bench, person, findings);
   end(bench, findings);
   return findings;
