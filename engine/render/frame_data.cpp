@@ -56,7 +56,7 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
     write_light(data, *setting.key_light);
   else
     data.key_direction = {0.0F, -1.0F, 0.0F, 0.0F};  // of a light without colour
-  data.sky = with(setting.ambient.sky * setting.ambient.intensity);
+  data.sky = with(setting.ambient.sky * setting.ambient.intensity, setting.ambient.mirrored ? -1.0F : 1.0F);
   data.ground = with(setting.ambient.ground * setting.ambient.intensity);
   data.background_top = with(setting.background.top);
   data.background_bottom = with(setting.background.bottom);

@@ -61,6 +61,7 @@ struct Ambient {
   glm::vec3 sky{0.36F, 0.40F, 0.46F};     // linear
   glm::vec3 ground{0.10F, 0.09F, 0.08F};  // linear
   float intensity = 1.0F;
+  bool mirrored = false;  // the boxes that stand at the left are at the right
 };
 
 struct Camera {

@@ -56,12 +56,13 @@ std::uint32_t layers_of(const ModelEntry& entry, const std::vector<ModelEntry>& 
   return std::ranges::count(models, entry.name, &ModelEntry::cut_of) > 0 ? kWhole : kWhole | kCut;
 }
 
-// Appends the model's parts; those of the tool are moved to T and movable.
+// Appends the model's materials and parts; those of the tool are moved to T and movable.
 void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model, const Vec3& p_MT,
-               const Pose& X_WT_start, std::uint32_t layers) {
+               const Pose& X_WT_start, std::uint32_t layers, bool drawn) {
   const bool is_tool = entry.role == ModelRole::tool;
   const std::size_t first_material = desc.materials.size();
   for (const ModelMaterial& material : model.materials) desc.materials.push_back(material_of(material));
+  if (!drawn) return;
   for (const ModelPart& part : model.parts) {
     render::Instance instance;
     instance.mesh = desc.meshes.size();
@@ -93,8 +94,9 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   render::VisualDesc& desc = result.desc;
   const Pose X_WT_start = scenario.tool.X_WM_start * Pose{Quat::Identity(), models.p_MT};
   for (std::size_t i = 0; i < scenario.models.size(); ++i) {
-    add_model(desc, scenario.models[i], models.models[i], models.p_MT, X_WT_start,
-              layers_of(scenario.models[i], scenario.models));
+    const ModelEntry& entry = scenario.models[i];
+    add_model(desc, entry, models.models[i], models.p_MT, X_WT_start, layers_of(entry, scenario.models),
+              !(scenario.left_handed && entry.lettering));
   }
   for (const MaterialOverride& material : scenario.materials)
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();

@@ -1,6 +1,7 @@
 #include "engine/scenario/calibration.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include "engine/files/config_folder.h"
 #include "engine/files/number_text.h"
@@ -12,13 +13,14 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // m, of what was written as text
 
+std::string shortest(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
 std::string list_text(const Vec3& v) {
-  std::string text = "[";
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (i > 0) text += ", ";
-    append_number(text, v[i]);
-  }
-  return text + "]";
+  return "[" + shortest(v.x()) + ", " + shortest(v.y()) + ", " + shortest(v.z()) + "]";
 }
 
 }  // namespace
@@ -44,11 +46,7 @@ std::string calibration_text(const Calibration& calibration) {
   if (calibration.workspace)
     text += "workspace: {centre: " + list_text(calibration.workspace->centre_D) +
             ", half_extents: " + list_text(calibration.workspace->half_extents) + "}\n";
-  if (calibration.handle_weight) {
-    text += "handle_weight: ";
-    append_number(text, *calibration.handle_weight);
-    text += "\n";
-  }
+  if (calibration.handle_weight) text += "handle_weight: " + shortest(*calibration.handle_weight) + "\n";
   if (calibration.left_handed) text += "left_handed: true\n";
   return text;
 }
@@ -57,6 +55,14 @@ std::filesystem::path calibration_file(std::string_view device) {
   std::filesystem::path folder = config_folder();
   if (folder.empty()) return folder;
   return folder / "calibration" / (std::string(device) + ".yaml");
+}
+
+std::filesystem::path kept_calibration(std::string_view device) {
+  std::filesystem::path file = calibration_file(device);
+  if (file.empty()) return file;
+  std::error_code ignored;
+  const auto type = std::filesystem::symlink_status(file, ignored).type();
+  return type == std::filesystem::file_type::not_found ? std::filesystem::path() : file;
 }
 
 double max_handle_weight(const DeviceDesc& table) {
@@ -71,15 +77,15 @@ Result<DeviceDesc> calibrated(const DeviceDesc& table, const Calibration& calibr
     if (beyond.maxCoeff() > kRounding)
       return Error{"its workspace reaches " + fulcrum::number_text(1e3 * beyond.maxCoeff()) +
                    " mm farther than that of the device's table"};
+    device.name += ", calibrated";
     device.workspace_centre = centre_D;
     device.workspace = half_extents;
   }
   if (calibration.handle_weight) {
     const double most = max_handle_weight(table);
     if (*calibration.handle_weight > most)
-      return Error{"its handle_weight is " + fulcrum::number_text(*calibration.handle_weight) +
-                   " N, and at most " + fulcrum::number_text(most) +
-                   " N may hold up the handle of this device"};
+      return Error{"its handle_weight is " + shortest(*calibration.handle_weight) + " N, and at most " +
+                   fulcrum::number_text(most) + " N may hold up the handle of this device"};
     device.handle_weight = *calibration.handle_weight;
   }
   return device;

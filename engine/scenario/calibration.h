@@ -22,12 +22,14 @@ struct Calibration {
   // What holds the handle up is no longer there for the scene: half of the largest force at most, and no more
   // than a weighing can tell.
   static constexpr double kMaxWeightShare = 0.5, kMaxWeight = 1;  // N
-  static constexpr double kMinHalfExtent = 0.01;                  // m, of a workspace
+  static constexpr double kMinHalfExtent = 0.02;                  // m, of a workspace
 
   std::string device;  // as --device takes it
   std::optional<ReachedWorkspace> workspace{};
   std::optional<double> handle_weight{};  // N
   bool left_handed = false;               // the person holds it in the left hand
+
+  bool says_nothing() const { return !workspace && !handle_weight && !left_handed; }
 };
 
 // The file's keys.
@@ -39,6 +41,10 @@ std::string calibration_text(const Calibration& calibration);
 // Where that of a device is kept: calibration/NAME.yaml in the person's configuration. It need not be there.
 // Empty: neither XDG_CONFIG_HOME nor HOME says where that is.
 std::filesystem::path calibration_file(std::string_view device);
+
+// The same where something is there, or nobody may see whether: what cannot be read is refused, and not
+// passed over. Empty: there is none.
+std::filesystem::path kept_calibration(std::string_view device);
 
 // N, that may hold up the handle of a device.
 double max_handle_weight(const DeviceDesc& table);

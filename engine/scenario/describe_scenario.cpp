@@ -29,6 +29,11 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
             model.material);
         each.rule("material", model.material.empty() || model.role == ModelRole::scene,
                   "is for a model with 'role: scene'");
+        each.boolean(
+            {"lettering", "", "of decor: it is to be read; where the scene is mirrored it is not drawn"},
+            model.lettering);
+        each.rule("lettering", !model.lettering || model.role == ModelRole::decor,
+                  "is for a model with 'role: decor'");
       });
   const auto count = [&](ModelRole role) { return std::ranges::count(models, role, &ModelEntry::role); };
   visitor.rule("models", count(ModelRole::tool) == 1, "must have exactly one model with 'role: tool'");
@@ -152,10 +157,6 @@ void describe_scenario(KeyVisitor& visitor, Scenario& scenario) {
                   [&](KeyVisitor& inner) { describe_tool(inner, scenario.tool); });
   describe_mechanics(visitor, scenario);
   describe_effects(visitor, scenario);
-  visitor.rule(
-      "left_handed", !scenario.left_handed || !scenario.holding_point,
-      "and 'holding_point' exclude each other: the places along a stick are those of the device's own, "
-      "which has no mirror image");
   describe_task(visitor, scenario);
   describe_hands(visitor, scenario.hands);
   describe_look(visitor, scenario);

@@ -119,15 +119,15 @@ constexpr const char* kCalibrationText = "/calibration.yaml";
 Faults read_calibration(Scenario& scenario, const Node& root, const std::filesystem::path& file,
                         TextStore& texts) {
   if (texts.reads_files() ? file.empty() : !texts.has(kCalibrationText)) return {};
-  const std::string source = file.empty() ? "the tape's calibration" : file.string();
+  const bool of_tape = file.empty();
+  const std::string source = of_tape ? "the tape's calibration" : file.string();
   const std::string& model = scenario.device.model;
   const auto refused = [&](Faults faults) {
-    for (Fault& fault : faults)
-      fault.sentence.append(": calibrate it again with `fulcrum calibrate ")
-          .append(model)
-          .append("`, or forget that with `fulcrum calibrate ")
-          .append(model)
-          .append(" --forget`");
+    const std::string cure = of_tape
+                                 ? "record the run anew, since this tape cannot be replayed"
+                                 : "calibrate it again with `fulcrum calibrate " + model +
+                                       "`, or forget that with `fulcrum calibrate " + model + " --forget`";
+    for (Fault& fault : faults) fault.sentence.append(": ").append(cure);
     return faults;
   };
   const auto text = texts.get(kCalibrationText, [&] { return RegularFile::open(file); });
@@ -143,8 +143,9 @@ Faults read_calibration(Scenario& scenario, const Node& root, const std::filesys
   Result<DeviceDesc> device = calibrated(scenario.device.desc, calibration);
   if (!device) return refused({{source, 0, 0, device.error().sentence}});
   scenario.device.desc = std::move(*device);
-  if (root.find("left_handed") == nullptr && !scenario.holding_point)
-    scenario.left_handed = calibration.left_handed;
+  if (!calibration.left_handed || root.find("left_handed") != nullptr) return {};
+  scenario.why_right_handed = why_not_mirrored(scenario);
+  scenario.left_handed = scenario.why_right_handed.empty();
   return {};
 }
 
@@ -192,7 +193,13 @@ Checked<Scenario> load(const std::string& text, const std::string& source, const
   append(faults, read_materials(scenario, *root, texts));
   if (!faults.empty()) return faults;
 
-  if (scenario.left_handed) mirror(scenario);
+  if (scenario.left_handed) {
+    if (const std::string why = why_not_mirrored(scenario); !why.empty())
+      return Faults{
+          mark_of(*root, {"left_handed"})
+              .fault("'left_handed' cannot be here, since " + why + ": leave it out, or say false")};
+    mirror(scenario);
+  }
   texts.put(name, text);
   scenario.texts = {name, texts.take_used()};
   return scenario;

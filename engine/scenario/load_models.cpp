@@ -22,7 +22,7 @@ Error at(const ModelEntry& entry, const std::string& sentence) {
   return {entry.file.where + ": model '" + entry.name + "': " + sentence};
 }
 
-Result<Solid> solid_of(const ModelEntry& entry, TriangleMesh mesh) {
+Result<Solid> solid_of(const ModelEntry& entry, const TriangleMesh& mesh) {
   auto solid = build_solid(mesh);
   if (!solid) return at(entry, solid.error().sentence);
   return solid;
@@ -33,10 +33,15 @@ Result<Solid> solid_of(const ModelEntry& entry, TriangleMesh mesh) {
 Result<LoadedModels> load_models(const Scenario& scenario) {
   LoadedModels loaded;
   if (scenario.left_handed) loaded.notes.emplace_back("the scene is mirrored, for a tool in the left hand");
+  if (!scenario.why_right_handed.empty())
+    loaded.notes.push_back("the scene is not mirrored, as the calibration asks: " +
+                           scenario.why_right_handed);
   for (const ModelEntry& entry : scenario.models) {
     auto model = load_gltf(scenario.folder, entry.file.path);
     if (!model) return at(entry, model.error().sentence);
     if (scenario.left_handed) mirror(*model);
+    if (scenario.left_handed && entry.lettering)
+      loaded.notes.push_back("the model '" + entry.name + "' is not drawn: it would be mirror-written");
     loaded.models.push_back(std::move(*model));
     if (entry.role != ModelRole::tool) continue;
 
@@ -47,7 +52,7 @@ Result<LoadedModels> load_models(const Scenario& scenario) {
     loaded.p_MT = mass_properties(*solid_M).centre;
     TriangleMesh mesh_T = mesh_M;
     for (Vec3& vertex : mesh_T.vertices) vertex -= loaded.p_MT;
-    auto solid_T = solid_of(entry, std::move(mesh_T));
+    auto solid_T = solid_of(entry, mesh_T);
     if (!solid_T) return solid_T.error();
     loaded.tool_T = std::move(*solid_T);
     loaded.tool = mass_properties(loaded.tool_T);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/scenario/words.h"
 #include "haptics/math/mirror.h"
 
 namespace fulcrum::scenario {
@@ -62,11 +63,21 @@ void mirror(render::KeyLight& light) {
 
 }  // namespace
 
+std::string why_not_mirrored(const Scenario& scenario) {
+  if (scenario.holding_point)
+    return "the places of 'holding_point' are those of the device's own stick, which has no mirror image";
+  const DeviceDesc& device = scenario.device.desc;
+  if (device.kinematics == Kinematics::arms && device.mechanism.arms.size() > 1)
+    return "the arms of the device " + in_quotes(device.name) +
+           " hold the tool at two places of their own, which have no mirror image";
+  return {};
+}
+
 void mirror(Scenario& scenario) {
-  auto& [title, about, time_limit, seed, tick_rate_Hz, left_handed, models, materials, tool, field, shell,
-         contact, edges, integrator, coupling, velocity_estimator, device, effects, impact, impact_material,
-         impact_materials, holding_point, checkpoints, dwell, hard_touch, hands, guide, views, light, ambient,
-         background, folder, overrides, texts] = scenario;
+  auto& [title, about, time_limit, seed, tick_rate_Hz, left_handed, why_right_handed, models, materials, tool,
+         field, shell, contact, edges, integrator, coupling, velocity_estimator, device, effects, impact,
+         impact_material, impact_materials, holding_point, checkpoints, dwell, hard_touch, hands, guide,
+         views, light, ambient, background, folder, overrides, texts] = scenario;
   mirror(tool);
   mirror(device);
   fulcrum::mirror(effects);
@@ -75,6 +86,7 @@ void mirror(Scenario& scenario) {
   if (guide) mirror(*guide);
   for (View& view : views) mirror(view);
   if (light) mirror(*light);
+  ambient.mirrored = !ambient.mirrored;
 }
 
 void mirror(Model& model) {

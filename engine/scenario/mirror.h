@@ -5,11 +5,17 @@
 // where it stands is mirrored. Nothing that ticks or draws knows of it.
 //
 // What has no mirror image stays: a simulated hand's tremor, and the axes along which friction is found.
+// Lettering is not drawn (assemble_visual.cpp).
+
+#include <string>
 
 #include "engine/assets/model.h"
 #include "engine/scenario/scenario.h"
 
 namespace fulcrum::scenario {
+
+// Why a scenario has no mirror image, as a sentence without its stop; empty: it has one.
+std::string why_not_mirrored(const Scenario& scenario);
 
 // A checkpoint with a mirrored_name takes it, and keeps the other as its mirrored one: mirrored twice, a
 // scenario is what it was. Its models are files, and are mirrored where they are loaded.

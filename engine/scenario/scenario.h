@@ -39,6 +39,7 @@ struct ModelEntry {
   std::string cut_of;  // the name of the model that it shows cut open; empty: none
   std::string
       material;  // what a blow on it sounds like, content/materials/MATERIAL.yaml; empty: the effect's
+  bool lettering = false;  // it is to be read, and is not drawn where it would be mirror-written
 };
 
 // Replaces what the models' material of this name says.
@@ -99,7 +100,8 @@ struct Scenario {
   double time_limit = 0;  // s
   std::int64_t seed = 1;
   double tick_rate_Hz = 1000;
-  bool left_handed = false;  // all below is mirrored; the models are where they are loaded (mirror.h)
+  bool left_handed = false;      // all below is mirrored; the models are where they are loaded (mirror.h)
+  std::string why_right_handed;  // though the device's calibration asks for the left hand; empty: it does not
   std::vector<ModelEntry> models;
   std::vector<MaterialOverride> materials;
   ToolEntry tool;

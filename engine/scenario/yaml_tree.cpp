@@ -11,6 +11,7 @@
 #include <streambuf>
 #include <utility>
 
+#include "engine/files/utf8.h"
 #include "engine/scenario/words.h"
 
 namespace fulcrum::scenario {
@@ -191,6 +192,10 @@ Checked<Node> parse_yaml(std::string_view text, std::string_view source) {
     return Faults{{std::string(source), 0, 0,
                    "the text is larger than " + std::to_string(kMaxTextBytes >> 20) +
                        " MiB, more than any scenario needs; is it the right file?"}};
+  }
+  if (const std::size_t good = utf8_bytes(text); good < text.size()) {
+    const auto line = 1 + static_cast<int>(std::ranges::count(text.substr(0, good), '\n'));
+    return Faults{{std::string(source), line, 1, "this line is not UTF-8: save the file as UTF-8"}};
   }
   ViewBuffer buffer(text);
   std::istream stream(&buffer);

@@ -71,6 +71,18 @@ inline double ghost_opacity(const EffectRecords& records) {
   return records.torque_substitution ? records.torque_substitution->ghost : 0;
 }
 
+// Where else the newest impact would have felt the same, but for its frequency: on a circle about the handle.
+struct ImpactCircle {
+  Vec3 axis_W = Vec3::Zero();  // (3) unit; zero where the hand was turned about none
+  double radius = 0;           // m
+};
+// Absent: no effect tells where an impact was, or none was told of yet.
+inline std::optional<ImpactCircle> impact_circle(const EffectRecords& records) {
+  const auto& told = records.impact_vibration;
+  if (!told || told->gain == 0 || told->frequency_Hz == 0) return std::nullopt;
+  return ImpactCircle{told->axis_W, told->radius};
+}
+
 template <class V>
 void describe(V& values, const EffectRecords& records) {
   const auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion,

@@ -59,6 +59,10 @@ float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
 }
 #endif
 
+vec3 in_studio(vec3 d) {
+  return vec3(frame.sky.w * d.x, d.yz);
+}
+
 float ggx(float n_dot_h, float alpha) {
   float a2 = alpha * alpha;
   float d = n_dot_h * n_dot_h * (a2 - 1.0) + 1.0;
@@ -103,8 +107,8 @@ void main() {
   vec3 diffuse = base * (1.0 - metallic);
 
   vec3 mirrored = reflect(-v, n);
-  vec3 radiance = diffuse * studio_diffuse(n, frame.sky.rgb, frame.ground.rgb);
-  radiance += environment_brdf(f0, roughness, n_dot_v) * studio(mirrored, roughness, frame.sky.rgb, frame.ground.rgb);
+  vec3 radiance = diffuse * studio_diffuse(in_studio(n), frame.sky.rgb, frame.ground.rgb);
+  radiance += environment_brdf(f0, roughness, n_dot_v) * studio(in_studio(mirrored), roughness, frame.sky.rgb, frame.ground.rgb);
 
   vec3 l;
   vec3 arriving = key_light(world_position, l);

@@ -15,7 +15,7 @@ struct FrameData {
   vec4 key_position;       // xyz position, w 1 for a spot, 0 for a directional light
   vec4 key_direction;      // xyz unit, as the light travels; w cosine of the half angle where a spot ends
   vec4 key_colour;         // rgb times intensity; w cosine of the half angle where a spot begins to fade
-  vec4 sky;                // rgb times intensity
+  vec4 sky;                // rgb times intensity; w -1 where the studio is mirrored in x, else 1
   vec4 ground;             // rgb times intensity
   vec4 background_top;     // rgb
   vec4 background_bottom;  // rgb

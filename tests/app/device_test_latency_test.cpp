@@ -162,6 +162,27 @@ TEST(DeviceTestLatency, AHandleThatIsHeldFastTellsNone) {
   EXPECT_EQ(part(findings, "latency").outcome, Outcome::unknown);
 }
 
+// Of a handle whose motors go another way nothing is pushed on: what it was given by then is a push's.
+TEST(DeviceTestLatency, AHandleThatGoesAnotherWayIsLetGoAtOnce) {
+  Mat3 swapped;
+  swapped << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  for (const Mat3& wired : {swapped, Mat3(-Mat3::Identity())}) {
+    Free device(arm(), wired);
+    dt::TestBench bench = bench_of(device);
+    dt::NobodyThere nobody;
+    dt::Findings findings;
+    dt::measure_latency(bench, nobody, findings);
+    double fastest = 0, pushed_for = 0;
+    for (std::size_t i = 1; i < device.places.size(); ++i)
+      fastest = std::max(fastest, (device.places[i] - device.places[i - 1]).norm() / kTick);
+    for (const Wrench& F : device.told) pushed_for += F.force.norm() > 0.2 ? kTick : 0;
+    EXPECT_LT(0.5 * arm().handle_mass * fastest * fastest, 5e-3);
+    EXPECT_LT(pushed_for, 0.2);
+    EXPECT_NE(part(findings, "latency").says.find("another way"), std::string::npos)
+        << part(findings, "latency").says;
+  }
+}
+
 // Whatever its mass: a kick gives a light handle no more speed than a heavy one.
 TEST(DeviceTestLatency, AKickIsShortEnoughForALightHandle) {
   for (const double mass : {0.01, 0.03, 0.1}) {

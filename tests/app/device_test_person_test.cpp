@@ -102,15 +102,24 @@ TEST(DeviceTestPerson, APersonAtTheTerminalAnswersTheNewestQuestion) {
   ASSERT_TRUE(terminal.good);
   dt::PersonAtTerminal person;
   terminal.type("\n\n");
-  person.ask("Push?");
+  person.ask("Push?", dt::Choice::yes_no);
   EXPECT_FALSE(person.answer()) << "what was typed before the question is no answer";
   terminal.type("n\n");
   EXPECT_EQ(awaited(person), Answer::no);
-  person.ask("Push?");
+  person.ask("Push?", dt::Choice::yes_no);
   terminal.type("what\n");
   terminal.type("\n");
   EXPECT_EQ(awaited(person), Answer::yes);
-  person.ask("Push?");
+  for (const auto& [typed, means] : {std::pair("l\n", Answer::left), std::pair("R\n", Answer::right),
+                                     std::pair("\n", Answer::no), std::pair("y\nleft\n", Answer::left)}) {
+    person.ask("Which hand?", dt::Choice::hand);
+    terminal.type(typed);
+    EXPECT_EQ(awaited(person), means) << typed;
+  }
+  person.ask("Push?", dt::Choice::yes_no);
+  terminal.type("l\ny\n");
+  EXPECT_EQ(awaited(person), Answer::yes) << "l is no answer to that";
+  person.ask("Push?", dt::Choice::yes_no);
   close(std::exchange(terminal.hand, -1));
   EXPECT_EQ(awaited(person), Answer::no) << "a terminal that is gone agrees to nothing";
 }

@@ -98,14 +98,14 @@ answers() { # ANSWER...: each to the next question
   local question=0 answer
   for answer; do
     question=$((question + 1))
-    until [ "$(grep -o 'Enter: yes' asked | wc -l)" -ge $question ]; do sleep 0.1; [ ! -e ended ] || return; done
+    until [ "$(grep -o 'Enter: ' asked | wc -l)" -ge $question ]; do sleep 0.1; [ ! -e ended ] || return; done
     sleep 0.2
     echo "$answer"
   done
   until [ -e ended ]; do sleep 0.1; done
 }
 rm -f asked && touch asked
-answers n n y | { LD_LIBRARY_PATH=$STAND_INS script -qec "'$FULCRUM' calibrate omega6" /dev/null >asked 2>&1; touch ended; }
+answers n n l | { LD_LIBRARY_PATH=$STAND_INS script -qec "'$FULCRUM' calibrate omega6" /dev/null >asked 2>&1; touch ended; }
 stopped_by_machine() { tr -s ' \r\n' ' ' <asked | grep -q 'sent nothing for more than 20 ms'; }
 if ! stopped_by_machine; then
   grep -q '^left_handed: true' "$kept" || fail "the left hand is not kept: $(cat asked)"

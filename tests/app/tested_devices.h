@@ -98,7 +98,7 @@ class Scripted final : public dt::Person {
 public:
   bool there() const override { return true; }
   void tell(std::string_view) override {}
-  void ask(std::string_view question) override {
+  void ask(std::string_view question, dt::Choice) override {
     asked.emplace_back(question);
     polls_ = 0;
     if (on_ask) on_ask(asked.back());

@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const DeviceDesc& device = answer->device.desc;
   const DeviceDesc table;  // that of the example says no more of these than that it pushes with 3 N
   const Vec3 reach = device.workspace_centre.cwiseAbs() + device.workspace;
-  if (!((reach - table.workspace).maxCoeff() <= 1e-8) || !(device.workspace.minCoeff() >= 0.01)) std::abort();
+  if (!((reach - table.workspace).maxCoeff() <= 1e-8) || !(device.workspace.minCoeff() >= 0.02)) std::abort();
   if (!(device.handle_weight >= 0 && device.handle_weight <= 1)) std::abort();
   return 0;
 }

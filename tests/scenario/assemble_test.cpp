@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -104,6 +105,32 @@ TEST_F(Assemble, PutsTheToolOnItsCentreOfMass) {
             1e-8);  // turned upside down about x
   EXPECT_LT((haptic->tool_T.bounds().center()).norm(), 1e-8);
   EXPECT_NEAR(haptic->scene.tool_shell->max_radius_m, Vec3(0.005, 0.02, 0.005).norm(), 1e-6);
+}
+
+TEST_F(Assemble, LetteringIsNotDrawnWhereItWouldBeMirrorWritten) {
+  for (const bool left : {false, true}) {
+    std::vector<std::string> overrides = kCoarse;
+    overrides.emplace_back(left ? "left_handed=true" : "left_handed=false");
+    folder_.write("scenarios/peg/sign.glb", box_glb({0.05F, 0.0F, 0.0F}, {0.06F, 0.01F, 0.01F}));
+    const std::string text =
+        replaced(kScenario, "models:\n", "models:\n  sign: {file: sign.glb, role: decor, lettering: true}\n");
+    const auto scenario = load_scenario_text(text, folder_.peg(), overrides);
+    ASSERT_TRUE(scenario) << to_text(scenario.faults());
+    const auto models = load_models(*scenario);
+    ASSERT_TRUE(models) << models.error().sentence;
+    const auto haptic = assemble_haptic(*scenario, *models, cache_);
+    ASSERT_TRUE(haptic) << haptic.error().sentence;
+    const auto visual = assemble_visual(*scenario, *models, haptic->scene);
+    ASSERT_TRUE(visual) << visual.error().sentence;
+    EXPECT_EQ(std::ranges::count(visual->desc.instances, "sign/box", &render::Instance::name), left ? 0 : 1);
+    const auto said = std::ranges::count_if(models->notes, [](const std::string& note) {
+      return note == "the model 'sign' is not drawn: it would be mirror-written";
+    });
+    EXPECT_EQ(said, left ? 1 : 0);
+  }
+  EXPECT_NE(faults_of(folder_, replaced(kScenario, "role: tool}", "role: tool, lettering: true}"))
+                .find("'role: decor'"),
+            std::string::npos);
 }
 
 TEST_F(Assemble, CarriesTheScenarioIntoTheScene) {

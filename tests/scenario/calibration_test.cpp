@@ -93,9 +93,10 @@ TEST(Calibration, IsRefusedWithTheRemedy) {
   EXPECT_NE(faults(begin + "handle_weigth: 0.1\n").find("handle_weight"), std::string::npos);
   EXPECT_NE(faults(begin + "handle_weight: .nan\n"), "");
   EXPECT_NE(faults(begin + "handle_weight: -1\n"), "");
-  EXPECT_NE(faults(begin + "workspace: {centre: [0, 0, 0], half_extents: [1e-310, 0.01, 0.01]}\n"), "");
-  EXPECT_EQ(faults(begin + "workspace: {centre: [0, 0, 0], half_extents: [0.01, 0.01, 0.01]}\n"), "");
+  EXPECT_NE(faults(begin + "workspace: {centre: [0, 0, 0], half_extents: [1e-310, 0.02, 0.02]}\n"), "");
+  EXPECT_EQ(faults(begin + "workspace: {centre: [0, 0, 0], half_extents: [0.02, 0.02, 0.02]}\n"), "");
   EXPECT_NE(faults("fulcrum: 1\ndevice: falcon\n").find("calibration of 'falcon'"), std::string::npos);
+  EXPECT_NE(faults(begin + "# \xff\n").find("is not UTF-8"), std::string::npos) << faults(begin + "# \xff\n");
   for (const char* const bad :
        {"", "\x01", "fulcrum: 1\ndevice: falcon\n", "fulcrum: 1\ndevice: test_arm\nx: 1\n"})
     EXPECT_NE(faults(bad).find("fulcrum calibrate test_arm --forget"), std::string::npos) << faults(bad);
@@ -122,6 +123,22 @@ TEST(Calibration, IsKeptWithTheScenarioAndReadFromThere) {
   EXPECT_FALSE(plain->left_handed);
 }
 
+// What may not be looked at may be there: it is refused, and not passed over.
+TEST(Calibration, ThatCannotBeReachedIsThere) {
+  const Folder folder;
+  // NOLINTBEGIN(concurrency-mt-unsafe): no thread runs yet.
+  const char* const value = std::getenv("XDG_CONFIG_HOME");
+  const std::string before = value != nullptr ? value : "";
+  ::setenv("XDG_CONFIG_HOME", folder.root().c_str(), 1);
+  EXPECT_EQ(kept_calibration("falcon"), "");
+  std::filesystem::create_directory(folder.root() / "fulcrum");
+  std::filesystem::create_symlink("calibration", folder.root() / "fulcrum/calibration");  // goes round
+  EXPECT_EQ(kept_calibration("falcon"), folder.root() / "fulcrum/calibration/falcon.yaml");
+  EXPECT_FALSE(load_calibration(kept_calibration("falcon")));
+  ::setenv("XDG_CONFIG_HOME", before.c_str(), 1);  // an empty one is none
+  // NOLINTEND(concurrency-mt-unsafe)
+}
+
 // Which hand is the scenario's to say, or --set's, and only where neither does the calibration's. A stick
 // that a scene is held by is not mirrored, and the scene is not refused for it.
 TEST(Calibration, OfALeftHandMirrorsWhereNothingElseSaysSo) {
@@ -136,6 +153,8 @@ TEST(Calibration, OfALeftHandMirrorsWhereNothingElseSaysSo) {
   const auto stick = load_scenario(folder.peg() / kScenarioFile, {}, file);
   ASSERT_TRUE(stick) << to_text(stick.faults());
   EXPECT_FALSE(stick->left_handed);
+  EXPECT_NE(stick->why_right_handed.find("'holding_point'"), std::string::npos) << stick->why_right_handed;
+  EXPECT_EQ(told->why_right_handed, "");
 }
 
 TEST(Calibration, ADeviceHasOneOfItsOwn) {

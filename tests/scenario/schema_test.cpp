@@ -107,7 +107,7 @@ void expect_described(const Json& schema, const std::string& path) {
   if (schema.contains("properties")) {
     for (const auto& [name, property] : schema["properties"].items()) {
       EXPECT_NE(property.value("description", ""), "") << path << "." << name;
-      expect_described(property, path + "." + name);
+      expect_described(property, std::string(path).append(".").append(name));
     }
   }
 }

@@ -33,12 +33,17 @@ struct CalibrateOptions {
 
 int forget(const std::string& device, const fs::path& file) {
   std::error_code fault;
+  if (fs::is_directory(fs::symlink_status(file, fault))) {
+    complain(file.string() + " is a folder, which no calibration is: move it away yourself.");
+    return kError;
+  }
   if (fs::remove(file, fault)) {
     std::printf("%s is removed: the device is as its table has it.\n", file.c_str());
     return kCompleted;
   }
   if (fault) {
-    complain(file.string() + " cannot be removed: " + fault.message() + ".");
+    complain(file.string() + " cannot be removed: " + fault.message() +
+             ". Remove it as the owner of its folder.");
     return kError;
   }
   std::printf("There is no calibration of %s.\n", device.c_str());
@@ -47,10 +52,10 @@ int forget(const std::string& device, const fs::path& file) {
 
 // What was kept before. One that cannot be read, is another device's or goes beyond the table is said, and
 // counts as none.
-scenario::Calibration kept(const std::string& device, const DeviceDesc& table, const fs::path& file) {
+scenario::Calibration kept(const std::string& device, const DeviceDesc& table) {
   scenario::Calibration none{.device = device};
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return none;
+  const fs::path file = scenario::kept_calibration(device);
+  if (file.empty()) return none;
   const scenario::Checked<scenario::Calibration> before = scenario::load_calibration(file);
   std::string why;
   if (!before)
@@ -60,12 +65,30 @@ scenario::Calibration kept(const std::string& device, const DeviceDesc& table, c
   else if (const Result<DeviceDesc> fits = scenario::calibrated(table, *before); !fits)
     why = fits.error().sentence;
   if (why.empty()) return *before;
-  complain("the calibration that is there cannot be used, and a new one takes its place: " + why);
+  complain(
+      "the calibration that is there cannot be used, and what is measured now takes its place (`--forget` "
+      "removes it): " +
+      why);
   return none;
 }
 
-// Whole or not at all: whoever is killed meanwhile leaves the one of before.
+// Why nothing could be kept there, before anything is pushed; empty: it can.
+std::string why_not_kept(const fs::path& file) {
+  std::error_code fault;
+  fs::create_directories(file.parent_path(), fault);
+  const auto type = fs::symlink_status(file, fault).type();
+  if (type == fs::file_type::directory) return file.string() + " is a folder: move it away.";
+  if (access(file.parent_path().c_str(), W_OK | X_OK) == 0) return {};
+  return file.parent_path().string() + " cannot be written: see that it is a folder, and yours.";
+}
+
+// What says nothing is no file. Whole or not at all: whoever is killed meanwhile leaves the one of before.
 bool keep(const scenario::Calibration& calibration, const fs::path& file) {
+  if (calibration.says_nothing()) {
+    std::error_code fault;
+    fs::remove(file, fault);
+    if (!fault) return true;
+  }
   const std::string text = calibration_text(calibration);
   if (put_file_by_part(file, {std::as_bytes(std::span(text))})) return true;
   complain(file.string() +
@@ -100,7 +123,11 @@ int calibrate_command(const CalibrateOptions& options) {
     complain(opened.error().sentence);
     return kError;
   }
-  scenario::Calibration calibration = kept(name->moves, opened->open.device->desc(), file);
+  if (const std::string why = why_not_kept(file); !why.empty()) {
+    complain(why);
+    return kError;
+  }
+  scenario::Calibration calibration = kept(name->moves, opened->open.device->desc());
   catch_interrupts();
   dt::TestBench bench(*opened->open.device, dt::kTick, dt::by_clock(dt::kTick), &interrupted);
   const std::unique_ptr<dt::Person> person =
@@ -108,19 +135,21 @@ int calibrate_command(const CalibrateOptions& options) {
                   : std::make_unique<dt::PersonAtTerminal>();
   const dt::Findings findings = dt::calibrate(bench, *person, calibration);
   const bool found = std::ranges::count(findings.parts, dt::Outcome::good, &dt::Part::outcome) > 0;
+  const bool says = found && !calibration.says_nothing();
   if (found && !keep(calibration, file)) return kError;
   if (options.json) {
     nlohmann::ordered_json json = dt::as_json(findings);
     json["device"] = options.device;
-    json["calibration"] = found ? nlohmann::ordered_json(file.string()) : nullptr;
+    json["calibration"] = says ? nlohmann::ordered_json(file.string()) : nullptr;
     std::printf("%s\n", json.dump(2).c_str());
   } else {
     dt::print(findings);
-    if (found)
+    if (says)
       std::printf("Kept in %s, and taken with --device %s from now on.\n", bold(file.string()).c_str(),
                   name->moves.c_str());
     else
-      std::printf("Nothing was kept.\n");
+      std::printf(found ? "The device is as its table has it: there is nothing to keep.\n"
+                        : "Nothing was kept.\n");
   }
   if (bench.stopped()) return kEndedByFault;
   return interrupted() || dt::outcome_of(findings) == dt::Outcome::bad ? kNotCompleted : kCompleted;

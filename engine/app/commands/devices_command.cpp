@@ -14,7 +14,7 @@
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
 #include "engine/app/prepare/capabilities.h"
-#include "engine/scenario/calibration.h"
+#include "engine/scenario/load.h"
 #include "engine/ui/window.h"
 
 namespace fulcrum::app {
@@ -36,11 +36,14 @@ std::string cure_in(const std::string& reason) {
   return end == std::string::npos ? "" : reason.substr(begin + 1, end - begin - 1);
 }
 
-// The file of its calibration; empty: there is none.
-std::string calibration_of(const DeviceListing& device) {
-  const std::filesystem::path file = scenario::calibration_file(device.name);
-  std::error_code ignored;
-  return !file.empty() && std::filesystem::exists(file, ignored) ? file.string() : "";
+// What there is of a calibration, in a line; empty: nothing.
+std::string calibration_text(const DeviceListing& device) {
+  const std::filesystem::path file = scenario::kept_calibration(device.name);
+  if (file.empty()) return {};
+  const auto calibration = scenario::load_calibration(file);
+  if (calibration && calibration->device == device.name) return "calibrated, as " + file.string() + " has it";
+  return "its calibration, " + file.string() + ", cannot be used: `fulcrum calibrate " + device.name +
+         " --forget` removes it";
 }
 
 nlohmann::ordered_json device_as_json(const DeviceListing& device) {
@@ -55,7 +58,7 @@ nlohmann::ordered_json device_as_json(const DeviceListing& device) {
           {"node", text(device.node)},
           {"permitted", device.permitted ? Json(*device.permitted) : Json(nullptr)},
           {"firmware", text(device.firmware)},
-          {"calibration", text(calibration_of(device))},
+          {"calibration", text(scenario::kept_calibration(device.name).string())},
           {"capabilities", figures ? capabilities_as_json(*figures) : Json(nullptr)}};
 }
 
@@ -75,8 +78,8 @@ void print_device(const DeviceListing& device, std::size_t width) {
     std::printf("%s\n", dim(beside(capabilities_in_words(device, *figures))).c_str());
   if (const std::string place = place_of(device); !place.empty() && device.present)
     std::printf("%s\n", beside("at " + place).c_str());
-  if (const std::string file = calibration_of(device); !file.empty())
-    std::printf("%s\n", beside("calibrated, as " + file + " has it").c_str());
+  if (const std::string calibration = calibration_text(device); !calibration.empty())
+    std::printf("%s\n", beside(calibration).c_str());
   if (!device.present) std::printf("%s\n", yellow(beside(device.reason)).c_str());
   if (const std::string cure = cure_in(device.reason); !cure.empty())
     std::printf("%s\n", beside("-> " + cure).c_str());

@@ -279,6 +279,9 @@ int run_command(const RunOptions& given) {
   if (!choice->calibration.empty())
     std::fprintf(stderr, "Device: calibrated, as %s has it.\n", choice->calibration.c_str());
   if (scenario->left_handed) std::fprintf(stderr, "The scene is mirrored, for a tool in the left hand.\n");
+  if (!scenario->why_right_handed.empty())
+    std::fprintf(stderr, "The scene is not mirrored, as the calibration asks: %s.\n",
+                 scenario->why_right_handed.c_str());
   if (const auto refused = refuse_view(*scenario, options.scenario, options.view)) {
     complain(refused->sentence);
     return kUsage;

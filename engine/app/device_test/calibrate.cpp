@@ -15,6 +15,7 @@ constexpr double kFollows = 0.5;       // of the way that it was led
 constexpr double kSteady = 0.05;       // N, or
 constexpr double kSteadyShare = 0.15;  // of the weight, by which weighings may differ
 constexpr double kWhole = 0.95;        // of what the test may push with
+constexpr double kEven = 0.02;         // N, by which a push may grow along its way
 
 std::string millimetres(double metres) {
   return number_text(1e3 * metres, 3) + " mm";
@@ -29,7 +30,8 @@ struct Reached {
 Reached follow(TestBench& bench, Person& person) {
   person.ask(
       "Move the handle as far as it goes: to the right and left, up and down, toward you and away. Done? n "
-      "leaves this out.");
+      "leaves this out.",
+      Choice::yes_no);
   Reached reached;
   reached.low_D = reached.high_D = bench.tick().sample.X_DH.p;
   while (!bench.over()) {
@@ -92,6 +94,10 @@ std::string why_no_weight(const Weighing& weighing, const TestBench& bench) {
   if (weighing.moved < kFollows * kWeighingWay)
     return "it was led up and down by " + millimetres(kWeighingWay) + " and went " +
            millimetres(std::max(0.0, weighing.moved)) + ": it was held, lies on something, or rubs too much.";
+  if (weighing.uneven > kEven)
+    return "along its way it had to be pushed harder, by " + number_text(weighing.uneven, 2) +
+           " N: it met something, such as the end of its workspace. Hold it in the middle before you let go "
+           "of it.";
   const double steady = std::max(kSteady, kSteadyShare * std::abs(weighing.weight));
   if (weighing.spread > steady)
     return "weighed three times, it differed by " + number_text(weighing.spread, 2) + " N: someone held it.";
@@ -133,7 +139,7 @@ Part weight_part(TestBench& bench, Person& person, scenario::Calibration& calibr
   return part;
 }
 
-// Whoever leaves out everything, or is gone, changes nothing.
+// Whoever leaves out everything, answers everything with Enter or is gone changes nothing.
 Part hand_part(TestBench& bench, Person& person, scenario::Calibration& calibration) {
   Part part{.name = "hand"};
   if (!person.there()) {
@@ -141,12 +147,13 @@ Part hand_part(TestBench& bench, Person& person, scenario::Calibration& calibrat
     return part;
   }
   const std::string now = calibration.left_handed ? "left" : "right";
-  const std::string other = calibration.left_handed ? "right" : "left";
-  const Answer changes =
-      answer_of(bench, person, "Scenes are for the " + now + " hand. Do you hold it in the " + other + "?");
+  const Answer hand = answer_of(
+      bench, person, "Scenes are for the " + now + " hand. In which one do you hold it?", Choice::hand);
   if (bench.over()) return part;
-  if (changes == Answer::yes) calibration.left_handed = !calibration.left_handed;
-  part.outcome = changes == Answer::yes ? Outcome::good : Outcome::unknown;
+  if (hand == Answer::left || hand == Answer::right) {
+    calibration.left_handed = hand == Answer::left;
+    part.outcome = Outcome::good;
+  }
   part.says = calibration.left_handed ? "Left: scenes are mirrored (--set left_handed=false: not)."
                                       : "Right: scenes are as they were made.";
   return part;

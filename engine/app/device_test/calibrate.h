@@ -18,12 +18,14 @@ Findings calibrate(TestBench& bench, Person& person, scenario::Calibration& cali
 // How the handle, held up by a soft servo and led slowly up and down, was held up. Where it goes up, the
 // motors push by its weight and its friction, where it goes down by its weight less its friction:
 //     weight = (up + down) / 2     friction = (up - down) / 2
-// The mean over the middle of each way is taken, where the handle follows at an even pace; three ways up and
-// down, and the spread of their weights.
+// The mean over the later part of each way is taken, where the handle follows at an even pace; three ways up
+// and down, and the spread of their weights. A push that changes along that part is not the handle's weight
+// and friction alone: it met something.
 struct Weighing {
   double weight = 0;    // N; below 0: it is pushed up by itself
   double friction = 0;  // N
   double spread = 0;    // N, the largest difference between two of them
+  double uneven = 0;    // N, the largest difference between the halves of a way's later part
   double moved = 0;     // m, that the handle went up and down, in the mean
   double most = 0;      // N, that the motors pushed up or down
   // It did not follow: farther from where it was led than kAstray, faster than kRuns, or with all that the

@@ -27,7 +27,7 @@ struct Motion {
 Motion motion_of(TestBench& bench, Person& person, int asked) {
   come_to_rest(bench);
   const Pose begun = bench.tick().sample.X_DH;
-  person.ask(std::string(kAsked[asked]) + " Is it there? n leaves this out.");
+  person.ask(std::string(kAsked[asked]) + " Is it there? n leaves this out.", Choice::yes_no);
   Motion motion;
   Vec6 far;
   far << Vec3::Constant(kFarWay), Vec3::Constant(kFarTurn);
@@ -106,7 +106,7 @@ void follow_buttons(TestBench& bench, Person& person, Findings& findings) {
     return;
   }
   std::uint32_t pressed = 0;
-  person.ask("Press each of its buttons once. Done? n if it has none.");
+  person.ask("Press each of its buttons once. Done? n if it has none.", Choice::yes_no);
   std::optional<Answer> answer;
   while (!bench.over() && !answer) {
     pressed |= bench.tick().sample.buttons;

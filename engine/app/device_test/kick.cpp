@@ -11,12 +11,14 @@ namespace {
 
 constexpr double kGrows = 1;      // s, from nothing to the whole push
 constexpr double kSlides = 3e-4;  // m: it slides from here on, and is pushed harder
+constexpr double kAlong = 0.8;    // of where it has gone to by then, along the push: else that is another way
 constexpr double kKick = 0.015;   // s at most, and
 constexpr double kSpeed = 0.4;    // m/s that it gets at most, by the handle's mass
 constexpr double kAfter = 0.08;   // s, in which what it does is seen
 constexpr double kQuick_ms = 10;  // up to which a device is as one expects
 
-// One push along an axis; sign: 1 there, -1 back. Absent: the handle did not give way.
+// One push along an axis; sign: 1 there, -1 back. Absent: the handle did not give way, or went another way,
+// as one with swapped motors does: nothing is pushed any longer then.
 std::optional<Kick> kick_once(TestBench& bench, int axis, double sign) {
   const Vec3 way = sign * Vec3::Unit(axis);
   const double largest = bench.budget().force;
@@ -24,21 +26,24 @@ std::optional<Kick> kick_once(TestBench& bench, int axis, double sign) {
   come_to_rest(bench);
   const BenchTick begun = bench.tick();
   Kick kick;
+  double gone = 0;  // m, any way
   // One tick that pushes by a part of the largest.
   const auto tick = [&](double part) {
     const BenchTick& now = bench.tick({part * largest * way, Vec3::Zero()});
+    const Vec3 moved = now.sample.X_DH.p - begun.sample.X_DH.p;
+    gone = moved.norm();
     kick.time.push_back(now.time - begun.time);
     kick.commanded.push_back(now.commanded_F_H_D.force.dot(way));
-    kick.moved.push_back((now.sample.X_DH.p - begun.sample.X_DH.p).dot(way));
+    kick.moved.push_back(moved.dot(way));
   };
   tick(0);
-  while (!bench.over() && kick.time.back() < kGrows && kick.moved.back() < kSlides)
-    tick(kick.time.back() / kGrows);
-  const bool slides = kick.moved.back() >= kSlides;
+  while (!bench.over() && kick.time.back() < kGrows && gone < kSlides) tick(kick.time.back() / kGrows);
+  const bool slides = gone >= kSlides && kick.moved.back() >= kAlong * gone;
   kick.began = kick.time.back();
-  if (slides)
+  if (slides) {
     while (!bench.over() && kick.time.back() - kick.began < lasts) tick(1);
-  while (!bench.over() && kick.time.back() - kick.began < lasts + kAfter) tick(0);
+    while (!bench.over() && kick.time.back() - kick.began < lasts + kAfter) tick(0);
+  }
   come_to_rest(bench);
   if (bench.over() || !slides) return std::nullopt;
   return kick;
@@ -67,7 +72,9 @@ Part latency_part(TestBench& bench, Person& person) {
     return part;
   }
   if (found_ms.empty()) {
-    part.says = "The handle did not slide freely enough to tell it: it is held, or its motors are off.";
+    part.says =
+        "The handle did not slide freely enough to tell it: it is held, its motors are off, or it went "
+        "another way than it was pushed.";
     return part;
   }
   std::ranges::sort(found_ms);

@@ -41,7 +41,7 @@ struct Way {
 const Way& way_of(int axis);
 
 // Ticks without a push until the question is answered; no: the bench is over.
-Answer answer_of(TestBench& bench, Person& person, std::string_view question);
+Answer answer_of(TestBench& bench, Person& person, std::string_view question, Choice choice = Choice::yes_no);
 // Ticks without a push.
 void pause(TestBench& bench, double seconds);
 // Ticks without a push until the handle rests, for two seconds at most.

@@ -12,10 +12,13 @@ void PersonAtTerminal::tell(std::string_view sentence) {
   std::fprintf(stderr, "%.*s\n", static_cast<int>(sentence.size()), sentence.data());
 }
 
-void PersonAtTerminal::ask(std::string_view question) {
+void PersonAtTerminal::ask(std::string_view question, Choice choice) {
   tcflush(STDIN_FILENO, TCIFLUSH);
   typed_.clear();
-  std::fprintf(stderr, "%.*s [Enter: yes, n: no] ", static_cast<int>(question.size()), question.data());
+  choice_ = choice;
+  const char* const keys =
+      choice == Choice::hand ? "l: left, r: right, Enter: as it is" : "Enter: yes, n: no";
+  std::fprintf(stderr, "%.*s [%s] ", static_cast<int>(question.size()), question.data(), keys);
 }
 
 // A terminal that is gone agrees to nothing.
@@ -28,11 +31,15 @@ std::optional<Answer> PersonAtTerminal::answer() {
     typed_ += letter;
     return std::nullopt;
   }
-  const char first = typed_.empty() ? 'y' : typed_.front();
+  const bool hand = choice_ == Choice::hand;
+  const char first = !typed_.empty() ? typed_.front() : hand ? 'n' : 'y';
   typed_.clear();
-  if (first == 'y' || first == 'Y') return Answer::yes;
   if (first == 'n' || first == 'N') return Answer::no;
-  std::fprintf(stderr, "Enter or y is yes, n is no: ");
+  if (!hand && (first == 'y' || first == 'Y')) return Answer::yes;
+  if (hand && (first == 'l' || first == 'L')) return Answer::left;
+  if (hand && (first == 'r' || first == 'R')) return Answer::right;
+  std::fputs(hand ? "l is left, r is right, Enter leaves it as it is: " : "Enter or y is yes, n is no: ",
+             stderr);
   return std::nullopt;
 }
 

@@ -43,8 +43,8 @@ const Way& way_of(int axis) {
   return kWays[static_cast<std::size_t>(axis)];
 }
 
-Answer answer_of(TestBench& bench, Person& person, std::string_view question) {
-  person.ask(question);
+Answer answer_of(TestBench& bench, Person& person, std::string_view question, Choice choice) {
+  person.ask(question, choice);
   while (!bench.over()) {
     bench.tick();
     if (const std::optional<Answer> answer = person.answer()) return *answer;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "engine/app/device_test/calibrate.h"
@@ -47,10 +48,11 @@ private:
 
 struct Stroke {
   double pushed = 0;  // N up, in the mean
+  double uneven = 0;  // N, between the halves of the ticks that are taken
   double ended = 0;   // m, y at its end
 };
 
-double mean(const std::vector<double>& values) {
+double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
@@ -82,8 +84,10 @@ std::optional<Weighing> weigh(TestBench& bench) {
       weighing.most = std::max(weighing.most, now.commanded_F_H_D.force.norm());
       if (part >= kSkip) pushed.push_back(up);
     }
-    if (pushed.empty()) return std::nullopt;
+    if (pushed.size() < 2) return std::nullopt;
     stroke.pushed = mean(pushed);
+    const std::span all(pushed);
+    stroke.uneven = std::abs(mean(all.last(all.size() / 2)) - mean(all.first(all.size() / 2)));
     stroke.ended = now.sample.X_DH.p.y();
     return stroke;
   };
@@ -98,6 +102,7 @@ std::optional<Weighing> weigh(TestBench& bench) {
     weights.push_back((up->pushed + down->pushed) / 2);
     frictions.push_back((up->pushed - down->pushed) / 2);
     ways.push_back(up->ended - down->ended);
+    weighing.uneven = std::max({weighing.uneven, up->uneven, down->uneven});
   }
   weighing.weight = mean(weights);
   weighing.friction = mean(frictions);

@@ -6,7 +6,6 @@
 
 #include "engine/render/turned.h"
 #include "engine/scenario/to_glm.h"
-#include "haptics/effects/impact_vibration/impact_vibration_effect.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum::app {
@@ -53,21 +52,22 @@ std::optional<Error> refuse_impact_circle(const std::string& scenario, const Eff
                                           const DeviceDesc& device) {
   PlainScene scene;
   scene.device = device;
-  if (is_built<ImpactVibrationEffect>(scene, effects.impact_vibration)) return std::nullopt;
+  if (tells_objects_apart(scene, effects)) return std::nullopt;
   return Error{
       "nothing in '" + scenario +
-      "' vibrates at impacts on this device: leave it out, or name impact_vibration in the scenario"};
+      "' vibrates at impacts on this device, which `fulcrum explain` has the reason for: leave it out, "
+      "or take a scenario that does, as knock does"};
 }
 
 std::optional<StruckPlace> struck_place(const TickRecord& record, const Vec3& p_TH, double time) {
-  if (!record.impact || record.impact->count == 0 || !record.impact_vibration) return std::nullopt;
-  const ImpactVibrationRecord& cues = *record.impact_vibration;
-  if (cues.gain == 0 || cues.frequency_Hz == 0) return std::nullopt;
+  if (!record.impact || record.impact->count == 0) return std::nullopt;
+  const std::optional<ImpactCircle> circle = impact_circle(record);
+  if (!circle) return std::nullopt;
   const Pose X_TW = record.X_WT.inverse();
   StruckPlace struck{.time = time,
                      .centre_T = p_TH,
-                     .axis_T = X_TW.q * cues.axis_W,
-                     .radius = cues.radius,
+                     .axis_T = X_TW.q * circle->axis_W,
+                     .radius = circle->radius,
                      .p_T = X_TW * record.impact->hardest.p_W};
   constexpr double same = 1e-9;  // m
   if (std::abs((*struck.p_T - struck.centre_T).norm() - struck.radius) > same) struck.p_T.reset();

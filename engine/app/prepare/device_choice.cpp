@@ -1,7 +1,5 @@
 #include "engine/app/prepare/device_choice.h"
 
-#include <system_error>
-
 #include "drivers/registry.h"
 #include "engine/scenario/calibration.h"
 
@@ -18,10 +16,7 @@ Result<DeviceChoice> choose_device(const std::string& asked) {
   }
   if (has_table(name->moves)) {
     choice.overrides.push_back("device.model=" + name->moves);
-    const std::filesystem::path file = scenario::calibration_file(name->moves);
-    std::error_code ignored;
-    if (!file.empty() && std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
-      choice.calibration = file;
+    choice.calibration = scenario::kept_calibration(name->moves);
   }
   if (!name->beside.empty()) choice.overrides.push_back("device.beside=" + table_of(name->beside));
   return choice;

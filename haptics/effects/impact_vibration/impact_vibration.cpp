@@ -20,7 +20,7 @@ ImpactVibration::ImpactVibration(const ImpactVibrationDesc& desc, const ImpactSu
 
 Wrench ImpactVibration::process(std::span<const Impact> impacts, const Vec3& p_WH, bool engaged) noexcept {
   const double gain = engaged ? record_.gain : 0.0;
-  const Wrench F_H_D = voices_.next() * gain_.towards(gain);
+  Wrench F_H_D = voices_.next() * gain_.towards(gain);
   if (gain > 0)
     for (const Impact& impact : impacts) start(impact, p_WH);
   record_.voices = static_cast<std::int32_t>(voices_.sounding());

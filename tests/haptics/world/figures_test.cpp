@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -52,7 +54,7 @@ struct Figure {
     name, [](SceneDesc& s) -> double& { return expression; } \
   }
 
-std::vector<Figure> figures() {
+std::vector<Figure> figures_of_scene_and_device() {
   return {
       FIGURE("The tick", s.tick_s),
       FIGURE("tool.mass", s.tool.mass),
@@ -117,6 +119,11 @@ std::vector<Figure> figures() {
       FIGURE("device.allocation.moment_weight", s.allocation.moment_weight),
       FIGURE("impact.retreat", s.impact.retreat),
       FIGURE("impact.least_speed", s.impact.least_speed),
+  };
+}
+
+std::vector<Figure> figures_of_effects() {
+  return {
       FIGURE("torque_substitution.bad_above", *s.torque_substitution->bad_above),
       FIGURE("torque_substitution.tool_radius", *s.torque_substitution->tool_radius),
       FIGURE("torque_substitution.vibration.gain", s.torque_substitution->vibration_gain),
@@ -166,6 +173,12 @@ std::vector<Figure> figures() {
       FIGURE("device.workspace_walls.margin", *s.workspace_walls->margin),
       FIGURE("device.workspace_walls.stiffness", *s.workspace_walls->stiffness),
   };
+}
+
+std::vector<Figure> figures() {
+  std::vector<Figure> all = figures_of_scene_and_device();
+  std::ranges::move(figures_of_effects(), std::back_inserter(all));
+  return all;
 }
 
 TEST(Figures, TheSceneWithEverythingIsBuilt) {
