@@ -9,8 +9,8 @@
 namespace fulcrum::app::device_test {
 namespace {
 
-constexpr double kGrows = 1;      // s, from nothing to the whole push
-constexpr double kSlides = 3e-4;  // m: it slides from here on, and is pushed harder
+constexpr double kKickGrows = 1;      // s, from nothing to the whole push
+constexpr double kSlidesFrom = 3e-4;  // m: it slides from here on, and is pushed harder
 constexpr double kAlong = 0.8;    // of where it has gone to by then, along the push: else that is another way
 constexpr double kKick = 0.015;   // s at most, and
 constexpr double kSpeed = 0.4;    // m/s that it gets at most, by the handle's mass
@@ -37,8 +37,9 @@ std::optional<Kick> kick_once(TestBench& bench, int axis, double sign) {
     kick.moved.push_back(moved.dot(way));
   };
   tick(0);
-  while (!bench.over() && kick.time.back() < kGrows && gone < kSlides) tick(kick.time.back() / kGrows);
-  const bool slides = gone >= kSlides && kick.moved.back() >= kAlong * gone;
+  while (!bench.over() && kick.time.back() < kKickGrows && gone < kSlidesFrom)
+    tick(kick.time.back() / kKickGrows);
+  const bool slides = gone >= kSlidesFrom && kick.moved.back() >= kAlong * gone;
   kick.began = kick.time.back();
   if (slides) {
     while (!bench.over() && kick.time.back() - kick.began < lasts) tick(1);

@@ -15,9 +15,9 @@ constexpr double kServoRate = 60;      // rad/s, of handle and spring
 constexpr double kStiffest = 100;      // N/m
 constexpr double kDampingRatio = 0.7;  // of critical damping
 constexpr double kSmoothing = 5e-3;    // s, time constant of the velocity's low-pass
-constexpr double kSettles = 1.2;       // s, in which the force ramps in, too
+constexpr double kSinks = 1.2;         // s, in which the force ramps in, too
 constexpr double kStroke = 1.5;        // s, up, and as long down
-constexpr double kWhole = 0.95;        // of what the bench pushes at most
+constexpr double kAllOfIt = 0.95;      // of what the bench pushes at most
 constexpr double kSkip = 0.4;          // of a stroke, at its beginning, in which it turns round
 constexpr int kStrokes = 3;            // up and down
 
@@ -75,7 +75,7 @@ std::optional<Weighing> weigh(TestBench& bench) {
       const Vec3 wanted_D = middle_D + Vec3(0, from + part * (to - from), 0);
       now = bench.tick({servo.process(now.sample.X_DH.p, wanted_D), Vec3::Zero()});
       if (bench.over()) return std::nullopt;
-      const bool whole = now.commanded_F_H_D.force.norm() > kWhole * bench.budget().force;
+      const bool whole = now.commanded_F_H_D.force.norm() > kAllOfIt * bench.budget().force;
       if (!whole) pressed_since = now.time;
       weighing.astray = (now.sample.X_DH.p - wanted_D).norm() > kAstray || servo.speed() > kRuns ||
                         now.time - pressed_since > kPressed;
@@ -92,7 +92,7 @@ std::optional<Weighing> weigh(TestBench& bench) {
     return stroke;
   };
   constexpr double high = kWeighingWay / 2;
-  if (!lead(0, -high, kSettles)) return ended();
+  if (!lead(0, -high, kSinks)) return ended();
   weighing.most = 0;
   std::vector<double> weights, frictions, ways;
   for (int i = 0; i < kStrokes; ++i) {
