@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/files/config_folder.h"
+#include "engine/files/user_folders.h"
 #include "engine/files/regular_file.h"
 
 namespace fulcrum::falcon {

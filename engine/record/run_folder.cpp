@@ -11,21 +11,13 @@
 #include <vector>
 
 #include "engine/files/file_error.h"
+#include "engine/files/user_folders.h"
 
 namespace fulcrum::record {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-// XDG Base Directory Specification 0.8: a path that is not absolute is to be ignored.
-Result<fs::path> data_home() {
-  const char* const xdg = std::getenv("XDG_DATA_HOME");
-  if (xdg != nullptr && fs::path(xdg).is_absolute()) return fs::path(xdg);
-  const char* const home = std::getenv("HOME");
-  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".local" / "share";
-  return Error{"Neither XDG_DATA_HOME nor HOME names a folder for the results: name one with --out."};
-}
 
 std::string utc(std::chrono::system_clock::time_point now) {
   const std::time_t seconds = std::chrono::system_clock::to_time_t(now);
@@ -67,6 +59,19 @@ std::vector<std::string> present(const fs::path& folder, std::string_view name) 
   return names;
 }
 
+Result<std::size_t> remove_files(const fs::path& folder, std::span<const std::string_view> files) {
+  std::size_t removed = 0;
+  for (const std::string_view wanted : files) {
+    for (const std::string& name : present(folder, wanted)) {
+      // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.
+      const fs::path file = folder / name;
+      if (::unlink(file.c_str()) != 0) return file_error("remove", file, errno);
+      ++removed;
+    }
+  }
+  return removed;
+}
+
 }  // namespace
 
 std::string channel_file_name(std::string_view channel) {
@@ -74,17 +79,18 @@ std::string channel_file_name(std::string_view channel) {
 }
 
 std::span<const std::string_view> result_file_names() {
-  static constexpr std::array names = {kTraceName,   kTraceJsonName, kTapeName,
-                                       kTimingName,  kFlightName,    kSummaryName,
-                                       kPictureName, kChannelNames,  kOldChannelNames};
+  static constexpr std::array names = {kTraceName,       kTraceJsonName, kTapeName,   kTimingName,
+                                       kFlightName,      kPictureName,   kReportName, kChannelNames,
+                                       kOldChannelNames, kSummaryName};
   return names;
 }
 
 Result<fs::path> make_default_run_folder(std::string_view scenario, std::chrono::system_clock::time_point now,
                                          std::string_view shelf) {
-  const Result<fs::path> home = data_home();
-  if (!home) return home.error();
-  const fs::path runs = *home / "fulcrum" / shelf;
+  const fs::path data = data_folder();
+  if (data.empty())
+    return Error{"Neither XDG_DATA_HOME nor HOME names a folder for the results: name one with --out."};
+  const fs::path runs = data / shelf;
   std::error_code failure;
   fs::create_directories(runs, failure);
   if (failure) return file_error("create", runs, failure.value());
@@ -102,18 +108,23 @@ Result<fs::path> prepare_run_folder(const fs::path& folder, bool force,
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) return file_error("create", folder, failure.value());
-  for (const std::string_view wanted : files) {
-    for (const std::string& name : present(folder, wanted)) {
-      if (!force) {
-        return Error{folder.string() + " holds results (" + name +
-                     "): choose another folder with --out, or replace them with --force."};
-      }
-      // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.
-      const fs::path file = folder / name;
-      if (::unlink(file.c_str()) != 0) return file_error("remove", file, errno);
-    }
-  }
+  for (const std::string_view wanted : files)
+    if (const std::vector<std::string> names = present(folder, wanted); !force && !names.empty())
+      return Error{folder.string() + " holds results (" + names.front() +
+                   "): choose another folder with --out, or replace them with --force."};
+  const Result<std::size_t> removed = remove_files(folder, files);
+  if (!removed) return removed.error();
   return writable(folder);
+}
+
+Result<std::size_t> remove_results(const fs::path& folder) {
+  return remove_files(folder, result_file_names());
+}
+
+Result<std::size_t> count_results(const fs::path& folder) {
+  std::size_t count = 0;
+  for (const std::string_view name : result_file_names()) count += present(folder, name).size();
+  return count;
 }
 
 }  // namespace fulcrum::record

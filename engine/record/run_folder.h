@@ -14,7 +14,7 @@ namespace fulcrum::record {
 inline constexpr std::string_view kTraceName = "trace.csv", kTraceJsonName = "trace.json", kTapeName = "tape",
                                   kTimingName = "timing.csv", kFlightName = "flight.csv",
                                   kSummaryName = "summary.json", kPictureName = "frame.png",
-                                  kChannelNames = "vibrotactile_motion-*.wav",
+                                  kReportName = "report.html", kChannelNames = "vibrotactile_motion-*.wav",
                                   kOldChannelNames = "touch-*.wav";  // until trace version 1
 
 // Of the channel of that name.
@@ -34,5 +34,11 @@ Result<std::filesystem::path> make_default_run_folder(std::string_view scenario,
 Result<std::filesystem::path> prepare_run_folder(
     const std::filesystem::path& folder, bool force,
     std::span<const std::string_view> files = result_file_names());
+
+// Removes those files of a run's folder, the summary last, and nothing else; how many there were.
+Result<std::size_t> remove_results(const std::filesystem::path& folder);
+
+// How many of them there are.
+Result<std::size_t> count_results(const std::filesystem::path& folder);
 
 }  // namespace fulcrum::record

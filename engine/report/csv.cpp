@@ -20,7 +20,7 @@ void append_text(std::string& to, std::string_view cell) {
 
 }  // namespace
 
-Csv::Csv(std::initializer_list<std::string_view> columns) : columns_(columns.size()) {
+Csv::Csv(std::span<const std::string_view> columns) : columns_(columns.size()) {
   for (const std::string_view column : columns) {
     if (!text_.empty()) text_ += ',';
     append_text(text_, column);
@@ -28,7 +28,7 @@ Csv::Csv(std::initializer_list<std::string_view> columns) : columns_(columns.siz
   text_ += '\n';
 }
 
-void Csv::row(std::initializer_list<Cell> cells) {
+void Csv::row(std::span<const Cell> cells) {
   assert(cells.size() == columns_);
   bool first = true;
   for (const Cell& cell : cells) {

@@ -15,10 +15,13 @@ namespace fulcrum::report {
 
 class Csv {
 public:
-  explicit Csv(std::initializer_list<std::string_view> columns);
+  explicit Csv(std::span<const std::string_view> columns);
+  explicit Csv(std::initializer_list<std::string_view> columns)
+      : Csv(std::span(columns.begin(), columns.size())) {}
 
   using Cell = std::variant<std::string_view, double>;
-  void row(std::initializer_list<Cell> cells);  // as many as columns
+  void row(std::span<const Cell> cells);  // as many as columns
+  void row(std::initializer_list<Cell> cells) { row(std::span(cells.begin(), cells.size())); }
 
   const std::string& text() const { return text_; }
 

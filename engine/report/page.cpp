@@ -38,6 +38,9 @@ th, td { padding: .3rem .9rem .3rem 0; text-align: right; border-bottom: 1px sol
   vertical-align: top; }
 th:first-child, td:first-child { text-align: left; }
 th { color: var(--soft); font-weight: 600; vertical-align: bottom; }
+.reasons td:not(:last-child) { white-space: nowrap; }
+.reasons th:last-child, .reasons td:last-child { text-align: left; }
+@media print { body { max-width: none; padding: 0; font-size: 11pt; } h2 { break-after: avoid; } tr { break-inside: avoid; } }
 svg.plot { width: 100%; height: auto; display: block; font: 12.5px system-ui, "DejaVu Sans", sans-serif; }
 .words text { fill: var(--ink); } .words .axis { font-weight: 600; }
 .label { fill: var(--ink); stroke: var(--paper); stroke-width: 3.5px; paint-order: stroke; stroke-linejoin: round; }
@@ -90,7 +93,9 @@ void Page::facts(const Facts& facts) {
 }
 
 void Page::table(const Table& table) {
-  body_ += "<div class=\"scroll\"><table>\n<thead>" + row(table.head, "th") + "</thead>\n<tbody>";
+  body_ += table.ends_in_words ? "<div class=\"scroll\"><table class=\"reasons\">\n<thead>"
+                               : "<div class=\"scroll\"><table>\n<thead>";
+  body_ += row(table.head, "th") + "</thead>\n<tbody>";
   for (const std::vector<std::string>& cells : table.rows) body_ += row(cells, "td");
   body_ += "</tbody></table></div>\n";
 }

@@ -15,6 +15,7 @@ namespace fulcrum::report {
 struct Table {
   std::vector<std::string> head;               // a title for each column
   std::vector<std::vector<std::string>> rows;  // as many cells as head; columns but the first are set right
+  bool ends_in_words = false;                  // the last column is set left, too, and wraps alone
 };
 
 // Names, and what there is to say of each.

@@ -179,7 +179,7 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   }
 
   result.task = {scenario.checkpoints, scenario.dwell, scenario.tool.touch_point - models.p_MT,
-                 scenario.hard_touch};
+                 scenario.tool.touch_name, scenario.hard_touch};
   for (const HandEntry& hand : scenario.hands) {
     HandScript script{hand.name, hand.desc, hand.waypoints};
     for (Waypoint& waypoint : script.waypoints) waypoint.X_WT = waypoint.X_WT * X_MT;

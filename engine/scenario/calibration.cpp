@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "engine/files/config_folder.h"
+#include "engine/files/user_folders.h"
 #include "engine/files/number_text.h"
 #include "engine/scenario/describe.h"
 #include "haptics/math/number_text.h"

@@ -122,6 +122,10 @@ void describe_tool(KeyVisitor& visitor, ToolEntry& tool) {
   });
   visitor.vector({"touch_point", "m", "in the model's frame; what has to reach the checkpoints"},
                  tool.touch_point, kPosition);
+  visitor.text({"touch_name", "",
+                "what the tool has at the touch_point, such as 'the tip': the picture calls it so; without "
+                "it 'the touch point'"},
+               tool.touch_name);
   visitor.boolean({"weight", "", "gravity acts on the tool, and the hand feels it"}, tool.weight);
 }
 

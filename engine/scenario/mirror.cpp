@@ -16,7 +16,7 @@ void mirror(glm::vec3& p) {
 }
 
 void mirror(ToolEntry& tool) {
-  auto& [density, mass, X_HM, X_WM_start, touch_point, weight] = tool;
+  auto& [density, mass, X_HM, X_WM_start, touch_point, touch_name, weight] = tool;
   fulcrum::mirror(X_HM);
   fulcrum::mirror(X_WM_start);
   fulcrum::mirror(touch_point);

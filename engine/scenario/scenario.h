@@ -57,6 +57,7 @@ struct ToolEntry {
   Pose X_HM;                        // the model in the handle, when nothing touches it
   Pose X_WM_start;                  // where the model is at tick 0
   Vec3 touch_point = Vec3::Zero();  // p_MC (3) m, the point that has to reach the checkpoints
+  std::string touch_name;           // what the tool has there; empty: it has no name
   bool weight = ToolDesc{}.weight;
 };
 

@@ -20,6 +20,7 @@ struct TaskDesc {
   std::vector<Checkpoint> checkpoints;  // in the order in which they are to be reached
   double dwell = 3;                     // s, how long the touch point must stay at each without a break
   Vec3 touch_point = Vec3::Zero();      // p_TC (3) m, of the tool, in T
+  std::string touch_name{};             // what the tool has there, "the needle's tip"; empty: it has no name
   std::optional<double> hard_touch{};   // N, of the scene on the tool: a touch that rises above it is counted
 };
 

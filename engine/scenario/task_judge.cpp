@@ -38,6 +38,7 @@ void TaskJudge::judge(const TickRecord& record) {
   }
   if (desc_.hard_touch) judge_touch(record);
   if (state_.completed) return;
+  state_.time = static_cast<double>(record.tick - rested_) * tick_s_;
   const Checkpoint& next = desc_.checkpoints[state_.step];
   // Not a number is nowhere: the comparison fails.
   state_.inside = (record.X_WT * desc_.touch_point - next.position).norm() <= next.radius;
@@ -50,7 +51,7 @@ void TaskJudge::judge(const TickRecord& record) {
     state_.dwell_progress = static_cast<double>(ticks_inside_) / static_cast<double>(dwell_ticks_);
     return;
   }
-  state_.reached[state_.step] = static_cast<double>(record.tick - rested_) * tick_s_;
+  state_.reached[state_.step] = state_.time;
   ++state_.step;
   ticks_inside_ = -1;
   state_.inside = false;

@@ -12,6 +12,7 @@
 namespace fulcrum::scenario {
 
 struct TaskState {
+  double time = 0;            // s of the trial: rests while the force is stopped, and once all is reached
   std::size_t step = 0;       // the checkpoint that is next; the number of them once completed
   double dwell_progress = 0;  // 0 to 1, of the time to be spent at it
   bool inside = false;        // the touch point was at it in the newest record

@@ -1,6 +1,7 @@
 #include "engine/ui/canvas.h"
 
 #include <cmath>
+#include <sstream>
 
 #include "engine/ui/theme.h"
 
@@ -37,6 +38,10 @@ void Canvas::circle(ImVec2 middle, float radius, ImU32 colour, float width) cons
   list_.AddCircle(px(middle), radius * scale_, colour, 32, width * scale_);
 }
 
+void Canvas::triangle(ImVec2 a, ImVec2 b, ImVec2 c, ImU32 colour) const {
+  list_.AddTriangleFilled(px(a), px(b), px(c), colour);
+}
+
 void Canvas::text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& words, Align align) const {
   const float width = align == Align::left ? 0.0F : measure(font, words).x;
   at.x -= align == Align::centre ? width / 2.0F : width;
@@ -60,6 +65,19 @@ std::string Canvas::fitted(ImFont* font, const std::string& words, float width) 
     shorter.pop_back();
   }
   return shorter + "...";
+}
+
+std::vector<std::string> Canvas::wrapped(ImFont* font, const std::string& words, float width) const {
+  std::vector<std::string> lines;
+  std::istringstream rest(words);
+  for (std::string word; rest >> word;) {
+    const std::string longer = lines.empty() ? word : lines.back() + " " + word;
+    if (!lines.empty() && measure(font, longer).x <= width)
+      lines.back() = longer;
+    else
+      lines.push_back(fitted(font, word, width));
+  }
+  return lines;
 }
 
 }  // namespace fulcrum::ui

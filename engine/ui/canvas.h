@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 namespace fulcrum::ui {
 
@@ -14,6 +15,12 @@ struct Fonts {
   ImFont* strong = nullptr;
   ImFont* number = nullptr;
   ImFont* banner = nullptr;
+};
+
+// A rectangle, in theme units.
+struct Area {
+  ImVec2 at{0.0F, 0.0F};
+  ImVec2 size{0.0F, 0.0F};
 };
 
 enum class Align { left, centre, right };
@@ -28,6 +35,9 @@ public:
   float width() const { return size_.x / scale_; }
   float height() const { return size_.y / scale_; }
 
+  // A place in the picture, from its pixels.
+  ImVec2 unit(float x_px, float y_px) const { return {x_px / scale_, y_px / scale_}; }
+
   // All coordinates in theme units, y down, angles in radians clockwise from the right.
   void card(ImVec2 at, ImVec2 size) const;
   void box(ImVec2 at, ImVec2 size, ImU32 colour, float rounding) const;
@@ -36,11 +46,14 @@ public:
   void arc(ImVec2 middle, float radius, float from_rad, float to_rad, ImU32 colour, float width) const;
   void disc(ImVec2 middle, float radius, ImU32 colour) const;
   void circle(ImVec2 middle, float radius, ImU32 colour, float width) const;
+  void triangle(ImVec2 a, ImVec2 b, ImVec2 c, ImU32 colour) const;
   void text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& words, Align align = Align::left) const;
   ImVec2 measure(ImFont* font, const std::string& words) const;
 
   // The words, with an ellipsis where they are wider than `width`.
   std::string fitted(ImFont* font, const std::string& words, float width) const;
+  // The words in lines no wider than `width`, broken at spaces; a word that is wider has an ellipsis.
+  std::vector<std::string> wrapped(ImFont* font, const std::string& words, float width) const;
 
 private:
   ImVec2 px(ImVec2 at) const { return {at.x * scale_, at.y * scale_}; }

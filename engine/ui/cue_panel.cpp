@@ -83,10 +83,15 @@ PanelPoint panel_point(render::Extent picture, double x, double y) {
           static_cast<float>(y) * height / unit};
 }
 
+Area cues_area(const Canvas& canvas, const OverlayState& state) {
+  if (state.cues.empty()) return {};
+  return {panel_at(state, canvas.width()), {kWidth, cues_height(state)}};
+}
+
 void draw_cues(const Canvas& canvas, const OverlayState& state) {
   if (state.cues.empty()) return;
-  const ImVec2 at = panel_at(state, canvas.width());
-  canvas.card(at, {kWidth, cues_height(state)});
+  const auto [at, size] = cues_area(canvas, state);
+  canvas.card(at, size);
   const float left = at.x + theme::kPadding;
   for (std::size_t cue = 0; cue < state.cues.size(); ++cue) {
     const float top = at.y + row_top(state, cue);

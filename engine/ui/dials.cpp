@@ -18,6 +18,7 @@ constexpr float kWarnFrom = 0.70F;         // of the limit
 constexpr float kBadFrom = 0.90F;
 constexpr float kRadius = 52.0F;
 constexpr float kWidth = 7.0F;
+constexpr float kGap = 10.0F;  // between the dials
 const ImVec2 kSize{142.0F, 148.0F};
 
 float angle_at(float fraction) {
@@ -85,11 +86,22 @@ ImU32 load_colour(float fraction) {
   return fraction >= kBadFrom ? theme::kBad : fraction >= kWarnFrom ? theme::kWarn : theme::kAccent;
 }
 
+float dials_width(const OverlayState& state) {
+  const int dials = (state.force_N.limit > 0.0 ? 1 : 0) + (state.torque_Nm.limit > 0.0 ? 1 : 0);
+  return dials == 0 ? 0.0F : dials == 1 ? kSize.x : 2.0F * kSize.x + kGap;
+}
+
+Area dials_area(const Canvas& canvas, const OverlayState& state) {
+  const float width = dials_width(state);
+  if (!(width > 0.0F)) return {};
+  return {{theme::kMargin, canvas.height() - theme::kMargin - kSize.y}, {width, kSize.y}};
+}
+
 void draw_dials(const Canvas& canvas, const OverlayState& state, const Peaks& peaks) {
-  ImVec2 at{theme::kMargin, canvas.height() - theme::kMargin - kSize.y};
+  ImVec2 at = dials_area(canvas, state).at;
   if (state.force_N.limit > 0.0) {
     draw_dial(canvas, at, "FORCE", "N", state.force_N, peaks.force_N);
-    at.x += kSize.x + 10.0F;
+    at.x += kSize.x + kGap;
   }
   if (state.torque_Nm.limit > 0.0)
     draw_dial(canvas, at, "TORQUE", "N\u00B7m", state.torque_Nm, peaks.torque_Nm);

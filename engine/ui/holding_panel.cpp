@@ -137,11 +137,16 @@ float holding_bottom(const OverlayState& state) {
   return state.holding ? panel_at(state, 0.0F).y + height_of(*state.holding) + kGap : 0.0F;
 }
 
+Area holding_area(const Canvas& canvas, const OverlayState& state) {
+  if (!state.holding) return {};
+  return {panel_at(state, canvas.width()), {kWidth, height_of(*state.holding)}};
+}
+
 void draw_holding(const Canvas& canvas, const OverlayState& state) {
   if (!state.holding) return;
   const HoldingPanel& panel = *state.holding;
   const Fonts& fonts = canvas.fonts();
-  const ImVec2 at = panel_at(state, canvas.width());
+  const ImVec2 at = holding_area(canvas, state).at;
   const float left = at.x + theme::kPadding, right = left + kLength;
   canvas.card(at, {kWidth, height_of(panel)});
   // A heading, its value, and the keys that change it.

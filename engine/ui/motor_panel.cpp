@@ -37,11 +37,20 @@ void draw_peak(const Canvas& canvas, ImVec2 middle, double peak) {
 
 }  // namespace
 
-void draw_motors(const Canvas& canvas, const OverlayState& state) {
-  if (state.motors.empty()) return;
+float motors_width() {
+  return kPanelWidth;
+}
+
+Area motors_area(const Canvas& canvas, const OverlayState& state) {
+  if (state.motors.empty()) return {};
   const ImVec2 size{kPanelWidth, kHead + static_cast<float>(state.motors.size()) * kRow + 6.0F};
   const ImVec2 at{canvas.width() - theme::kMargin - size.x, canvas.height() - theme::kMargin - size.y};
-  if (at.y < holding_bottom(state)) return;
+  return at.y < holding_bottom(state) ? Area{} : Area{at, size};
+}
+
+void draw_motors(const Canvas& canvas, const OverlayState& state) {
+  const auto [at, size] = motors_area(canvas, state);
+  if (!(size.x > 0.0F)) return;
   canvas.card(at, size);
   canvas.text(canvas.fonts().strong, {at.x + theme::kPadding, at.y + 9.0F}, theme::kText, "Motors");
   ImVec2 middle{at.x + size.x - theme::kPadding - kHalf, at.y + kHead + kRow / 2.0F};

@@ -122,15 +122,24 @@ private:
       draw_busy(canvas, *state.busy);
       return;
     }
+    if (state.start) {
+      draw_start(canvas, *state.start);
+      return;
+    }
     const Peaks peaks{force_peak_.add(state.force_N.value, state.time_s),
                       torque_peak_.add(state.torque_Nm.value, state.time_s)};
+    draw_way(canvas, state);
     draw_dials(canvas, state, peaks);
     draw_checkpoints(canvas, state);
     draw_health(canvas, state);
+    draw_trouble(canvas, state);
     draw_cues(canvas, state);
     draw_holding(canvas, state);
     draw_motors(canvas, state);
     draw_message(canvas, state);
+    draw_target(canvas, state);
+    draw_timeline(canvas, state);
+    draw_debrief(canvas, state);
     draw_keys(canvas, state);
     draw_banner(canvas, state);  // last: nothing hides it
   }

@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "engine/render/frame_state.h"
+#include "engine/ui/start_page.h"
+#include "engine/ui/target_state.h"
+#include "engine/ui/timeline.h"
 
 namespace fulcrum::ui {
 
@@ -21,6 +24,26 @@ struct CheckpointLine {
   render::MarkerState state;  // hidden: still to come
 };
 
+// The trial's clock, and how long to stay at a checkpoint.
+struct TrialTime {
+  double now_s = 0.0;
+  double limit_s = 0.0;
+  double dwell_s = 0.0;  // 0: to be there is enough
+};
+
+// What came of a trial.
+struct Debrief {
+  struct Row {
+    std::string name;   // "Peak force"
+    std::string value;  // "2.13 N"
+    std::optional<std::string> points{};
+    std::string reason{};  // what the value is measured against
+  };
+  std::string title;  // "Completed in 44.1 s"
+  std::vector<Row> rows;
+  std::string foot;  // what to do now
+};
+
 // How the haptic thread is doing.
 struct TickHealth {
   double rate_Hz = 0.0;
@@ -28,6 +51,7 @@ struct TickHealth {
   std::uint64_t lost = 0;
   double cpu_p50_us = 0.0;
   double cpu_p99_us = 0.0;
+  bool trouble = false;  // late or lost ones have become more of late
 };
 
 struct KeyLine {
@@ -81,13 +105,18 @@ struct Busy {
 enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength
 
 struct OverlayState {
-  std::optional<Busy> busy;  // if there, it is all that is shown
-  double time_s = 0.0;       // simulated time, for peaks that are held and banners that pulse
-  std::string scenario;      // heading of the checkpoints
+  std::optional<Busy> busy;        // if there, it is all that is shown
+  std::optional<StartPage> start;  // the same
+  double time_s = 0.0;             // simulated time, for peaks that are held and banners that pulse
+  std::string scenario;            // heading of the checkpoints
   Dial force_N;
   Dial torque_Nm;
   std::vector<CheckpointLine> checkpoints;   // empty: no list
   std::optional<std::int64_t> hard_touches;  // below them; none: the task does not count them
+  std::optional<TrialTime> trial;            // above them; none: no clock
+  std::optional<Target> target;              // none: nothing shows the way
+  std::optional<Debrief> debrief;            // none: the trial has not ended
+  std::optional<Timeline> timeline;          // none: the trial has not ended
   std::vector<CueLine> cues;                 // empty: no panel
   std::string variant;                       // of the study that the switches amount to; read with the cues
   bool torque_bad = false;                   // no force tells of it; read with the cues
@@ -95,10 +124,13 @@ struct OverlayState {
   std::optional<HoldingPanel> holding;       // none: no panel
   std::vector<MotorBar> motors;              // empty: no panel
   TickHealth ticks;
+  bool figures_visible = false;  // those of the ticks; without them only trouble is told
   Force force = Force::on;
   std::string stop_reason;  // "Esc pressed"; shown while stopped
   std::string device;       // "Simulated hand"
-  std::string message;      // one line at the bottom; empty: none
+  std::string hint;         // below it, "F1: keys"; empty: none
+  std::string view;         // beside that, the name of the view; empty: none
+  std::string message;      // a sentence at the bottom; empty: none
   bool keys_visible = false;
   std::vector<KeyLine> keys;
   std::vector<std::string> mapping;  // lines below the keys: how the device or the mouse moves the tool

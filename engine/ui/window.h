@@ -22,6 +22,12 @@ struct WindowEvents {
   // Fractions of the window's height, from its top left.
   std::function<void(double x, double y)> cursor;
   std::function<void(double dx, double dy)> scroll;  // wheel steps
+  std::function<void(char32_t letter)> text;         // as the keyboard's layout has it
+};
+
+// What a menu takes from a gamepad: its cross or left stick, and two buttons.
+struct MenuButtons {
+  bool up = false, down = false, left = false, right = false, accept = false, back = false;
 };
 
 // Why no window can be opened here, and what would change that; empty where one can.
@@ -51,6 +57,9 @@ public:
 
   // Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
   void poll();
+
+  // What is down on the gamepads that are there, as poll() found them.
+  MenuButtons menu_buttons() const;
 
   bool closing() const;           // its close button was pressed, or it is lost
   bool lost() const;              // it went without being closed, see window_loss.h

@@ -11,6 +11,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 fulcrum() { "$FULCRUM" "$@"; }
 export -f fulcrum
+export XDG_DATA_HOME=$work/data # nobody else's results
 seen=0
 
 # Two columns: the command ends where two spaces follow it.
@@ -26,7 +27,7 @@ while IFS= read -r line; do
     "tools/run" | "tools/test" | "tools/bench contact")
       [ -x "$top/${word[0]}" ] || fail "$command: there is no such program" ;; # tests/tools, and bench.ContactLong, run them
     "fulcrum run "*--headless*) expect 0 'Completed' "${word[@]}" ;;
-    "fulcrum run "*) expect 3 'Not completed' "${word[@]}" --headless --seconds 0.1 --out "run_${word[2]}" ;;
+    "fulcrum run "*) expect 3 'Not completed' "${word[@]}" --headless --seconds 0.1 --out "run_$seen" ;;
     "fulcrum check FILE") expect 0 'good' fulcrum check "$FULCRUM_CONTENT/scenarios/piping/scenario.yaml" ;;
     "fulcrum strip PRESSES.csv")
       printf '0.03,120\n0.1,4910\n0.17,9700\n' >PRESSES.csv
@@ -37,7 +38,9 @@ while IFS= read -r line; do
       else # app.compare, app.hardness and app.uniformity run them with fewer trials
         expect 0 'Usage|OPTIONS|Options' "${word[@]}" --help
       fi ;;
-    "fulcrum list" | "fulcrum replay "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum device-test "*" --yes" | "fulcrum doctor" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
+    "fulcrum") # app.start works it in a window
+      expect 2 'Subcommands' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" ;;
+    "fulcrum list" | "fulcrum results" | "fulcrum replay "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum device-test "*" --yes" | "fulcrum doctor" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
     python3*) command -v python3 >/dev/null && expect 0 '^[0-9.e-]+$' bash -c "$command" ;;
     *) fail "README names '$command', and tests/app/readme_test.sh does not know what it is to do" ;;
   esac

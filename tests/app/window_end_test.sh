@@ -11,7 +11,7 @@ ended_in_order() {
   wait_for_end
   [ $code = 3 ] || fail "$1: exit $code, not 3: $(cat "$work/said")"
   for file in summary.json trace.csv tape frame.png; do [ -s "$work/$1/$file" ] || fail "$1: no $file"; done
-  grep -q 'Picture, trace and summary lie in' "$work/said" || fail "$1: does not say where the results lie: $(cat "$work/said")"
+  grep -q 'Picture, trace, summary and report lie in' "$work/said" || fail "$1: does not say where the results lie: $(cat "$work/said")"
   "$FULCRUM" replay "$work/$1/tape" --out "$work/$1-again" >"$work/replayed" 2>&1
   grep -q 'bit for bit' "$work/replayed" || fail "$1: $(cat "$work/replayed")"
   grep -q 'ends early' "$work/replayed" && fail "$1: the tape has no end"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The window under a display without a screen: it shows a picture, a drag moves the tool, a push shows force, Esc stops
-# and is a pause, it survives being resized and minimised, and it closes. $FULCRUM is the program.
+# and is a pause, F2 and F3 hide and show what they say, it survives being resized and minimised, and it closes. $FULCRUM
+# is the program.
 set -uo pipefail
 . "$(dirname "$(readlink -f "$0")")/../support/display.sh"
 start_display
@@ -13,6 +14,29 @@ runs "$work/W" || fail "it does not run: $(cat "$work/said")"
 colours() { import -window "$window" "$work/$1.png" && identify -format %k "$work/$1.png"; }
 coloured() { [ "$(colours "$1")" -gt 200 ]; }
 until_seen coloured before || fail "the window shows no picture"
+
+# accent WxH+X+Y: there is the blue of rings and switches in that part of the window.
+accent() {
+  import -window "$window" "$work/part.png"
+  [ "$(convert "$work/part.png" -crop "$1" +repage -fuzz 8% -fill black +opaque 'rgb(84,164,255)' -format '%[fx:maxima > 0.3]' info:)" = 1 ]
+}
+no_accent() { ! accent "$1"; }
+
+# The way to the first checkpoint is shown from the beginning, and F2 hides it and shows it again.
+ring=60x60+261+144
+until_seen accent $ring || fail "no ring is around the checkpoint"
+xdotool key --window "$window" F2
+until_seen no_accent $ring || fail "F2 does not hide the ring"
+xdotool key --window "$window" F2
+until_seen accent $ring || fail "F2 does not show the ring again"
+
+# F3 shows the haptic thread's figures: the panel below them, with the ghost's switch, moves down and up again.
+switch=24x14+476+106 lower=24x14+476+166
+until_seen accent $switch || fail "no switch is below the device"
+xdotool key --window "$window" F3
+until_seen accent $lower || fail "F3 does not show the figures"
+xdotool key --window "$window" F3
+until_seen accent $switch || fail "F3 does not hide the figures again"
 
 # The tool's x, first and now; how hard the coupling pulls, now.
 newest() { column "$work/W" "$1" | tail -n 2 | head -n 1; }
@@ -46,7 +70,7 @@ xdotool key --window "$window" F1
 xdotool key --window "$window" g
 until_seen ghost 0 || fail "G does not switch the ghost off"
 # The switch listens once the panel shows that it is off.
-switched() { xdotool mousemove --window "$window" 488 161 click 1 && runs "$work/W" 300 && ghost 1; }
+switched() { xdotool mousemove --window "$window" 488 113 click 1 && runs "$work/W" 300 && ghost 1; }
 until_seen switched || fail "the ghost's switch does not switch it on"
 
 # size_is W H: the window's, as its manager has it.
@@ -79,7 +103,7 @@ wait_for_end
 column "$work/W" contact/depth_max | awk '$1 > m { m = $1 } END { exit !(m > 0) }' || fail "the push touched nothing"
 column "$work/W" torque_substitution/ghost_gain | uniq | head -n 3 | tr '\n' ' ' | grep -q '^1 0 1 $' || fail "the ghost was not switched off and on"
 [ -s "$work/W/frame.png" ] || fail "no frame.png"
-grep -q 'Picture, trace and summary lie in' "$work/said" || fail "it does not say where the results lie"
+grep -q 'Picture, trace, summary and report lie in' "$work/said" || fail "it does not say where the results lie"
 
 [ $failures = 0 ] && echo "all good"
 exit $((failures > 0))

@@ -29,6 +29,19 @@ xdotool key Return
 fewer() { [ "$(threads)" -lt "$with" ]; }
 until_seen fewer || fail "it does not rest after the end"
 final=$(rows "$work/T")
+debriefed() { # a dark card in the middle
+  import -window "$window" "$work/debrief.png"
+  [ "$(convert "$work/debrief.png" -crop 180x90+230+130 +repage -scale 1x1 -format '%[fx:r < 0.2 && g < 0.2]' info:)" = 1 ]
+}
+until_seen debriefed || fail "no card says what came of it"
+# Looking back hides the card, and Space brings it again.
+looks_back() { ! debriefed; }
+xdotool key Left Left
+until_seen looks_back || fail "the arrow keys do not look back"
+xdotool key space
+until_seen debriefed || fail "Space does not show what came of it"
+xdotool key Prior
+until_seen looks_back || fail "Page Up does not go to the event before"
 [ "$final" -gt 41000 ] || fail "the pause was no time: $final ticks"
 
 # --- R: another attempt, its tool where the first began

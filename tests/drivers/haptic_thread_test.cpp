@@ -125,7 +125,17 @@ std::unique_ptr<Device> voice_coils() {
                                          1e-3));
 }
 
+// The thread sanitizer's own locks call the kernel wherever one thread meets another.
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define FULCRUM_THREAD_SANITIZER
+#endif
+#endif
+
 TEST(HapticThread, AsksTheSystemForNothing) {
+#ifdef FULCRUM_THREAD_SANITIZER
+  GTEST_SKIP() << "the thread sanitizer calls the system itself";
+#endif
   const std::pair<const char*, std::unique_ptr<Device> (*)()> all[] = {{"a force device", &a_force_device},
                                                                        {"a cap", &a_cap},
                                                                        {"a cap and a pad", &a_cap_and_a_pad},

@@ -77,7 +77,8 @@ const std::vector<std::string> kCoarse{"field.voxel=0.004", "field.band=0.012", 
 TEST_F(Assemble, PutsTheToolOnItsCentreOfMass) {
   auto overrides = kCoarse;
   overrides.insert(overrides.end(),
-                   {"tool.density=7850", "touch_point=[0, 0.04, 0]", "grasp.position=[0, 0.01, 0]"});
+                   {"tool.density=7850", "touch_point=[0, 0.04, 0]", "touch_name=the tip",
+                    "grasp.position=[0, 0.01, 0]"});
   const Scenario scenario = read(overrides);
   const auto models = load_models(scenario);
   ASSERT_TRUE(models) << models.error().sentence;
@@ -99,6 +100,7 @@ TEST_F(Assemble, PutsTheToolOnItsCentreOfMass) {
   EXPECT_LT((tool.X_WT_start.p - Vec3(0, 0.12, 0)).norm(), 1e-8);
   EXPECT_LT((tool.X_HT.p - Vec3(0, 0.03, 0)).norm(), 1e-8);
   EXPECT_LT((haptic->task.touch_point - Vec3(0, 0.02, 0)).norm(), 1e-8);
+  EXPECT_EQ(haptic->task.touch_name, "the tip");
   ASSERT_EQ(haptic->hands.size(), 1u);
   EXPECT_LT((haptic->hands[0].waypoints[0].X_WT.p - Vec3(0, 0.12, 0)).norm(), 1e-8);
   EXPECT_LT((haptic->hands[0].waypoints[1].X_WT.p - Vec3(0, -0.02, 0)).norm(),

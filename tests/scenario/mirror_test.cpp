@@ -44,6 +44,8 @@ TEST(Mirrored, EveryPlaceOfAShippedScenarioIs) {
     expect_mirrored(left->tool.X_HM, right->tool.X_HM, name);
     expect_mirrored(left->tool.X_WM_start, right->tool.X_WM_start, name);
     EXPECT_EQ(left->tool.touch_point, M * right->tool.touch_point);
+    EXPECT_NE(right->tool.touch_name, "");
+    EXPECT_EQ(left->tool.touch_name, right->tool.touch_name);
     expect_mirrored(left->device.mapping.X_WD, right->device.mapping.X_WD, name);
     for (std::size_t i = 0; i < right->checkpoints.size(); ++i)
       EXPECT_EQ(left->checkpoints[i].position, M * right->checkpoints[i].position);

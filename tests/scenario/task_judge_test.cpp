@@ -72,6 +72,24 @@ TEST(TaskJudge, RestsWhileTheForceIsStopped) {
   EXPECT_DOUBLE_EQ(task.state().reached[0].value(), 0.013);
 }
 
+TEST(TaskJudge, TellsTheTrialsTime) {
+  TaskJudge task(kTask, kTick);
+  EXPECT_EQ(task.state().time, 0);
+  judge(task, 0, 9, kAway);
+  EXPECT_DOUBLE_EQ(task.state().time, 0.009);
+  for (std::int64_t tick = 10; tick < 110; ++tick) {
+    TickRecord stopped = record(tick, kAway);
+    stopped.stopped = true;
+    task.judge(stopped);
+    EXPECT_DOUBLE_EQ(task.state().time, 0.009);
+  }
+  judge(task, 110, 113, kAtA);
+  EXPECT_DOUBLE_EQ(task.state().time, 0.013);
+  judge(task, 114, 117, kAtB);
+  judge(task, 118, 200, kAway);  // all is reached: it is over
+  EXPECT_DOUBLE_EQ(task.state().time, 0.017);
+}
+
 TEST(TaskJudge, TakesTheCheckpointsInOrder) {
   TaskJudge task(kTask, kTick);
   judge(task, 0, 99, kAtB);  // the second one first: counts for nothing

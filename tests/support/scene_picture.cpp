@@ -21,6 +21,7 @@ app::FrameInput input_on_route(const app::Prepared& prepared, double time, std::
   app::FrameInput input{};
   input.task.reached.resize(prepared.haptic.task.checkpoints.size());
   input.task.step = step;
+  input.task.time = time;
   input.task.inside = true;
   input.task.dwell_progress = 0.6;
   TickRecord& record = input.record;

@@ -31,6 +31,7 @@ needs content_teeth explain --set seed=2 teeth
 needs content run ./teeth
 needs content replay A/tape
 needs content_texts list
+needs content_texts results
 needs content_texts --version
 needs "fulcrum-studies content_piping" workprecision
 needs "fulcrum-studies content_teeth" compare teeth
@@ -40,9 +41,10 @@ rmdir "$tree/content/scenarios/teeth"
 on "$run"
 expect "without a display" "$out" "*: <run> <piping> <--headless> <--hand> <expert>"
 on DISPLAY=:0 "$run"
-expect "with a display" "$out" "*: <run> <piping>"
+expect "with a display: no arguments at all" "$out" "fulcrum in *: <>"
 on WAYLAND_DISPLAY=wayland-0 "$run"
-expect "with Wayland" "$out" "*: <run> <piping>"
+expect "with Wayland" "$out" "fulcrum in *: <>"
+expect "the start page needs all scenes, and no studies" "$(grep -- --build "$box/log" | tail -n 1)" "*--target fulcrum content"
 on "$run" --build
 expect "--build does not start it" "$code:$out" "0:"
 on "$run" --build more

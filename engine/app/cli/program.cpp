@@ -157,9 +157,14 @@ void Program::add_elsewhere(const char* name, const char* about, std::function<i
   elsewhere_.push_back({name, std::move(start)});
 }
 
+std::string Program::help() const {
+  return app_->help();
+}
+
 int Program::run(int argc, char** argv) {
   if (argc < 2) {
-    std::fputs(app_->help().c_str(), stdout);
+    if (without_arguments_) return without_arguments_();
+    std::fputs(help().c_str(), stdout);
     return kUsage;
   }
   for (const Elsewhere& elsewhere : elsewhere_)

@@ -65,6 +65,9 @@ public:
            std::function<int()> run);
   // A subcommand that another program carries out, with all arguments as they are.
   void add_elsewhere(const char* name, const char* about, std::function<int(char** argv)> start);
+  // What is done where there are no arguments at all; without it, the help is printed.
+  void without_arguments(std::function<int()> run) { without_arguments_ = std::move(run); }
+  std::string help() const;
   // The exit code: of the subcommand, or kUsage after a sentence that says what is wrong.
   int run(int argc, char** argv);
 
@@ -80,6 +83,7 @@ private:
   std::unique_ptr<CLI::App> app_;
   std::vector<Subcommand> subcommands_;
   std::vector<Elsewhere> elsewhere_;
+  std::function<int()> without_arguments_;
 };
 
 // What main() does: asks each for its subcommand, runs the one that is chosen, says what went wrong; the exit

@@ -25,6 +25,7 @@ struct RunOptions {
   std::string gpu;            // empty: the best one
   bool validate = false;      // Vulkan's validation layers watch; what they say is an error
   std::filesystem::path out;  // empty: a new folder under the data directory
+  std::string participant;    // a pseudonym; empty: nobody's results are kept
   bool force = false;         // replace results that are in `out`
   bool json = false;
   std::vector<InjectedFault> faults;  // --fault

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 namespace fulcrum::app {
 namespace {
@@ -19,6 +22,9 @@ std::string styled(std::string_view code, std::string_view text) {
   if (!wanted) return std::string(text);
   return "\033[" + std::string(code) + "m" + std::string(text) + "\033[0m";
 }
+
+std::mutex complaints_mutex;
+std::optional<std::string> kept_complaints;  // none: nobody keeps them
 
 }  // namespace
 
@@ -58,6 +64,25 @@ std::string in_lines(std::string_view text, std::size_t indent, std::size_t widt
 
 void complain(std::string_view sentence) {
   std::fprintf(stderr, "fulcrum: %.*s\n", static_cast<int>(sentence.size()), sentence.data());
+  const std::lock_guard lock(complaints_mutex);
+  if (!kept_complaints) return;
+  if (!kept_complaints->empty()) *kept_complaints += ' ';
+  *kept_complaints += sentence;
+}
+
+KeptComplaints::KeptComplaints() {
+  const std::lock_guard lock(complaints_mutex);
+  kept_complaints.emplace();
+}
+
+KeptComplaints::~KeptComplaints() {
+  const std::lock_guard lock(complaints_mutex);
+  kept_complaints.reset();
+}
+
+std::string KeptComplaints::take() {
+  const std::lock_guard lock(complaints_mutex);
+  return std::exchange(*kept_complaints, {});
 }
 
 void ProgressBar::show(std::string_view what, double fraction) {

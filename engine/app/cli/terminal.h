@@ -20,6 +20,17 @@ std::string in_lines(std::string_view text, std::size_t indent, std::size_t widt
 // "fulcrum: sentence" on stderr.
 void complain(std::string_view sentence);
 
+// While one is there, complaints are kept as well, for a window to show. From any thread; one at a time.
+class KeptComplaints {
+public:
+  KeptComplaints();
+  ~KeptComplaints();
+  KeptComplaints(const KeptComplaints&) = delete;
+  KeptComplaints& operator=(const KeptComplaints&) = delete;
+
+  std::string take();  // the sentences since the last call, a space between them
+};
+
 // A bar on stderr, drawn at most ten times a second; without a terminal a line for each tenth of a stage that
 // takes over a second.
 class ProgressBar {

@@ -5,9 +5,11 @@
 
 namespace fulcrum::app {
 
+void add_start(Program& program);  // without arguments
 void add_list(Program& program);
 void add_run(Program& program);
 void add_replay(Program& program);
+void add_results(Program& program);
 void add_check(Program& program);
 void add_explain(Program& program);
 void add_devices(Program& program);

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "engine/app/prepare/tape_header.h"
 #include "engine/app/run/results.h"
 #include "engine/app/run/run_sink.h"
+#include "engine/app/run/trial_results.h"
 #include "engine/record/digest.h"
 #include "engine/record/replay_check.h"
 #include "engine/record/run_folder.h"
@@ -73,7 +75,9 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
   outcome.summary.hand = tape->header.hand;
   outcome.summary.left_handed = prepared->scenario.left_handed;
   const Inventory list = inventory(*world, *prepared, nullptr);
-  const bool written = write_results(results->folder, outcome, list);
+  const FinishedTrial trial{*prepared, sink, outcome.summary, results->folder,
+                            std::chrono::system_clock::now()};
+  const bool written = write_results(results->folder, outcome, list) && write_trial_page(trial, "");
   std::printf("%s\n", results->folder.string().c_str());
   if (!check.same()) {
     complain(check.divergence(columns, file.parent_path() / record::kTraceName));

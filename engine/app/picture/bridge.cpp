@@ -161,6 +161,8 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   state.torque_Nm = {record.force_gain * record.coupling_F_T_W.torque.norm(), scene.coupling.max_torque};
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
+  if (!state.checkpoints.empty())
+    state.trial = {task.time, prepared.scenario.time_limit, prepared.haptic.task.dwell};
   state.cues = cue_lines(scene, record, afterglow);
   const std::optional<TorqueNote> torque = torque_note(scene, scene, record);
   state.tells_torque = torque.has_value();

@@ -2,12 +2,22 @@
 
 #include <memory>
 
+#include "engine/app/picture/impact_circle.h"
+#include "engine/app/picture/target_view.h"
+#include "engine/app/prepare/chosen_view.h"
 #include "engine/render/renderer.h"
 #include "engine/ui/overlay.h"
 #include "engine/vulkan/device.h"
 #include "engine/vulkan/instance.h"
 
 namespace fulcrum::app {
+
+Result<scenario::VisualAssembly> assemble_shown(const Prepared& prepared, const SceneDesc& scene,
+                                                const RunOptions& options) {
+  Result<scenario::VisualAssembly> visual = assemble_view(prepared, scene, options.view);
+  if (visual && options.circle) add_impact_circle(visual->desc);
+  return visual;
+}
 
 Result<std::filesystem::path> draw_picture(const Prepared& prepared, const SceneDesc& scene,
                                            const scenario::VisualAssembly& visual, const FrameInput& input,
@@ -27,7 +37,8 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   if (!renderer) return renderer.error();
   if (plan != nullptr) *plan = (*renderer)->plan();
 
-  const ui::OverlayState shown = overlay_state(prepared, scene, input.record, input.afterglow, input.task);
+  ui::OverlayState shown = overlay_state(prepared, scene, input.record, input.afterglow, input.task);
+  shown.target = target_view(input.camera, options.size, input.record, prepared.haptic.task, input.task);
   if (auto error = (*overlay)->prepare(shown, options.size)) return *error;
   FrameBridge bridge(visual.desc, prepared.scenario, scene);
   render::FrameState frame =

@@ -10,6 +10,10 @@
 
 namespace fulcrum::app {
 
+// Drawn from the view that was asked for, with the circle where it was.
+Result<scenario::VisualAssembly> assemble_shown(const Prepared& prepared, const SceneDesc& scene,
+                                                const RunOptions& options);
+
 struct FrameInput {
   TickRecord record;
   Afterglow afterglow;

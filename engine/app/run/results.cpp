@@ -25,6 +25,7 @@ std::string what_lies_in(const std::filesystem::path& folder) {
   add("picture", record::kPictureName);
   add("trace", record::kTraceName);
   add("summary", record::kSummaryName);
+  add("report", record::kReportName);
   std::string text;
   for (std::size_t i = 0; i < files.size(); ++i)
     text += (i == 0 ? "" : i + 1 == files.size() ? " and " : ", ") + files[i];
@@ -70,7 +71,8 @@ std::string where_deepest(const record::Summary& summary) {
 
 }  // namespace
 
-void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& outcome) {
+void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& outcome,
+                   std::optional<double> score) {
   const record::Summary& summary = outcome.summary;
   if (summary.completed)
     std::printf("%s in %.1f s.\n", bold("Completed").c_str(), summary.completion_time_s.value_or(0));
@@ -87,6 +89,7 @@ void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& 
   if (summary.hard_touches)
     std::printf("  %lld hard touches, %.1f s in all\n", static_cast<long long>(summary.hard_touches->count),
                 summary.hard_touches->time_s);
+  if (score) std::printf("  score %.0f of 100, by the rules of docs/results.md\n", *score);
   for (const record::FaultCount& fault : summary.faults) std::printf("  %s\n", fault.sentence.c_str());
   if (const std::string files = what_lies_in(folder); !files.empty())
     std::printf("%s %s\n", files.c_str(), bold(folder.string()).c_str());

@@ -25,6 +25,8 @@ bool write_results(const std::filesystem::path& folder, RunSink::Outcome& outcom
                    const Inventory& inventory);
 
 // A few lines for a person: what came of the run and where everything lies.
-void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& outcome);
+// score: 0 to 100; none: nothing could be compared.
+void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& outcome,
+                   std::optional<double> score);
 
 }  // namespace fulcrum::app

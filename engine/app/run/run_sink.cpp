@@ -18,6 +18,7 @@ RunSink::RunSink(const Prepared& prepared, std::optional<record::Recorder> recor
       faults_(faults),
       recorder_(std::move(recorder)),
       judge_(prepared.haptic.task, tick_s_),
+      meter_(prepared.haptic.task, tick_s_),
       totals_(tick_s_),
       penetration_(tick_s_),
       afterglow_(prepared.haptic.scene.tool.X_HT.inverse().p),
@@ -31,6 +32,7 @@ RunSink::RunSink(const Prepared& prepared, std::optional<record::Recorder> recor
 
 void RunSink::take(const TickEvent& event) {
   judge_.judge(event.record);
+  meter_.note(event.record, judge_.state());
   totals_.add(event.record);
   penetration_.note(event.record);
   cpu_ns_.push_back(event.cpu_ns);

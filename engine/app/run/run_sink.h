@@ -15,6 +15,7 @@
 #include "engine/record/run_totals.h"
 #include "engine/record/summary.h"
 #include "engine/scenario/task_judge.h"
+#include "engine/session/trial_meter.h"
 #include "haptics/loop/tick_event.h"
 
 namespace fulcrum::app {
@@ -38,9 +39,12 @@ public:
   // A fault stopped the force in the newest tick.
   bool stopped_by_fault() const { return last_.stopped; }
 
+  const record::RunTotals& totals() const { return totals_; }  // so far
   const scenario::TaskState& task() const { return judge_.state(); }
   std::optional<std::int64_t> hard_touches() const;  // so far; none: the task does not count them
-  const TickRecord& last() const { return last_; }   // before the first: where all begins
+  const session::TrialMeter& meter() const { return meter_; }
+  session::TrialMetrics metrics() const { return meter_.metrics(judge_.state()); }
+  const TickRecord& last() const { return last_; }  // before the first: where all begins
   const Afterglow& afterglow() const { return afterglow_; }
   // s, of the trial: it rests while the force is stopped.
   double time() const { return static_cast<double>(ticks_ - stopped_ticks_) * tick_s_; }
@@ -66,6 +70,7 @@ private:
   std::optional<record::Recorder> recorder_;
   bool recorder_failed_ = false;
   scenario::TaskJudge judge_;
+  session::TrialMeter meter_;
   record::RunTotals totals_;
   PenetrationMeter penetration_;
   std::vector<std::int64_t> cpu_ns_;

@@ -7,16 +7,17 @@
 
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
+#include "engine/app/run/expert.h"
 
 namespace fulcrum::app {
 namespace {
 
 using namespace std::chrono_literals;
 
-// Ends a bake from within its progress.
+// Ends a bake, or the watching, from within its progress.
 struct Closed {};
 
-// What the baking thread says and the window's shows, and the other way about.
+// What the thread that prepares says and the window's shows, and the other way about.
 class Progress {
 public:
   explicit Progress(const std::string& title) : shown_{title, "Reading the models", 0, ""} {}
@@ -24,7 +25,7 @@ public:
   void tell(std::string_view what, double fraction) {
     const std::lock_guard lock(mutex_);
     if (closed_) throw Closed();
-    shown_.what = "Baking the " + std::string(what);
+    shown_.what = what;
     shown_.fraction = fraction;
     shown_.note = "Once only: the next start finds it in the cache.";
   }
@@ -48,26 +49,36 @@ private:
 
 PreparedInWindow prepare_in_window(WindowStage& stage, const std::string& name, scenario::Scenario scenario) {
   Progress progress(scenario.title);
-  auto baking = std::async(std::launch::async, [&]() -> std::optional<Prepared> {
+  auto preparing = std::async(std::launch::async, [&] {
+    PreparedInWindow ready;
     try {
-      return prepare(name, std::move(scenario),
-                     [&progress](std::string_view what, double fraction) { progress.tell(what, fraction); });
+      ready.prepared =
+          prepare(name, std::move(scenario), [&progress](std::string_view what, double fraction) {
+            progress.tell("Baking the " + std::string(what), fraction);
+          });
+      if (ready.prepared)
+        ready.expert = watch_expert(*ready.prepared, [&progress](double fraction) {
+          progress.tell("Watching the expert", fraction);
+          return true;
+        });
     } catch (const Closed&) {
-      return std::nullopt;
+      ready = {};
     }
+    return ready;
   });
-  PreparedInWindow result;
+  bool closed = false;
   // Now and then is often enough: the processor has other things to do.
-  while (baking.wait_for(100ms) != std::future_status::ready) {
+  while (preparing.wait_for(100ms) != std::future_status::ready) {
     const Result<bool> open = stage.show(progress.shown());
     if (!open) complain(open.error().sentence);
     if (open && *open && !interrupted()) continue;
-    result.closed = true;
+    closed = true;
     progress.close();
     break;
   }
-  result.prepared = baking.get();
-  return result;
+  PreparedInWindow ready = preparing.get();
+  ready.closed = closed;
+  return ready;
 }
 
 }  // namespace fulcrum::app

@@ -3,14 +3,15 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cstdio>
 #include <utility>
 
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/picture/holding_controls.h"
+#include "engine/app/picture/target_view.h"
+#include "engine/app/run/debrief.h"
 #include "engine/app/run/headless_run.h"
+#include "engine/app/window/key_help.h"
 #include "engine/record/percentiles.h"
 #include "engine/ui/cue_panel.h"
 #include "engine/ui/holding_panel.h"
@@ -19,11 +20,7 @@ namespace fulcrum::app {
 namespace {
 
 constexpr std::size_t kCostWindow = 1000;  // ticks that the shown percentiles are of
-
-std::string lower(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
-}
+constexpr double kAboutShown = 20;         // s of the trial, at the most
 
 // What a key asks of the panel of the holding point.
 std::optional<HoldingKey> holding_key(int key) {
@@ -53,37 +50,29 @@ double finest_detail(const Prepared& prepared) {
   return finest;
 }
 
-std::vector<ui::KeyLine> key_lines(const ui::OverlayState& state, bool circle) {
-  std::vector<ui::KeyLine> lines = {
-      {"Esc", "stop force and time"}, {"Enter", "go on; the force returns"}, {"R", "start again"},
-      {"1 to 9", "go to a view"},     {"Home", "back to this view's start"}, {"F1", "show or hide this list"},
-  };
-  for (const ui::CueLine& cue : state.cues)
-    lines.insert(lines.end() - 1, {cue.key, "switch " + lower(cue.effect) + ": " + lower(cue.name)});
-  if (state.holding) {
-    const std::vector<ui::KeyLine> keys = holding_keys();
-    lines.insert(lines.end() - 1, keys.begin(), keys.end());
-  }
-  if (circle) lines.insert(lines.end() - 1, {"C", "show or hide the circle of confusion"});
-  return lines;
-}
-
 }  // namespace
 
 TrainingWindow::TrainingWindow(WindowStage& stage, const Prepared& prepared,
-                               const scenario::VisualAssembly& visual)
+                               const scenario::VisualAssembly& visual, const session::TrialMetrics* expert,
+                               bool has_start_page)
     : stage_(stage),
       prepared_(prepared),
       visual_(visual),
       camera_(visual.desc.camera),
       bridge_(visual.desc, prepared.scenario, prepared.haptic.scene),
-      tool_mouse_(input::mouse_steps(finest_detail(prepared))) {}
+      tool_mouse_(input::mouse_steps(finest_detail(prepared))),
+      expert_(expert),
+      has_start_page_(has_start_page) {}
 
 Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(WindowStage& stage, const Prepared& prepared,
                                                                const scenario::VisualAssembly& visual,
-                                                               const RunOptions& options) {
-  std::unique_ptr<TrainingWindow> self(new TrainingWindow(stage, prepared, visual));
+                                                               const RunOptions& options,
+                                                               const session::TrialMetrics* expert,
+                                                               bool has_start_page) {
+  std::unique_ptr<TrainingWindow> self(new TrainingWindow(stage, prepared, visual, expert, has_start_page));
   self->circle_ = options.circle;
+  const auto named = std::ranges::find(visual.views, options.view, &scenario::View::name);
+  if (named != visual.views.end()) self->view_ = static_cast<std::size_t>(named - visual.views.begin());
   if (auto error = stage.set_scene(visual.desc, self->quality_.quality())) return *error;
   return self;
 }
@@ -100,7 +89,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   stop_buttons_ = device.stop_buttons;
   go_buttons_ = device.go_buttons;
   buttons_ = 0;
-  restart_ = false;
+  leave_.reset();
   slides_ = false;
   button_ = -1;  // a release while no window listened is not told
   shown_ = {};
@@ -108,7 +97,11 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   cpu_ns_.clear();
   cpu_at_ = 0;
   late_ = lost_ = 0;
+  trouble_ = TickTrouble(scene_->tick_s);
   resting_ = false;
+  sink_ = &sink;
+  review_ = Review(scene_->tick_s);
+  scrubs_ = false;
   tool_mouse_.reset(scene_->tool.X_WT_start * scene_->tool.X_HT.inverse());
   ui::WindowEvents events;
   events.key = [this](int key, int action, int modifiers) {
@@ -119,7 +112,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   events.button = [this](int button, int action, int modifiers) {
     shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
     button_ = action == GLFW_PRESS ? button : -1;
-    slides_ = false;
+    slides_ = scrubs_ = false;
     if (button_ == GLFW_MOUSE_BUTTON_LEFT) on_press();
     stage_.window().hold_pointer(button_ >= 0);
   };
@@ -129,7 +122,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
 
   draw(sink, loop);  // the first frame takes long, and its picture is where all begins: before the clock runs
   loop.start();
-  while (!stage_.window().closing() && !restart_ && !interrupted() && error_.empty()) {
+  while (!stage_.window().closing() && !leave_ && !interrupted() && error_.empty()) {
     stage_.window().poll();
     TickEvent event;
     while (loop.next(event)) {
@@ -137,6 +130,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
       if (sink.end() != RunSink::End::running) continue;
       note_cost(event);
       sink.take(event);
+      review_.add(event.record, sink.time());
     }
     sink.flush_if_due();
     if (faults.gpu_lost()) stage_.gpu().lose();
@@ -145,10 +139,15 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
     } else {
       late_ = loop.late_ticks();
       lost_ = loop.lost_ticks();
+      trouble_.note(static_cast<std::uint64_t>(loop.newest().tick), late_, lost_);
     }
     draw(sink, loop);
   }
   loop.stop();
+  if (review_.is_shown()) {  // the attempt's picture is of its last moment
+    review_.press(Review::Key::card, sink, false);
+    shown_ = overlay_of(sink.last(), sink, stage_.window().pixels());
+  }
   stage_.window().hold_pointer(false);
   stage_.window().set_events({});
   if (stage_.window().lost())
@@ -159,7 +158,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   else if (!error_.empty())
     complain(error_);
   report_grant(loop);
-  return restart_ ? Leave::restart : Leave::closed;
+  return leave_.value_or(Leave::closed);
 }
 
 void TrainingWindow::on_buttons(std::uint32_t down) {
@@ -169,6 +168,8 @@ void TrainingWindow::on_buttons(std::uint32_t down) {
 }
 
 void TrainingWindow::on_press() {
+  scrub(false);
+  if (scrubs_) return;
   const std::optional<Command> pressed = cues_.press(shown_, stage_.window().pixels(), cursor_x_, cursor_y_);
   send(pressed);
   const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
@@ -176,6 +177,35 @@ void TrainingWindow::on_press() {
   if (held) send(holding_commands(*shown_.holding, *held));
   slides_ = held && held->part == ui::HoldingPress::Part::place;
   if (pressed || held) button_ = -1;  // a press on a panel drags nothing in the scene
+}
+
+bool TrainingWindow::look_back(int key) {
+  if (!resting_) return false;
+  const auto pressed = [&]() -> std::optional<Review::Key> {
+    switch (key) {
+      case GLFW_KEY_LEFT:
+        return Review::Key::back;
+      case GLFW_KEY_RIGHT:
+        return Review::Key::on;
+      case GLFW_KEY_PAGE_UP:
+        return Review::Key::before;
+      case GLFW_KEY_PAGE_DOWN:
+        return Review::Key::after;
+      case GLFW_KEY_SPACE:
+        return Review::Key::card;
+      default:
+        return std::nullopt;
+    }
+  }();
+  if (pressed) review_.press(*pressed, *sink_, shift_);
+  return pressed.has_value();
+}
+
+void TrainingWindow::scrub(bool dragged) {
+  const auto time =
+      ui::timeline_time(shown_, stage_.window().pixels(), cursor_x_, cursor_y_, dragged && scrubs_);
+  scrubs_ = time.has_value();
+  if (time) review_.go_to(*time, *sink_);
 }
 
 void TrainingWindow::on_key(int key, int action) {
@@ -187,6 +217,7 @@ void TrainingWindow::on_key(int key, int action) {
     keys_->push(tool_keys_.axes(shift_));
     if (moves) return;
   }
+  if (action != GLFW_RELEASE && look_back(key)) return;
   if (action != GLFW_PRESS) return;
   switch (key) {
     case GLFW_KEY_ESCAPE:
@@ -197,13 +228,22 @@ void TrainingWindow::on_key(int key, int action) {
       loop_->send({Command::Kind::acknowledge});
       break;
     case GLFW_KEY_R:
-      restart_ = true;
+      leave_ = Leave::restart;
+      break;
+    case GLFW_KEY_F10:
+      if (has_start_page_) leave_ = Leave::start_page;
       break;
     case GLFW_KEY_C:
       circle_shown_ = !circle_shown_;
       break;
     case GLFW_KEY_F1:
       keys_visible_ = !keys_visible_;
+      break;
+    case GLFW_KEY_F2:
+      guides_ = !guides_;
+      break;
+    case GLFW_KEY_F3:
+      figures_visible_ = !figures_visible_;
       break;
     case GLFW_KEY_HOME:
       camera_.reset();
@@ -215,7 +255,10 @@ void TrainingWindow::on_key(int key, int action) {
         send(holding_commands(*shown_.holding, *holding));
       if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
         const auto view = static_cast<std::size_t>(key - GLFW_KEY_1);
-        if (view < visual_.views.size()) camera_ = render::OrbitCamera(visual_.views[view].camera);
+        if (view < visual_.views.size()) {
+          camera_ = render::OrbitCamera(visual_.views[view].camera);
+          view_ = view;
+        }
       }
   }
 }
@@ -235,8 +278,9 @@ void TrainingWindow::on_cursor(double x, double y) {
     send(holding_commands(*shown_.holding,
                           {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at.width, at.x)}));
   }
-  if (button_ < 0) return;
-  const bool moves_tool = mouse_ != nullptr && button_ != GLFW_MOUSE_BUTTON_MIDDLE;
+  if (scrubs_) scrub(true);
+  if (button_ < 0 || scrubs_) return;
+  const bool moves_tool = mouse_ != nullptr && button_ != GLFW_MOUSE_BUTTON_MIDDLE && !resting_;
   if (moves_tool && tool_rests()) return;
   if (moves_tool) {
     const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
@@ -255,7 +299,7 @@ void TrainingWindow::on_cursor(double x, double y) {
 }
 
 void TrainingWindow::on_scroll(double steps) {
-  if (control_ || mouse_ == nullptr) {
+  if (control_ || mouse_ == nullptr || resting_) {
     camera_.zoom(static_cast<float>(steps));
     return;
   }
@@ -280,37 +324,32 @@ void TrainingWindow::note_cost(const TickEvent& event) {
 }
 
 std::string TrainingWindow::message(const RunSink& sink) const {
-  char text[120];
-  switch (sink.end()) {
-    case RunSink::End::completed:
-      std::snprintf(text, sizeof text, "Completed in %.1f s. R starts again; close the window to end.",
-                    sink.time());
-      return text;
-    case RunSink::End::limit:
-      std::snprintf(text, sizeof text, "Time is up after %.0f s. R starts again; close the window to end.",
-                    sink.limit());
-      return text;
-    case RunSink::End::running:
-      break;
-  }
+  if (sink.end() != RunSink::End::running) return {};
   if (sink.handle_is_still()) return StillHandle::kSentence;
-  return keys_visible_ ? std::string() : "F1: keys and mouse";
+  const bool begins = sink.task().step == 0 && sink.time() < kAboutShown;
+  return begins ? prepared_.scenario.about : std::string();
 }
 
-ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunSink& sink) const {
-  ui::OverlayState state = overlay_state(prepared_, *scene_, record, sink.afterglow(), sink.task());
-  state.ticks.rate_Hz = 1.0 / scene_->tick_s;
-  state.ticks.late = late_;
-  state.ticks.lost = lost_;
-  if (!cpu_ns_.empty()) {
-    std::vector<std::int64_t> sorted = cpu_ns_;
-    const record::TickCpu cpu = record::tick_cpu_percentiles(sorted);
-    state.ticks.cpu_p50_us = cpu.p50;
-    state.ticks.cpu_p99_us = cpu.p99;
-  }
+scenario::TaskState TrainingWindow::task_shown(const RunSink& sink) const {
+  return review_.is_shown() ? review_.task(sink) : sink.task();
+}
+
+ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunSink& sink,
+                                            render::Extent size) const {
+  ui::OverlayState state = overlay_state(prepared_, *scene_, record, sink.afterglow(), task_shown(sink));
+  if (state.trial) state.trial->limit_s = sink.limit();
+  if (sink.end() != RunSink::End::running) {
+    state.timeline = review_.timeline(sink);
+    if (!review_.is_shown()) state.debrief = debrief(prepared_, sink, expert_, has_start_page_);
+  } else if (guides_)
+    state.target = target_view(camera_.camera(), size, record, prepared_.haptic.task, sink.task());
+  state.figures_visible = figures_visible_;
+  state.ticks = tick_health();
+  state.hint = "F1: keys";
+  if (view_ < visual_.views.size()) state.view = view_name(visual_.views[view_]);
   state.message = message(sink);
   state.keys_visible = keys_visible_;
-  state.keys = key_lines(state, circle_);
+  state.keys = key_lines(state, visual_.views, circle_, has_start_page_);
   if (mouse_ != nullptr) {
     for (const char* line : input::mouse_help()) state.mapping.emplace_back(line);
     return state;
@@ -321,13 +360,27 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   return state;
 }
 
+ui::TickHealth TrainingWindow::tick_health() const {
+  ui::TickHealth ticks{.rate_Hz = 1.0 / scene_->tick_s,
+                       .late = late_,
+                       .lost = lost_,
+                       .trouble = trouble_.is_there() && !resting_};
+  if (figures_visible_ && !cpu_ns_.empty()) {
+    std::vector<std::int64_t> sorted = cpu_ns_;
+    const record::TickCpu cpu = record::tick_cpu_percentiles(sorted);
+    ticks.cpu_p50_us = cpu.p50;
+    ticks.cpu_p99_us = cpu.p99;
+  }
+  return ticks;
+}
+
 void TrainingWindow::show_to_device(const TickRecord& record) {
   if (rate_ != nullptr) rate_->look(seen_frame(camera_.camera(), record.X_WT.p, tool_rests() || resting_));
 }
 
 render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {
   render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
-                                           sink.task(), camera_.camera(), shown_.time_s);
+                                           task_shown(sink), camera_.camera(), shown_.time_s);
   frame.overlay = &stage_.overlay();
   return frame;
 }
@@ -348,8 +401,10 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   // The newest tick; the sink's where there is none yet, and its last one after the end.
   const TickRecord& newest = loop.newest();
   const bool running = sink.end() == RunSink::End::running;
-  const TickRecord& record = running && newest.tick > sink.last().tick ? newest : sink.last();
-  shown_ = overlay_of(record, sink);
+  const TickRecord& record = review_.is_shown()                          ? review_.record()
+                             : running && newest.tick > sink.last().tick ? newest
+                                                                         : sink.last();
+  shown_ = overlay_of(record, sink, size);
   show_to_device(record);
   if (const auto error = stage_.overlay().prepare(shown_, size)) {
     error_ = error->sentence;

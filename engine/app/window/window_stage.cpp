@@ -33,39 +33,36 @@ Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& titl
   // Of an empty scene, to draw cards with.
   render::RenderOptions empty;
   empty.extent = options.size;
-  empty.quality = {1, 0, 1.0F};
+  empty.quality = kCardQuality;
   auto renderer = render::Renderer::create(*self->gpu_, {}, empty);
   if (!renderer) return renderer.error();
   self->renderer_ = std::move(*renderer);
   // Once unseen: a driver compiles at the first frame, and an empty window is black until then.
-  const ui::Busy reading{title, "Reading the scenario", 0, ""};
-  if (auto error = self->lay_out(reading, options.size)) return *error;
-  if (auto error = self->renderer_->frame(self->card())) return *error;
+  ui::OverlayState reading;
+  reading.busy = {title, "Reading the scenario", 0, ""};
+  if (auto error = self->overlay_->prepare(reading, options.size)) return *error;
+  render::FrameState card;
+  card.overlay = self->overlay_.get();
+  if (auto error = self->renderer_->frame(card)) return *error;
   self->window_->show();
-  if (auto shown = self->show(reading); !shown) return shown.error();
+  if (auto shown = self->show(reading, {}); !shown) return shown.error();
   if (!self->overlay_->font_note().empty()) complain(self->overlay_->font_note());
   return self;
 }
 
-std::optional<Error> WindowStage::lay_out(const ui::Busy& busy, render::Extent size) {
+Result<bool> WindowStage::show(const ui::Busy& busy) {
   ui::OverlayState state;
   state.busy = busy;
-  if (auto error = overlay_->prepare(state, size)) return *error;
-  return std::nullopt;
+  return show(state, {});
 }
 
-render::FrameState WindowStage::card() const {
-  render::FrameState frame;
-  frame.overlay = overlay_.get();
-  return frame;
-}
-
-Result<bool> WindowStage::show(const ui::Busy& busy) {
+Result<bool> WindowStage::show(const ui::OverlayState& state, render::FrameState frame) {
   window_->poll();
   const render::Extent size = window_->pixels();
   if (size.width > 0 && size.height > 0) {
-    if (auto error = lay_out(busy, size)) return *error;
-    if (const auto drawn = renderer_->frame(card(), *swapchain_, size); !drawn && !window_->lost())
+    if (auto error = overlay_->prepare(state, size)) return *error;
+    frame.overlay = overlay_.get();
+    if (const auto drawn = renderer_->frame(frame, *swapchain_, size); !drawn && !window_->lost())
       return drawn.error();
   }
   return !window_->closing();

@@ -19,10 +19,15 @@ public:
   // It is seen once there is something in it. Errors: no display, no Vulkan.
   static Result<std::unique_ptr<WindowStage>> create(const std::string& title, const RunOptions& options);
 
-  // While there is no scene. Delivers events, too. False: the window is to be closed.
+  // Delivers events, too. False: the window is to be closed. The first while there is no scene; frame: of the
+  // scene there is, or of none.
   Result<bool> show(const ui::Busy& busy);
+  Result<bool> show(const ui::OverlayState& state, render::FrameState frame);
   // From here on this is what is drawn; the window keeps what it shows until the first frame.
   std::optional<Error> set_scene(const render::VisualDesc& desc, const render::Quality& quality);
+
+  // Back to none.
+  std::optional<Error> clear_scene() { return set_scene({}, kCardQuality); }
 
   ui::Window& window() { return *window_; }
   ui::Overlay& overlay() { return *overlay_; }
@@ -33,10 +38,9 @@ public:
   std::vector<std::string> validation_messages() const { return instance_->messages(); }
 
 private:
-  WindowStage() = default;
+  static constexpr render::Quality kCardQuality{1, 0, 1.0F};
 
-  std::optional<Error> lay_out(const ui::Busy& busy, render::Extent size);
-  render::FrameState card() const;
+  WindowStage() = default;
 
   // In the order in which they need each other; destroyed backwards.
   std::unique_ptr<ui::Window> window_;

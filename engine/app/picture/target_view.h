@@ -1,0 +1,24 @@
+#pragma once
+// The way to the next checkpoint as a camera sees it: what the overlay draws of it, without a renderer.
+
+#include <optional>
+
+#include "engine/app/prepare/prepare.h"
+#include "engine/render/plan.h"
+#include "engine/scenario/task_judge.h"
+#include "engine/ui/target_state.h"
+#include "haptics/world/tick_record.h"
+
+namespace fulcrum::app {
+
+// None: there is no checkpoint left, or the tool is nowhere.
+std::optional<ui::TargetPlace> target_place(const render::Camera& camera, render::Extent picture,
+                                            const TickRecord& record, const scenario::TaskDesc& task,
+                                            const scenario::TaskState& state);
+
+// The same with its names and how long the tool has been there.
+std::optional<ui::Target> target_view(const render::Camera& camera, render::Extent picture,
+                                      const TickRecord& record, const scenario::TaskDesc& task,
+                                      const scenario::TaskState& state);
+
+}  // namespace fulcrum::app

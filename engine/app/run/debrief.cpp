@@ -1,0 +1,49 @@
+#include "engine/app/run/debrief.h"
+
+#include <cstdio>
+
+#include "engine/report/axis.h"
+#include "engine/session/score.h"
+
+namespace fulcrum::app {
+namespace {
+
+std::string with_value(const char* pattern, double value) {
+  char text[80];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+ui::Debrief::Row row_of(const session::Criterion& criterion) {
+  ui::Debrief::Row row{criterion.name, criterion.value, {}, criterion.reason};
+  if (criterion.points)
+    row.points = report::short_number(*criterion.points, 3) + " of " + report::short_number(criterion.of, 3);
+  return row;
+}
+
+}  // namespace
+
+ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const session::TrialMetrics* expert,
+                    bool has_start_page) {
+  const scenario::TaskDesc& task = prepared.haptic.task;
+  const scenario::TaskState& state = sink.task();
+  const bool completed = sink.end() == RunSink::End::completed;
+  const session::Score score = session::score(sink.metrics(), expert);
+  ui::Debrief debrief;
+  debrief.title = completed ? with_value("Completed in %.1f s", sink.time())
+                            : with_value("Time is up after %g s", sink.limit());
+  if (score.total) debrief.title += with_value(": %.0f of 100 points", *score.total);
+  for (const session::Criterion& criterion : score.criteria) debrief.rows.push_back(row_of(criterion));
+  for (std::size_t i = 0; i < task.checkpoints.size(); ++i) {
+    const std::optional<double>& reached = state.reached[i];
+    debrief.rows.push_back({task.checkpoints[i].name,
+                            reached ? with_value("%.1f s", *reached) : "-",
+                            {},
+                            reached ? "" : "not reached"});
+  }
+  debrief.foot = has_start_page ? "R starts again, F10 goes back to the start page."
+                                : "R starts again; close the window to end.";
+  return debrief;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,54 @@
+#pragma once
+// One attempt, from opened files to closed ones.
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "drivers/registry.h"
+#include "engine/app/cli/run_options.h"
+#include "engine/app/run/program_faults.h"
+#include "engine/app/run/results.h"
+#include "engine/app/run/run_sink.h"
+#include "engine/app/run/trial_results.h"
+
+namespace fulcrum::app {
+
+// Who trains, and what they are compared with.
+struct Trainee {
+  Participation* participation = nullptr;         // null: nobody's results are kept
+  const session::TrialMetrics* expert = nullptr;  // null: nothing to compare with
+};
+
+class RunSession {
+public:
+  // All must outlive it. What is wrong is on stderr, and null is returned.
+  static std::unique_ptr<RunSession> begin(const Prepared& prepared, const RunOptions& options,
+                                           const Trainee& trainee);
+
+  World& world() { return world_; }
+  OpenDevice& device() { return device_; }
+  RunSink& sink() { return sink_; }
+  const ProgramFaults& faults() const { return faults_; }
+  const std::filesystem::path& folder() const { return folder_; }
+
+  // The program's exit code. plan: what was drawn with, if anything was. person: one may acknowledge a stop,
+  // or leave; then no fault ended the run.
+  int finish(const render::RenderPlan* plan, bool person);
+
+private:
+  RunSession(const Prepared& prepared, const RunOptions& options, const Trainee& trainee, OpenDevice device,
+             World world, OpenResults results, double limit);
+
+  const Prepared& prepared_;
+  const RunOptions& options_;
+  const Trainee& trainee_;
+  std::chrono::system_clock::time_point began_ = std::chrono::system_clock::now();
+  OpenDevice device_;
+  World world_;
+  std::filesystem::path folder_;
+  ProgramFaults faults_;
+  RunSink sink_;
+};
+
+}  // namespace fulcrum::app

@@ -1,0 +1,15 @@
+#pragma once
+// What the start page remembers: $XDG_CONFIG_HOME/fulcrum/start.json, or ~/.config/fulcrum/start.json.
+
+#include "engine/app/start/start_menu.h"
+
+namespace fulcrum::app {
+
+// What is not there, or is none, is as at the first start.
+StartChoice read_start_choice();
+// Where it was this participant who trained, nobody is remembered any more.
+void forget_start_participant(const std::string& participant);
+// False: it is not remembered, which hinders nothing.
+bool write_start_choice(const StartChoice& choice);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,104 @@
+#include "engine/session/score.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace fulcrum::session {
+namespace {
+
+TrialMetrics expert() {
+  TrialMetrics metrics;
+  metrics.time = 20;
+  metrics.completed = true;
+  metrics.checkpoints = metrics.checkpoints_reached = 4;
+  metrics.path = 0.5;
+  metrics.smoothness = -5;
+  metrics.force_95 = 1;
+  metrics.touches_on_the_way = 1;
+  return metrics;
+}
+
+double points(const Score& score, const std::string& name) {
+  const auto found = std::ranges::find(score.criteria, name, &Criterion::name);
+  EXPECT_NE(found, score.criteria.end()) << name;
+  return found == score.criteria.end() ? -1 : found->points.value_or(-1);
+}
+
+TEST(Score, IsFullForTheExpert) {
+  const TrialMetrics best = expert();
+  const Score all = score(best, &best);
+  ASSERT_TRUE(all.total);
+  EXPECT_DOUBLE_EQ(*all.total, 100);
+}
+
+TEST(Score, FallsEvenlyBetweenOneAndAHalfAndFourTimesTheExperts) {
+  const TrialMetrics best = expert();
+  TrialMetrics trial = best;
+  for (const auto& [ratio, expected] : {std::pair(1.5, 15.0), {2.75, 7.5}, {4.0, 0.0}, {9.0, 0.0}}) {
+    trial.time = ratio * best.time;
+    EXPECT_NEAR(points(score(trial, &best), "Time"), expected, 1e-9);
+    EXPECT_NEAR(*score(trial, &best).total, 100 * (100 + expected) / 115.0, 1e-9);
+  }
+}
+
+TEST(Score, OfWhatWasNotCompletedIsItsCheckpointsAlone) {
+  const TrialMetrics best = expert();
+  TrialMetrics trial = best;
+  trial.completed = false;
+  trial.checkpoints_reached = 1;
+  trial.time = 1;
+  const Score all = score(trial, &best);
+  EXPECT_EQ(points(all, "Checkpoints"), 10);
+  EXPECT_EQ(points(all, "Time"), 0);
+  EXPECT_NEAR(*all.total, 100 * 10 / 115.0, 1e-9);
+}
+
+TEST(Score, CostsThreePointsAHardTouch) {
+  const TrialMetrics best = expert();
+  TrialMetrics trial = best;
+  trial.hard_touches = 2;
+  EXPECT_EQ(points(score(trial, &best), "Hard touches"), 9);
+  trial.hard_touches = 50;
+  EXPECT_EQ(points(score(trial, &best), "Hard touches"), 0);
+  trial.hard_touches = 0;
+  trial.completed = false;
+  trial.checkpoints_reached = 0;
+  EXPECT_EQ(points(score(trial, &best), "Hard touches"), 0) << "who has done nothing has not done it gently";
+}
+
+TEST(Score, HasNoTotalWithoutAnExpertWhoCompletes) {
+  const TrialMetrics trial = expert();
+  EXPECT_FALSE(score(trial, nullptr).total);
+  TrialMetrics failed = expert();
+  failed.completed = false;
+  EXPECT_FALSE(score(trial, &failed).total);
+  EXPECT_EQ(points(score(trial, nullptr), "Checkpoints"), 40);
+}
+
+TEST(Score, DoesNotDivideByAnExpertWhoTouchesNothing) {
+  TrialMetrics best = expert(), trial = expert();
+  best.force_95 = 0;
+  best.touches_on_the_way = 0;
+  trial.force_95 = 0.05;
+  trial.touches_on_the_way = 0;
+  EXPECT_DOUBLE_EQ(*score(trial, &best).total, 100);
+  best.time = 0;
+  EXPECT_TRUE(score(trial, &best).total);
+}
+
+TEST(TrialMetrics, KeepTheirValuesUnderTheirNames) {
+  TrialMetrics metrics = expert();
+  metrics.hard_touches = 3;
+  metrics.hard_touch_time = 0.25;
+  metrics.depth_peak = 1.0 / 3;
+  const TrialMetrics again = from_named_values(named_values(metrics));
+  EXPECT_EQ(named_values(again), named_values(metrics));
+  EXPECT_EQ(named_values(metrics).size(), metric_names().size());
+  EXPECT_EQ(named_values(TrialMetrics()).size() + 2, metric_names().size())
+      << "no smoothness, no hard touches";
+  EXPECT_EQ(from_named_values({{"checkpoints", 1e300}, {"nonsense", 1}}).checkpoints, 0);
+}
+
+}  // namespace
+}  // namespace fulcrum::session
