@@ -54,7 +54,7 @@ ScreenArea screens_of(GLFWwindow* window) {
 }  // namespace
 
 std::string why_no_window() {
-  const std::string reason = start_glfw();
+  std::string reason = start_glfw();
   if (reason.empty()) glfwTerminate();
   return reason;
 }

@@ -46,8 +46,8 @@ protected:
     for (std::int64_t tick = 0; tick < 500; ++tick) {
       TickEvent event;
       event.record.tick = tick;
-      event.record.X_WT.p =
-          stick_->haptic.task.checkpoints[tick >= 100 && tick < 150 ? 0 : 3].position - stick_->haptic.task.touch_point;
+      event.record.X_WT.p = stick_->haptic.task.checkpoints[tick >= 100 && tick < 150 ? 0 : 3].position -
+                            stick_->haptic.task.touch_point;
       event.record.contact_F_T_W.force = Vec3(0, tick >= 300 ? 1 : 0, 0);
       sink_.take(event);
       review_.add(event.record, sink_.time());

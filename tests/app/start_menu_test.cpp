@@ -179,6 +179,7 @@ TEST(StartMenu, StandsWithoutAScenario) {
   EXPECT_EQ(menu.choice().scenario, "");
 }
 
+// NOLINTBEGIN(concurrency-mt-unsafe): no thread runs yet.
 TEST(StartSettings, AreReadBackAndNothingElseIsTaken) {
   std::string folder = "/tmp/fulcrum-start-XXXXXX";
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);
@@ -205,6 +206,8 @@ TEST(StartSettings, AreReadBackAndNothingElseIsTaken) {
   else
     ::setenv("XDG_CONFIG_HOME", kept.c_str(), 1);
 }
+
+// NOLINTEND(concurrency-mt-unsafe)
 
 TEST(KeptComplaints, AreKeptWhileSomebodyWantsThem) {
   complain("before");

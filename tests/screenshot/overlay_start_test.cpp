@@ -81,7 +81,8 @@ TEST_F(OverlayStartTest, WhatIsInFocusIsSurroundedWhereAPressFindsIt) {
       EXPECT_GT(here, box.right - box.left) << size.height << ": " << static_cast<int>(part) << " " << index;
       EXPECT_EQ(here, all) << "nothing else is surrounded";
     };
-    for (const std::size_t i : {0, 1, 7}) expect_surrounded(Part::scenario, i);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{7}})
+      expect_surrounded(Part::scenario, i);
     for (std::size_t i = 0; i < 3; ++i) expect_surrounded(Part::setting, i);
   }
 }

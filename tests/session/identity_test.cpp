@@ -14,6 +14,7 @@ TEST(Identity, TakesPseudonyms) {
   EXPECT_FALSE(refuse_pseudonym(std::string(64, 'x')));
 }
 
+// NOLINTBEGIN(misc-misleading-bidirectional): they are what is refused.
 TEST(Identity, RefusesWhatIsNotSeenOrIsAFormula) {
   for (const char* name : {"",
                            " ",
@@ -39,6 +40,8 @@ TEST(Identity, RefusesWhatIsNotSeenOrIsAFormula) {
   EXPECT_TRUE(refuse_pseudonym(std::string(65, 'x')));
   EXPECT_TRUE(refuse_pseudonym(std::string("a\0b", 3)));
 }
+
+// NOLINTEND(misc-misleading-bidirectional)
 
 TEST(Identity, NamesAreRandomUuids) {
   const std::regex form("[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}");

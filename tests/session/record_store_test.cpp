@@ -368,6 +368,7 @@ TEST_F(RecordStoreOfStandIn, SpeaksAsItsAddressSays) {
   EXPECT_EQ(kept(plain) + kept(encrypted), 0u);
 }
 
+// NOLINTBEGIN(concurrency-mt-unsafe): the stand-in's threads do not look at the environment.
 TEST_F(RecordStoreOfStandIn, IsNotReachedThroughProxiesThatSeeIt) {
   StandInRecordStore lrs, proxy;
   ASSERT_EQ(setenv("http_proxy", proxy.address().c_str(), 1), 0);
@@ -377,6 +378,8 @@ TEST_F(RecordStoreOfStandIn, IsNotReachedThroughProxiesThatSeeIt) {
   unsetenv("all_proxy");
   EXPECT_EQ(puts(proxy), 0);
 }
+
+// NOLINTEND(concurrency-mt-unsafe)
 
 TEST_F(RecordStoreOfStandIn, IsToldNothingInTheClear) {
   for (const char* const url :

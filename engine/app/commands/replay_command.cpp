@@ -75,8 +75,8 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
   outcome.summary.hand = tape->header.hand;
   outcome.summary.left_handed = prepared->scenario.left_handed;
   const Inventory list = inventory(*world, *prepared, nullptr);
-  const FinishedTrial trial{*prepared, sink, outcome.summary, results->folder,
-                            std::chrono::system_clock::now()};
+  const FinishedTrial trial{
+      *prepared, sink, sink.metrics(), outcome.summary, results->folder, std::chrono::system_clock::now()};
   const bool written = write_results(results->folder, outcome, list) && write_trial_page(trial, "");
   std::printf("%s\n", results->folder.string().c_str());
   if (!check.same()) {

@@ -154,9 +154,8 @@ int results_command(const ResultsOptions& options) {
                     !options.deletes.empty() || !options.push.url.empty();
   if (acts && (!options.filter.participant.empty() || !options.filter.scenario.empty())) {
     complain(
-        "--participant and --scenario choose what is listed, written by --csv or --page, or printed as JSON, "
-        "and "
-        "nothing else: leave them out here.");
+        "--participant and --scenario choose what is listed, written by --csv or --page, or printed as JSON; "
+        "leave them out here.");
     return kUsage;
   }
   if ((options.yes && options.deletes.empty()) ||
@@ -167,8 +166,8 @@ int results_command(const ResultsOptions& options) {
   if (options.push.url.empty() != options.push.credentials.empty()) {
     complain(
         "--push URL and --credentials FILE belong together: the file's first line is USER:PASSWORD, and "
-        "nobody else "
-        "may read it.");
+        "nobody "
+        "else may read it.");
     return kUsage;
   }
   const Result<std::filesystem::path> file = session::Store::default_file();

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostOfASummary = 1 << 22;
+constexpr int kMostRounds = 10;
 
 // The trace's hash, as the folder's summary has it; empty: it has none.
 std::string hash_in_summary(const fs::path& folder) {
@@ -100,8 +101,8 @@ bool erase_folder(const session::Trial& trial, std::size_t& files) {
 Result<Erased> erase_participant(session::Store& store, const std::string& participant) {
   using Removal = session::Store::Removal;
   Erased erased;
-  // Trials may end while this goes on.
-  for (;;) {
+  // Trials may end while this goes on: then all is looked at again.
+  for (int round = 0; round < kMostRounds; ++round) {
     const Result<std::vector<session::StoredTrial>> all = store.trials({});
     if (!all) return all.error();
     std::set<std::string> of_others;  // folders
@@ -122,6 +123,9 @@ Result<Erased> erase_participant(session::Store& store, const std::string& parti
     erased.still_read = *removed == Removal::still_read;
     return erased;
   }
+  complain("trial after trial of " + participant + " ended meanwhile: end the programs in which they train.");
+  erased.whole = false;
+  return erased;
 }
 
 }  // namespace fulcrum::app

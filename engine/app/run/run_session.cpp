@@ -93,8 +93,8 @@ int RunSession::finish(const render::RenderPlan* plan, bool person) {
   bool written =
       write_results(folder_, outcome, inventory(world_, prepared_, plan, options_.circle, options_.device)) &&
       outcome.recorded;
-  const FinishedTrial trial{prepared_, sink_,           outcome.summary, folder_,
-                            began_,    trainee_.expert, outcome.recorded};
+  const FinishedTrial trial{prepared_, sink_,  sink_.metrics(), outcome.summary,
+                            folder_,   began_, trainee_.expert, outcome.recorded};
   // The row first: a page that names somebody is one that a deletion finds.
   const bool kept = trainee_.participation != nullptr && keep_trial(trial, *trainee_.participation);
   if (trainee_.participation != nullptr && !kept) written = false;

@@ -57,7 +57,7 @@ session::Trial trial_of(const FinishedTrial& of) {
   trial.hand = summary.hand;
   trial.left_handed = summary.left_handed;
   trial.seed = summary.seed;
-  trial.metrics = of.sink.metrics();
+  trial.metrics = of.metrics;
   const double half_tick = 0.5 * summary.tick_s;
   const bool ended =
       trial.metrics.completed || trial.metrics.time + half_tick >= of.prepared.scenario.time_limit;
@@ -85,7 +85,7 @@ Result<Participation> Participation::begin(const std::string& pseudonym) {
 }
 
 session::Score score_of(const FinishedTrial& trial) {
-  return session::score(trial.sink.metrics(), trial.expert);
+  return session::score(trial.metrics, trial.expert);
 }
 
 bool write_trial_page(const FinishedTrial& of, const std::string& participant) {

@@ -25,6 +25,7 @@ struct Participation {
 struct FinishedTrial {
   const Prepared& prepared;
   const RunSink& sink;
+  session::TrialMetrics metrics;   // of the sink
   const record::Summary& summary;  // with device and hand
   std::filesystem::path folder;
   std::chrono::system_clock::time_point began;

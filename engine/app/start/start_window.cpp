@@ -60,7 +60,8 @@ std::vector<StartDevice> devices() {
     if (held) all.push_back({listed.name, listed.name});
   }
   const std::string best = best_device("").name;
-  std::ranges::stable_partition(all, [&](const StartDevice& device) { return device.name == best; });
+  std::stable_partition(all.begin(), all.end(),
+                        [&](const StartDevice& device) { return device.name == best; });
   all.push_back({kShown, "none: the expert shows it"});
   return all;
 }

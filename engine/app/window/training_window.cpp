@@ -77,11 +77,9 @@ Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(WindowStage& stag
   return self;
 }
 
-TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink,
-                                          const ProgramFaults& faults) {
-  LiveLoop loop(world, *device.device);
-  loop_ = &loop;
+void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink& sink) {
   scene_ = &world.desc();
+  sink_ = &sink;
   mouse_ = device.mouse;
   rate_ = device.rate;
   keys_ = device.keys.get();
@@ -90,7 +88,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   go_buttons_ = device.go_buttons;
   buttons_ = 0;
   leave_.reset();
-  slides_ = false;
+  slides_ = scrubs_ = false;
   button_ = -1;  // a release while no window listened is not told
   shown_ = {};
   cues_ = CueSwitches(*scene_);
@@ -99,10 +97,12 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   late_ = lost_ = 0;
   trouble_ = TickTrouble(scene_->tick_s);
   resting_ = false;
-  sink_ = &sink;
   review_ = Review(scene_->tick_s);
-  scrubs_ = false;
+  debrief_.reset();
   tool_mouse_.reset(scene_->tool.X_WT_start * scene_->tool.X_HT.inverse());
+}
+
+void TrainingWindow::listen() {
   ui::WindowEvents events;
   events.key = [this](int key, int action, int modifiers) {
     shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
@@ -119,7 +119,14 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   events.cursor = [this](double x, double y) { on_cursor(x, y); };
   events.scroll = [this](double, double steps) { on_scroll(steps); };
   stage_.window().set_events(std::move(events));
+}
 
+TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink,
+                                          const ProgramFaults& faults) {
+  LiveLoop loop(world, *device.device);
+  loop_ = &loop;
+  begin(world, device, sink);
+  listen();
   draw(sink, loop);  // the first frame takes long, and its picture is where all begins: before the clock runs
   loop.start();
   while (!stage_.window().closing() && !leave_ && !interrupted() && error_.empty()) {
@@ -135,6 +142,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
     sink.flush_if_due();
     if (faults.gpu_lost()) stage_.gpu().lose();
     if (sink.end() != RunSink::End::running) {
+      if (!debrief_) debrief_ = debrief(prepared_, sink, expert_, has_start_page_);
       come_to_rest(loop);
     } else {
       late_ = loop.late_ticks();
@@ -152,9 +160,8 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   stage_.window().set_events({});
   if (stage_.window().lost())
     complain(
-        "the window is gone, for its X server ended or another program closed it: the run ends here, and "
-        "what "
-        "it recorded is kept.");
+        "the window is gone, for its X server ended or another program closed it: the run ends here, "
+        "and what it recorded is kept.");
   else if (!error_.empty())
     complain(error_);
   report_grant(loop);
@@ -340,7 +347,7 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   if (state.trial) state.trial->limit_s = sink.limit();
   if (sink.end() != RunSink::End::running) {
     state.timeline = review_.timeline(sink);
-    if (!review_.is_shown()) state.debrief = debrief(prepared_, sink, expert_, has_start_page_);
+    if (!review_.is_shown()) state.debrief = debrief_;
   } else if (guides_)
     state.target = target_view(camera_.camera(), size, record, prepared_.haptic.task, sink.task());
   state.figures_visible = figures_visible_;

@@ -45,6 +45,9 @@ private:
   TrainingWindow(WindowStage& stage, const Prepared& prepared, const scenario::VisualAssembly& visual,
                  const session::TrialMetrics* expert, bool has_start_page);
 
+  // All that belonged to the attempt before is gone.
+  void begin(const World& world, OpenDevice& device, const RunSink& sink);
+  void listen();  // to the window's events
   void on_key(int key, int action);
   // Of the device, that are down.
   void on_buttons(std::uint32_t down);
@@ -95,8 +98,9 @@ private:
   TickTrouble trouble_;
   bool resting_ = false;
   const RunSink* sink_ = nullptr;
-  Review review_{1};     // of the attempt that runs, to be looked back at
-  bool scrubs_ = false;  // the left button holds the timeline
+  Review review_{1};                    // of the attempt that runs, to be looked back at
+  std::optional<ui::Debrief> debrief_;  // once the trial has ended
+  bool scrubs_ = false;                 // the left button holds the timeline
 
   int button_ = -1;      // that is down, or -1
   bool slides_ = false;  // it holds the slider of the holding point
