@@ -1,46 +1,21 @@
 #include "engine/app/window/training_window.h"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
-#include "engine/app/picture/holding_controls.h"
 #include "engine/app/picture/target_view.h"
 #include "engine/app/run/debrief.h"
 #include "engine/app/run/headless_run.h"
 #include "engine/app/window/key_help.h"
 #include "engine/record/percentiles.h"
-#include "engine/ui/cue_panel.h"
-#include "engine/ui/holding_panel.h"
 
 namespace fulcrum::app {
 namespace {
 
 constexpr std::size_t kCostWindow = 1000;  // ticks that the shown percentiles are of
 constexpr double kAboutShown = 20;         // s of the trial, at the most
-
-// What a key asks of the panel of the holding point.
-std::optional<HoldingKey> holding_key(int key) {
-  switch (key) {
-    case GLFW_KEY_LEFT_BRACKET:
-      return HoldingKey::nearer;
-    case GLFW_KEY_RIGHT_BRACKET:
-      return HoldingKey::farther;
-    case GLFW_KEY_MINUS:
-      return HoldingKey::softer;
-    case GLFW_KEY_EQUAL:
-      return HoldingKey::stiffer;
-    case GLFW_KEY_N:
-      return HoldingKey::method;
-    case GLFW_KEY_H:
-      return HoldingKey::measured;
-    default:
-      return std::nullopt;
-  }
-}
 
 // m: what the trainee has to hit most exactly; where there is no task, a twentieth of the tool.
 double finest_detail(const Prepared& prepared) {
@@ -102,25 +77,6 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   tool_mouse_.reset(scene_->tool.X_WT_start * scene_->tool.X_HT.inverse());
 }
 
-void TrainingWindow::listen() {
-  ui::WindowEvents events;
-  events.key = [this](int key, int action, int modifiers) {
-    shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
-    control_ = (modifiers & GLFW_MOD_CONTROL) != 0;
-    on_key(key, action);
-  };
-  events.button = [this](int button, int action, int modifiers) {
-    shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
-    button_ = action == GLFW_PRESS ? button : -1;
-    slides_ = scrubs_ = false;
-    if (button_ == GLFW_MOUSE_BUTTON_LEFT) on_press();
-    stage_.window().hold_pointer(button_ >= 0);
-  };
-  events.cursor = [this](double x, double y) { on_cursor(x, y); };
-  events.scroll = [this](double, double steps) { on_scroll(steps); };
-  stage_.window().set_events(std::move(events));
-}
-
 TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink,
                                           const ProgramFaults& faults) {
   LiveLoop loop(world, *device.device);
@@ -166,154 +122,6 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
     complain(error_);
   report_grant(loop);
   return leave_.value_or(Leave::closed);
-}
-
-void TrainingWindow::on_buttons(std::uint32_t down) {
-  const std::uint32_t pressed = down & ~std::exchange(buttons_, down);
-  if ((pressed & stop_buttons_) != 0) loop_->send({Command::Kind::stop});
-  if ((pressed & go_buttons_) != 0) loop_->send({Command::Kind::acknowledge});
-}
-
-void TrainingWindow::on_press() {
-  scrub(false);
-  if (scrubs_) return;
-  const std::optional<Command> pressed = cues_.press(shown_, stage_.window().pixels(), cursor_x_, cursor_y_);
-  send(pressed);
-  const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
-  const auto held = ui::pressed_holding(shown_, at.width, at.x, at.y);
-  if (held) send(holding_commands(*shown_.holding, *held));
-  slides_ = held && held->part == ui::HoldingPress::Part::place;
-  if (pressed || held) button_ = -1;  // a press on a panel drags nothing in the scene
-}
-
-bool TrainingWindow::look_back(int key) {
-  if (!resting_) return false;
-  const auto pressed = [&]() -> std::optional<Review::Key> {
-    switch (key) {
-      case GLFW_KEY_LEFT:
-        return Review::Key::back;
-      case GLFW_KEY_RIGHT:
-        return Review::Key::on;
-      case GLFW_KEY_PAGE_UP:
-        return Review::Key::before;
-      case GLFW_KEY_PAGE_DOWN:
-        return Review::Key::after;
-      case GLFW_KEY_SPACE:
-        return Review::Key::card;
-      default:
-        return std::nullopt;
-    }
-  }();
-  if (pressed) review_.press(*pressed, *sink_, shift_);
-  return pressed.has_value();
-}
-
-void TrainingWindow::scrub(bool dragged) {
-  const auto time =
-      ui::timeline_time(shown_, stage_.window().pixels(), cursor_x_, cursor_y_, dragged && scrubs_);
-  scrubs_ = time.has_value();
-  if (time) review_.go_to(*time, *sink_);
-}
-
-void TrainingWindow::on_key(int key, int action) {
-  // A modifier's own event comes with the state before it.
-  if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) shift_ = action != GLFW_RELEASE;
-  if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) control_ = action != GLFW_RELEASE;
-  if (keys_ != nullptr) {
-    const bool moves = tool_keys_.note(key, action);
-    keys_->push(tool_keys_.axes(shift_));
-    if (moves) return;
-  }
-  if (action != GLFW_RELEASE && look_back(key)) return;
-  if (action != GLFW_PRESS) return;
-  switch (key) {
-    case GLFW_KEY_ESCAPE:
-      loop_->send({Command::Kind::stop});
-      break;
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      loop_->send({Command::Kind::acknowledge});
-      break;
-    case GLFW_KEY_R:
-      leave_ = Leave::restart;
-      break;
-    case GLFW_KEY_F10:
-      if (has_start_page_) leave_ = Leave::start_page;
-      break;
-    case GLFW_KEY_C:
-      circle_shown_ = !circle_shown_;
-      break;
-    case GLFW_KEY_F1:
-      keys_visible_ = !keys_visible_;
-      break;
-    case GLFW_KEY_F2:
-      guides_ = !guides_;
-      break;
-    case GLFW_KEY_F3:
-      figures_visible_ = !figures_visible_;
-      break;
-    case GLFW_KEY_HOME:
-      camera_.reset();
-      break;
-    default:
-      if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z)
-        send(cues_.toggle(static_cast<char>('A' + (key - GLFW_KEY_A)), shown_));
-      if (const auto holding = holding_key(key); holding && shown_.holding)
-        send(holding_commands(*shown_.holding, *holding));
-      if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
-        const auto view = static_cast<std::size_t>(key - GLFW_KEY_1);
-        if (view < visual_.views.size()) {
-          camera_ = render::OrbitCamera(visual_.views[view].camera);
-          view_ = view;
-        }
-      }
-  }
-}
-
-void TrainingWindow::send(const std::optional<Command>& command) {
-  if (command) loop_->send(*command);
-}
-
-void TrainingWindow::send(const std::vector<Command>& commands) {
-  for (const Command& command : commands) loop_->send(command);
-}
-
-void TrainingWindow::on_cursor(double x, double y) {
-  const double dx = x - std::exchange(cursor_x_, x), dy = y - std::exchange(cursor_y_, y);
-  if (slides_ && shown_.holding) {
-    const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
-    send(holding_commands(*shown_.holding,
-                          {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at.width, at.x)}));
-  }
-  if (scrubs_) scrub(true);
-  if (button_ < 0 || scrubs_) return;
-  const bool moves_tool = mouse_ != nullptr && button_ != GLFW_MOUSE_BUTTON_MIDDLE && !resting_;
-  if (moves_tool && tool_rests()) return;
-  if (moves_tool) {
-    const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
-    if (button_ == GLFW_MOUSE_BUTTON_LEFT)
-      tool_mouse_.slide(view, dx, dy);
-    else if (shift_)
-      tool_mouse_.roll(view, dx);
-    else
-      tool_mouse_.turn(view, dx, dy);
-    mouse_->aim(tool_mouse_.X_WH());
-  } else if (shift_) {
-    camera_.pan(static_cast<float>(dx), static_cast<float>(dy));
-  } else {
-    camera_.orbit(static_cast<float>(dx), static_cast<float>(dy));
-  }
-}
-
-void TrainingWindow::on_scroll(double steps) {
-  if (control_ || mouse_ == nullptr || resting_) {
-    camera_.zoom(static_cast<float>(steps));
-    return;
-  }
-  if (tool_rests()) return;
-  const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
-  tool_mouse_.reach(view, steps, shift_ ? input::Step::fine : input::Step::whole);
-  mouse_->aim(tool_mouse_.X_WH());
 }
 
 void TrainingWindow::come_to_rest(LiveLoop& loop) {
