@@ -96,6 +96,7 @@ std::string summary_json(const Summary& summary) {
     document["hard_touch_s"] = summary.hard_touches->time_s;
   }
   if (summary.left_handed) document["left_handed"] = true;
+  if (summary.frames_per_s) document["frames_per_s"] = *summary.frames_per_s;
   if (summary.sound_latency)
     document["sound_latency_ms"] = {{"mean", summary.sound_latency->mean_ms},
                                     {"max", summary.sound_latency->max_ms}};

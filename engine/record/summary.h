@@ -50,6 +50,7 @@ struct Summary {
   std::optional<std::string> max_penetration_part;  // of the scene, at the deepest point
   std::optional<TickCpu> tick_cpu_us;
   std::optional<SoundLatency> sound_latency;  // absent where no sound card played
+  std::optional<double> frames_per_s;         // that the window drew; absent without one
   std::int64_t late_ticks = 0;
   std::int64_t lost_ticks = 0;
   std::vector<FaultCount> faults;

@@ -37,6 +37,7 @@ std::vector<Fact> facts_of(const OverlayState& state) {
                                             : "-"},
       {"Late ticks", std::to_string(ticks.late), ticks.late > 0 ? theme::kWarn : theme::kText},
       {"Lost ticks", std::to_string(ticks.lost), ticks.lost > 0 ? theme::kBad : theme::kText},
+      {"Frames", ticks.frames_per_s > 0 ? format("%.0f /s", ticks.frames_per_s) : "-"},
   };
 }
 

@@ -47,6 +47,7 @@ struct Debrief {
 // How the haptic thread is doing.
 struct TickHealth {
   double rate_Hz = 0.0;
+  double frames_per_s = 0.0;  // of the picture; 0: not known yet
   std::uint64_t late = 0;
   std::uint64_t lost = 0;
   double cpu_p50_us = 0.0;

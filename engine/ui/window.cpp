@@ -192,6 +192,10 @@ void Window::poll() {
   wrap_pointer();
 }
 
+void Window::hide() {
+  ask_display([&] { glfwHideWindow(window_); });
+}
+
 bool Window::closing() const {
   return lost() || glfwWindowShouldClose(window_) == GLFW_TRUE;
 }

@@ -61,6 +61,7 @@ public:
   // What is down on the gamepads that are there, as poll() found them.
   MenuButtons menu_buttons() const;
 
+  void hide();
   bool closing() const;           // its close button was pressed, or it is lost
   bool lost() const;              // it went without being closed, see window_loss.h
   render::Extent pixels() const;  // of what is drawn; zero while minimised

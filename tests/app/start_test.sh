@@ -71,6 +71,28 @@ click 580 666 # End
 wait_for_end
 [ "$code" = 0 ] || fail "it ended with $code: $(cat "$work/said")"
 
+# --- a scenario that is still to be baked: Esc goes back to the start page, and nothing was run
+sed -i 's/"scenario": "[a-z]*"/"scenario": "teeth"/' "$work/config/fulcrum/start.json"
+teeth=$(place teeth)
+kept_cache=${XDG_CACHE_HOME-}
+export XDG_CACHE_HOME=$work/cold
+start_fulcrum
+until_seen scenario_focused "$teeth" || fail "the scenario that was chosen is not in focus"
+key Return
+baking() { # the bar's colour in the middle of the window
+  import -window "$window" "$work/card.png"
+  [ "$(convert "$work/card.png" -crop 500x20+390+375 +repage -fuzz 8% -fill black +opaque 'rgb(84,164,255)' -format '%[fx:maxima > 0.3]' info:)" = 1 ]
+}
+until_seen baking || fail "no card shows how far the bake is"
+key Escape
+until_seen scenario_focused "$teeth" || fail "Esc does not end the bake"
+[ -z "$(newest teeth)" ] || fail "what was cancelled was run"
+[ -z "$(find "$work/cold" -name '*.part' 2>/dev/null)" ] || fail "a half-baked file was left"
+key Escape
+wait_for_end
+export XDG_CACHE_HOME=$kept_cache
+sed -i 's/"scenario": "teeth"/"scenario": "stick"/' "$work/config/fulcrum/start.json"
+
 # --- what was chosen is remembered, and Esc ends
 grep -q '"scenario": "stick"' "$work/config/fulcrum/start.json" || fail "the scenario is not remembered"
 start_fulcrum

@@ -78,11 +78,12 @@ RunSession::RunSession(const Prepared& prepared, const RunOptions& options, cons
   if (!options.faults.empty() || pushes_back(options.device)) sink_.watch_handle();
 }
 
-int RunSession::finish(const render::RenderPlan* plan, bool person) {
+int RunSession::finish(const render::RenderPlan* plan, bool person, std::optional<double> frames_per_s) {
   RunSink::Outcome outcome = sink_.finish();
   outcome.summary.device = device_in_results(prepared_, options_.device);
   outcome.summary.left_handed = prepared_.scenario.left_handed;
   outcome.summary.hand = is_simulated(options_.device) ? options_.hand : "";
+  outcome.summary.frames_per_s = frames_per_s;
   if (device_.sound != nullptr) {
     const sound::FeedCounts counts = device_.sound->counts();
     std::fprintf(stderr, "%s\n", sound::sound_text(counts).c_str());

@@ -33,8 +33,8 @@ public:
   const std::filesystem::path& folder() const { return folder_; }
 
   // The program's exit code. plan: what was drawn with, if anything was. person: one may acknowledge a stop,
-  // or leave; then no fault ended the run.
-  int finish(const render::RenderPlan* plan, bool person);
+  // or leave; then no fault ended the run. frames_per_s: that a window drew.
+  int finish(const render::RenderPlan* plan, bool person, std::optional<double> frames_per_s = {});
 
 private:
   RunSession(const Prepared& prepared, const RunOptions& options, const Trainee& trainee, OpenDevice device,

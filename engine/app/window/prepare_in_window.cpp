@@ -1,5 +1,7 @@
 #include "engine/app/window/prepare_in_window.h"
 
+#include <GLFW/glfw3.h>
+
 #include <chrono>
 #include <future>
 #include <mutex>
@@ -20,19 +22,20 @@ struct Closed {};
 // What the thread that prepares says and the window's shows, and the other way about.
 class Progress {
 public:
-  explicit Progress(const std::string& title) : shown_{title, "Reading the models", 0, ""} {}
+  explicit Progress(const std::string& title) : shown_{title, "Reading the models", 0, "Esc: cancel"} {}
 
   void tell(std::string_view what, double fraction) {
     const std::lock_guard lock(mutex_);
     if (closed_) throw Closed();
     shown_.what = what;
     shown_.fraction = fraction;
-    shown_.note = "Once only: the next start finds it in the cache.";
+    shown_.note = "Once only: the next start finds it in the cache. Esc: cancel";
   }
   void close() {
     const std::lock_guard lock(mutex_);
     closed_ = true;
-    shown_.what = "Closing";
+    shown_.what = "Ending";
+    shown_.note.clear();
   }
   ui::Busy shown() const {
     const std::lock_guard lock(mutex_);
@@ -66,18 +69,29 @@ PreparedInWindow prepare_in_window(WindowStage& stage, const std::string& name, 
     }
     return ready;
   });
+  ui::WindowEvents events;
+  bool cancelled = false;
+  events.key = [&](int key, int action, int) {
+    if (key != GLFW_KEY_ESCAPE || action != GLFW_PRESS) return;
+    cancelled = true;
+    progress.close();
+  };
+  stage.window().set_events(std::move(events));
   bool closed = false;
   // Now and then is often enough: the processor has other things to do.
-  while (preparing.wait_for(100ms) != std::future_status::ready) {
+  while (!closed && preparing.wait_for(100ms) != std::future_status::ready) {
     const Result<bool> open = stage.show(progress.shown());
     if (!open) complain(open.error().sentence);
-    if (open && *open && !interrupted()) continue;
-    closed = true;
+    closed = !open || !*open || interrupted();
+  }
+  stage.window().set_events({});
+  if (closed) {
     progress.close();
-    break;
+    stage.window().hide();  // what is under way ends at its next report, which may take seconds
   }
   PreparedInWindow ready = preparing.get();
   ready.closed = closed;
+  ready.cancelled = cancelled && !closed;
   return ready;
 }
 

@@ -14,6 +14,7 @@ struct PreparedInWindow {
   std::optional<Prepared> prepared;             // none: what is wrong is on stderr, or the window was closed
   std::optional<session::TrialMetrics> expert;  // none: the scenario has none to compare with
   bool closed = false;
+  bool cancelled = false;  // by Esc
 };
 
 PreparedInWindow prepare_in_window(WindowStage& stage, const std::string& name, scenario::Scenario scenario);

@@ -20,6 +20,10 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
     complain("the window was closed before the scenario was ready: nothing was run.");
     return {kNotCompleted, Leave::closed};
   }
+  if (ready.cancelled) {
+    complain("cancelled before the scenario was ready: nothing was run.");
+    return {kNotCompleted, Leave::start_page};
+  }
   if (!ready.prepared) return {kError, Leave::start_page};
   const Prepared& prepared = *ready.prepared;
   for (const std::string& note : prepared.haptic.repaired) complain(note);
@@ -46,7 +50,7 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
         (*window)->run(attempt->world(), attempt->device(), attempt->sink(), attempt->faults());
     const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
     if (!picture) complain("there is no picture: " + picture.error().sentence);
-    const int code = attempt->finish(&(*window)->plan(), true);
+    const int code = attempt->finish(&(*window)->plan(), true, (*window)->frames_per_s());
     if (leave == Leave::restart) continue;
     for (const std::string& message : stage.validation_messages()) complain(message);
     return {stage.validation_messages().empty() ? code : static_cast<int>(kError), leave};

@@ -1,6 +1,7 @@
 #include "engine/app/window/training_window.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "engine/app/cli/interrupt.h"
@@ -71,6 +72,7 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   cpu_at_ = 0;
   late_ = lost_ = 0;
   trouble_ = TickTrouble(scene_->tick_s);
+  frame_rate_ = {};
   resting_ = false;
   review_ = Review(scene_->tick_s);
   debrief_.reset();
@@ -177,6 +179,7 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
 
 ui::TickHealth TrainingWindow::tick_health() const {
   ui::TickHealth ticks{.rate_Hz = 1.0 / scene_->tick_s,
+                       .frames_per_s = frame_rate_.of_late(),
                        .late = late_,
                        .lost = lost_,
                        .trouble = trouble_.is_there() && !resting_};
@@ -230,6 +233,9 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
     error_ = drawn.error().sentence;
     return;
   }
+  if (*drawn && running)
+    frame_rate_.note(
+        std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count());
   if (*drawn && quality_.add(stage_.renderer().last_frame_s())) {
     if (const auto error = stage_.renderer().set_quality(quality_.quality())) error_ = error->sentence;
   }

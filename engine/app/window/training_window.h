@@ -12,6 +12,7 @@
 #include "engine/app/picture/bridge.h"
 #include "engine/app/run/run_sink.h"
 #include "engine/app/window/cue_switches.h"
+#include "engine/app/window/frame_rate.h"
 #include "engine/app/window/review.h"
 #include "engine/app/window/tick_trouble.h"
 #include "engine/app/window/tool_keys.h"
@@ -40,6 +41,7 @@ public:
   Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 
   const render::RenderPlan& plan() const { return stage_.renderer().plan(); }
+  double frames_per_s() const { return frame_rate_.mean(); }  // of the attempt, until it ended
 
 private:
   TrainingWindow(WindowStage& stage, const Prepared& prepared, const scenario::VisualAssembly& visual,
@@ -96,6 +98,7 @@ private:
   std::size_t cpu_at_ = 0;
   std::uint64_t late_ = 0, lost_ = 0;  // ticks
   TickTrouble trouble_;
+  FrameRate frame_rate_;
   bool resting_ = false;
   const RunSink* sink_ = nullptr;
   Review review_{1};                    // of the attempt that runs, to be looked back at
