@@ -28,6 +28,7 @@ struct Driver {
   const hid::HidFamily* family = nullptr;          // of a HID device
   std::span<const hid::HidId> (*usb)() = nullptr;  // of one that speaks USB without HID
   std::uint32_t stop_buttons = 0, go_buttons = 0;
+  DeviceWords words{};
   bool in_hand = false;     // a person holds it
   bool table = false;       // content/devices has its figures
   bool vibrates = false;    // beside another device, too

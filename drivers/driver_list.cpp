@@ -6,6 +6,7 @@
 #include "drivers/dualsense/dualsense_protocol.h"
 #include "drivers/dualshock4/dualshock4_protocol.h"
 #include "drivers/falcon/falcon_bus.h"
+#include "drivers/gamepad/find_gamepads.h"
 #include "drivers/inverse3/inverse3_bus.h"
 #include "drivers/joycon/joycon_pair.h"
 #include "drivers/joycon/joycon_protocol.h"
@@ -17,6 +18,7 @@
 #include "drivers/spacemouse/spacemouse_protocol.h"
 #include "drivers/strip/strip_bus.h"
 #include "drivers/touch/touch_bus.h"
+#include "haptics/device/hand.h"
 
 namespace fulcrum {
 namespace {
@@ -109,6 +111,17 @@ Result<OpenDevice> open_keyboard(const std::string& /*argument*/, const DeviceOr
   return opened;
 }
 
+std::string why_no_gamepad_here(const std::string& no_window_reason) {
+  return no_window_reason.empty() ? why_no_gamepad() : no_window_reason;
+}
+
+Result<OpenDevice> open_gamepad(const std::string& /*argument*/, const DeviceOrder& order) {
+  auto gamepad = std::make_shared<GamepadAxes>();
+  OpenDevice opened = by_axes(gamepad, order);
+  opened.gamepad = std::move(gamepad);
+  return opened;
+}
+
 std::string why_no_omega(const std::string& /*no_window_reason*/) {
   return dhd::why_no_omega();
 }
@@ -136,18 +149,42 @@ std::string why_no_coils(const std::string& /*no_window_reason*/) {
   return sound::why_no_sound(sound::dualsense_coils());
 }
 
+constexpr DeviceWords kOfGrip{.move = "move the grip", .turn = "turn the grip"};
+constexpr DeviceWords kOfFixedGrip{.move = "move the grip", .turn = "this device cannot turn it"};
+constexpr DeviceWords kOfCap{.move = "push the cap", .turn = "turn the cap", .finely = "push it gently"};
+constexpr DeviceWords kOfSonyPad{.move = "left stick, and R2 and L2 away and nearer",
+                                 .turn = "right stick, and L1 and R1 roll",
+                                 .finely = "push a stick a little",
+                                 .stop = "press Share",
+                                 .go_on = "press Options"};
+constexpr DeviceWords kOfNintendoPad{.move = "left stick, and ZR and ZL away and nearer",
+                                     .turn = "right stick, and L and R roll",
+                                     .finely = "push a stick a little",
+                                     .stop = "press minus",
+                                     .go_on = "press plus"};
+constexpr DeviceWords kOfMouse{.move = "drag with the left button, and the wheel goes away and nearer",
+                               .turn = "drag with the right button, and with Shift it rolls",
+                               .finely = "with Shift the wheel goes in small steps"};
+constexpr DeviceWords kOfKeys{.move = "arrows, Page Up and Page Down",
+                              .turn = "keys W, S, A, D, Q and E",
+                              .finely = "with Shift it goes slowly"};
+
 constexpr Driver kDrivers[] = {
     {.name = "simulated",
      .shown = "simulated",
      .what = "a 6/3-DOF device in a simulated hand, for runs without a person",
      .why_not = &always,
      .open = &open_simulated,
+     .stop_buttons = kHandStopButton,
+     .go_buttons = kHandGoButton,
      .simulated = true},
     {.name = "simulated",
      .shown = "simulated:MODEL",
      .what = "the same with the figures of another device: content/devices/MODEL.yaml",
      .why_not = &always,
      .open = &open_simulated,
+     .stop_buttons = kHandStopButton,
+     .go_buttons = kHandGoButton,
      .simulated = true},
     {.name = "replay",
      .shown = "replay:FILE",
@@ -185,6 +222,7 @@ constexpr Driver kDrivers[] = {
      .why_not = &why_no_falcon,
      .open = &open_own_force<falcon::FalconBus>,
      .usb = &falcon::usb_ids,
+     .words = kOfFixedGrip,
      .in_hand = true,
      .table = true,
      .motors = true},
@@ -194,6 +232,7 @@ constexpr Driver kDrivers[] = {
              "service",
      .why_not = &why_no_inverse3,
      .open = &open_own_force<inverse3::Inverse3Bus>,
+     .words = kOfGrip,
      .in_hand = true,
      .table = true,
      .motors = true,
@@ -205,6 +244,7 @@ constexpr Driver kDrivers[] = {
      .open = &open_axes<&hid_axes<kSpaceMouse>>,
      .axes = &hid_axes<kSpaceMouse>,
      .family = &kSpaceMouse,
+     .words = kOfCap,
      .in_hand = true,
      .table = true},
     {.name = "dualsense",
@@ -216,6 +256,7 @@ constexpr Driver kDrivers[] = {
      .family = &kDualSense,
      .stop_buttons = sony::kShare,
      .go_buttons = sony::kOptions,
+     .words = kOfSonyPad,
      .in_hand = true,
      .table = true,
      .vibrates = true},
@@ -228,6 +269,7 @@ constexpr Driver kDrivers[] = {
      .family = &kDualShock4,
      .stop_buttons = sony::kShare,
      .go_buttons = sony::kOptions,
+     .words = kOfSonyPad,
      .in_hand = true,
      .table = true,
      .vibrates = true},
@@ -240,6 +282,7 @@ constexpr Driver kDrivers[] = {
      .family = &kJoyConPair,
      .stop_buttons = joycon::kMinus,
      .go_buttons = joycon::kPlus,
+     .words = kOfNintendoPad,
      .in_hand = true,
      .table = true,
      .vibrates = true},
@@ -252,9 +295,17 @@ constexpr Driver kDrivers[] = {
      .family = &kJoyCon<joycon::Side::both>,
      .stop_buttons = joycon::kMinus,
      .go_buttons = joycon::kPlus,
+     .words = kOfNintendoPad,
      .in_hand = true,
      .table = true,
      .vibrates = true},
+    {.name = "gamepad",
+     .shown = "gamepad",
+     .what = "an Xbox pad or one built like it: six axes by its sticks and triggers, in a window; no force",
+     .why_not = &why_no_gamepad_here,
+     .open = &open_gamepad,
+     .in_hand = true,
+     .table = true},
     {.name = "strip",
      .shown = "strip",
      .what = "a strip that knows where a stick is held, beside another device: polhem+strip",
@@ -268,12 +319,14 @@ constexpr Driver kDrivers[] = {
      .what = "six axes by dragging, in a window; no force",
      .why_not = &in_window,
      .open = &open_mouse,
+     .words = kOfMouse,
      .in_hand = true},
     {.name = "keyboard",
      .shown = "keyboard",
      .what = "six axes by keys, in a window; no force",
      .why_not = &in_window,
      .open = &open_keyboard,
+     .words = kOfKeys,
      .in_hand = true,
      .table = true},
     {.name = "audio",

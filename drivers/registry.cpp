@@ -148,6 +148,12 @@ bool moves_as_seen(const std::string& name) {
   return driver != nullptr && driver->in_hand && !driver->motors;
 }
 
+DeviceWords device_words(const std::string& name) {
+  const std::string moves = name.substr(0, name.find('+'));
+  const Driver* const driver = driver_of(moves.substr(0, moves.find(':')));
+  return driver != nullptr ? driver->words : DeviceWords();
+}
+
 bool senses_beside(const std::string& name) {
   const Result<DeviceName> parts = read_device_name(name);
   return parts && !parts->beside.empty() && driver_of(parts->beside)->senses;

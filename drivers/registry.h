@@ -10,8 +10,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "drivers/gamepad/gamepad_axes.h"
 #include "drivers/keyboard/key_axes.h"
 #include "drivers/mouse/mouse_device.h"
 #include "drivers/rate/rate_device.h"
@@ -67,6 +69,17 @@ bool moves_as_seen(const std::string& name);
 // Beside the device, something senses where its handle is held.
 bool senses_beside(const std::string& name);
 
+// How a device's person does what a scenario speaks of, as clauses: "push the cap".
+struct DeviceWords {
+  std::string_view move = "move the handle";
+  std::string_view turn = "turn the handle";
+  std::string_view finely = "move it slowly";
+  std::string_view stop = "press Esc";
+  std::string_view go_on = "press Enter";
+};
+// Of the device that the hand moves; those of a handle where there is no such device.
+DeviceWords device_words(const std::string& name);
+
 // The device has motors of its own, and a person holds it.
 bool pushes_back(const std::string& name);
 
@@ -104,6 +117,7 @@ struct OpenDevice {
   MouseDevice* mouse = nullptr;
   RateDevice* rate = nullptr;
   std::shared_ptr<KeyAxes> keys{};
+  std::shared_ptr<GamepadAxes> gamepad{};
   const sound::SoundLink* sound = nullptr;
   // Of DeviceSample::buttons: those that ask for what Esc and Enter ask for.
   std::uint32_t stop_buttons = 0, go_buttons = 0;

@@ -22,10 +22,6 @@ void main() {
   float radius = length(at);
   float pixel = fwidth(radius);
   int kind = int(marker.state.x + 0.5);
-  // As in the scene target, where 0.6 stands for a radiance of 1.5: brighter would lose its hue in tone mapping.
-  vec3 tint = kind == FULCRUM_MARKER_NEXT       ? vec3(0.03, 0.33, 0.68)
-              : kind == FULCRUM_MARKER_DWELLING ? vec3(0.70, 0.34, 0.01)
-                                                : vec3(0.04, 0.46, 0.12);
   float pulse = kind == FULCRUM_MARKER_DONE ? 0.6 : 0.88 + 0.12 * sin(kTau * 0.6 * frame.eye.w);
 
   // Inside: what a thin glowing shell shows, more of itself where it is seen edge on.
@@ -43,5 +39,5 @@ void main() {
     light = mix(light, mix(0.08, 0.95, filled), band);
     cover = mix(cover, mix(0.55, 1.0, filled), band);
   }
-  colour = vec4(tint * light, cover) * visibility;
+  colour = vec4(marker.tint.rgb * light, cover) * visibility;
 }

@@ -33,6 +33,7 @@ void add_nodes(const std::string& folder, const std::vector<std::string>& names,
 std::string plugged_in() {
   std::string text;
   add_nodes("/dev/", names_in("/sys/class/hidraw"), text);
+  add_nodes("/dev/input/", names_in("/sys/class/input"), text);
   for (const std::string& name : names_in("/sys/bus/usb/devices")) text.append(name) += ' ';
   for (const std::string& bus : names_in("/dev/bus/usb")) {
     const std::string folder = "/dev/bus/usb/" + bus + "/";

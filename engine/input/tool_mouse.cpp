@@ -19,6 +19,10 @@ void ToolMouse::slide(const ViewAxes& view, double right, double down) {
   X_WH_.p += view.height * (right * view.right_W - down * view.up_W);
 }
 
+void ToolMouse::push(const ViewAxes& view, double right, double away) {
+  X_WH_.p += view.height * (right * view.right_W + away * view.sight_W);
+}
+
 void ToolMouse::turn(const ViewAxes& view, double right, double down) {
   rotate(kTurnPerHeight * (right * view.up_W + down * view.right_W));
 }
@@ -28,7 +32,7 @@ void ToolMouse::roll(const ViewAxes& view, double right) {
 }
 
 void ToolMouse::reach(const ViewAxes& view, double steps, Step step) {
-  X_WH_.p += (step == Step::fine ? steps_.fine : steps_.whole) * steps * view.forward_W;
+  X_WH_.p += (step == Step::fine ? steps_.fine : steps_.whole) * steps * view.sight_W;
 }
 
 void ToolMouse::rotate(const Vec3& rotation_W) {
@@ -37,10 +41,15 @@ void ToolMouse::rotate(const Vec3& rotation_W) {
 
 std::span<const char* const> mouse_help() {
   static constexpr const char* lines[] = {
-      "Left drag: tool left, right, up, down", "Wheel: tool away and nearer",
-      "Shift + wheel: the same, finer",        "Right drag: tool turns left, right, up, down",
-      "Shift + right drag: tool rolls",        "Middle drag: look around",
-      "Shift + middle drag: move the view",    "Ctrl + wheel: zoom",
+      "Left drag: tool left, right, up, down",
+      "Shift + left drag: left, right, farther, nearer",
+      "Wheel: tool farther and nearer",
+      "Shift + wheel: the same, finer",
+      "Right drag: tool turns left, right, up, down",
+      "Shift + right drag: tool rolls",
+      "Middle drag: look around",
+      "Shift + middle drag: move the view",
+      "Ctrl + wheel: zoom",
   };
   return lines;
 }

@@ -8,12 +8,13 @@
 
 namespace fulcrum::input {
 
-// What the trainee sees: the axes of the picture and how tall it is at the tool.
+// What the trainee sees: the axes of the picture, and how tall it is where the tool has to touch.
 struct ViewAxes {
   Vec3 right_W = Vec3::UnitX();     // (3) unit
   Vec3 up_W = Vec3::UnitY();        // (3) unit
   Vec3 forward_W = -Vec3::UnitZ();  // (3) unit, into the picture
-  double height = 1;                // m, of the picture at the tool's distance
+  Vec3 sight_W = -Vec3::UnitZ();    // (3) from the eye towards that place, 1 along forward_W
+  double height = 1;                // m, of the picture as deep as that place
 };
 
 // How far a wheel step takes the tool.
@@ -32,9 +33,11 @@ public:
 
   // Fractions of the picture's height.
   void slide(const ViewAxes& view, double right, double down);
+  // To the side, and away from the person along the line of sight: what touches stays where it is seen.
+  void push(const ViewAxes& view, double right, double away);
   void turn(const ViewAxes& view, double right, double down);
   void roll(const ViewAxes& view, double right);
-  // wheel steps, away from the person positive.
+  // wheel steps along the line of sight, away from the person positive.
   void reach(const ViewAxes& view, double steps, Step step);
 
   void reset(const Pose& X_WH) { X_WH_ = X_WH; }

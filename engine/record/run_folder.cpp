@@ -79,9 +79,9 @@ std::string channel_file_name(std::string_view channel) {
 }
 
 std::span<const std::string_view> result_file_names() {
-  static constexpr std::array names = {kTraceName,       kTraceJsonName, kTapeName,   kTimingName,
-                                       kFlightName,      kPictureName,   kReportName, kChannelNames,
-                                       kOldChannelNames, kSummaryName};
+  static constexpr std::array names = {kTraceName,    kTraceJsonName,   kTapeName,   kTimingName,
+                                       kFlightName,   kPictureName,     kReportName, kSoundName,
+                                       kChannelNames, kOldChannelNames, kSummaryName};
   return names;
 }
 

@@ -14,7 +14,8 @@ namespace fulcrum::record {
 inline constexpr std::string_view kTraceName = "trace.csv", kTraceJsonName = "trace.json", kTapeName = "tape",
                                   kTimingName = "timing.csv", kFlightName = "flight.csv",
                                   kSummaryName = "summary.json", kPictureName = "frame.png",
-                                  kReportName = "report.html", kChannelNames = "vibrotactile_motion-*.wav",
+                                  kReportName = "report.html", kSoundName = "sound.wav",
+                                  kChannelNames = "vibrotactile_motion-*.wav",
                                   kOldChannelNames = "touch-*.wav";  // until trace version 1
 
 // Of the channel of that name.

@@ -1,5 +1,6 @@
 #include "engine/record/summary.h"
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "engine/files/block_file.h"
@@ -40,6 +41,17 @@ Json faults_json(const std::vector<FaultCount>& faults) {
   return list;
 }
 
+Json latency_json(const SoundLatency& latency) {
+  return {{"mean", latency.mean_ms}, {"max", latency.max_ms}};
+}
+
+Json heard_json(const HeardScene& heard) {
+  return {
+      {"device", heard.device},       {"blows", heard.blows},
+      {"dropped", heard.dropped},     {"late", heard.late},
+      {"unplugged", heard.unplugged}, {"latency_ms", heard.latency ? latency_json(*heard.latency) : Json()}};
+}
+
 Json limits_json(const std::vector<FaultCount>& limits) {
   Json list = Json::array();
   for (const FaultCount& limit : limits) list.push_back({{"name", limit.name}, {"ticks", limit.ticks}});
@@ -59,6 +71,23 @@ void Summary::take(const RunTotals& totals) {
   peak_torque_rendered_Nm = totals.peak_torque_rendered_Nm();
   faults = totals.faults();
   limits = totals.limits();
+}
+
+std::string heard_text(const HeardScene& heard) {
+  const auto count = [](std::int64_t n, const char* one) {
+    return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+  };
+  std::string text = count(heard.blows, "blow") + " on " + heard.device;
+  if (heard.latency) {
+    char figures[96];
+    std::snprintf(figures, sizeof figures, ": %.0f ms from a blow to the loudspeaker, at most %.0f ms",
+                  heard.latency->mean_ms, heard.latency->max_ms);
+    text += figures;
+  }
+  if (heard.dropped > 0) text += "; " + std::to_string(heard.dropped) + " made room for stronger ones";
+  if (heard.unplugged) text += "; then the device was unplugged";
+  if (heard.late > 0) text += "; " + std::to_string(heard.late) + " came too late to be heard";
+  return text;
 }
 
 std::string summary_json(const Summary& summary) {
@@ -96,10 +125,10 @@ std::string summary_json(const Summary& summary) {
     document["hard_touch_s"] = summary.hard_touches->time_s;
   }
   if (summary.left_handed) document["left_handed"] = true;
+  if (summary.guided) document["guided"] = true;
   if (summary.frames_per_s) document["frames_per_s"] = *summary.frames_per_s;
-  if (summary.sound_latency)
-    document["sound_latency_ms"] = {{"mean", summary.sound_latency->mean_ms},
-                                    {"max", summary.sound_latency->max_ms}};
+  if (summary.sound_latency) document["sound_latency_ms"] = latency_json(*summary.sound_latency);
+  if (summary.heard) document["heard"] = heard_json(*summary.heard);
   // A name that is not UTF-8 must not cost the run its summary.
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

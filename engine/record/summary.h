@@ -28,6 +28,19 @@ struct SoundLatency {
   double mean_ms = 0, max_ms = 0;
 };
 
+// What was heard of the scene: of blows, from the end of a blow's tick to the loudspeaker.
+struct HeardScene {
+  std::string device;
+  std::int64_t blows = 0;
+  std::int64_t dropped = 0;  // for stronger ones
+  std::int64_t late = 0;     // not played
+  bool unplugged = false;    // the device has gone meanwhile
+  std::optional<SoundLatency> latency{};
+};
+
+// "12 blows on Built-in Audio: 17 ms from a blow to the loudspeaker, at most 20 ms".
+std::string heard_text(const HeardScene& heard);
+
 struct Summary {
   std::string scenario;
   std::string device;
@@ -37,6 +50,7 @@ struct Summary {
   std::int64_t ticks = 0;
   double tick_s = 1e-3;
   bool completed = false;
+  bool guided = false;  // the person was led, be it for a tick
   std::vector<CheckpointResult> checkpoints;
   std::optional<double> completion_time_s;
   std::optional<HardTouches> hard_touches;  // absent where the task does not count them
@@ -49,7 +63,8 @@ struct Summary {
   std::optional<double> max_penetration_at_s;       // absent where nothing was touched
   std::optional<std::string> max_penetration_part;  // of the scene, at the deepest point
   std::optional<TickCpu> tick_cpu_us;
-  std::optional<SoundLatency> sound_latency;  // absent where no sound card played
+  std::optional<SoundLatency> sound_latency;  // of voice coils; absent where no sound card played them
+  std::optional<HeardScene> heard;            // absent where nobody listened
   std::optional<double> frames_per_s;         // that the window drew; absent without one
   std::int64_t late_ticks = 0;
   std::int64_t lost_ticks = 0;

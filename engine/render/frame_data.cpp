@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
+#include <utility>
 
 namespace fulcrum::render {
 namespace {
@@ -65,22 +66,23 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
 }
 
 std::uint32_t write_markers(std::span<const Marker> markers, std::span<const MarkerState> states,
-                            gpu::MarkerData* to) {
+                            const MarkerColours& colours, gpu::MarkerData* to) {
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    const auto kind = [&]() -> float {
+    const auto [kind, tint] = [&]() -> std::pair<float, glm::vec3> {
       switch (states[i].show) {
         case MarkerState::Show::dwelling:
-          return FULCRUM_MARKER_DWELLING;
+          return {FULCRUM_MARKER_DWELLING, colours.dwelling};
         case MarkerState::Show::done:
-          return FULCRUM_MARKER_DONE;
+          return {FULCRUM_MARKER_DONE, colours.done};
         default:
-          return FULCRUM_MARKER_NEXT;
+          return {FULCRUM_MARKER_NEXT, colours.next};
       }
-    };
+    }();
     if (states[i].show != MarkerState::Show::hidden) {
       to[count].sphere = with(markers[i].position, markers[i].radius);
-      to[count].state = {kind(), std::clamp(states[i].progress, 0.0F, 1.0F), 0.0F, 0.0F};
+      to[count].state = {kind, std::clamp(states[i].progress, 0.0F, 1.0F), 0.0F, 0.0F};
+      to[count].tint = with(tint);
       ++count;
     }
   }

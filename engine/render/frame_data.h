@@ -24,6 +24,6 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
 
 // The markers that are to be seen, written to `to` one after another; returns how many.
 std::uint32_t write_markers(std::span<const Marker> markers, std::span<const MarkerState> states,
-                            gpu::MarkerData* to);
+                            const MarkerColours& colours, gpu::MarkerData* to);
 
 }  // namespace fulcrum::render

@@ -1,6 +1,8 @@
 #pragma once
 // What changes from frame to frame. Spans are read during Renderer::frame only.
 
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "engine/render/visual_desc.h"
@@ -15,16 +17,34 @@ struct MarkerState {
   float progress = 0.0F;  // 0..1, the part of the dwell time that is over; read when dwelling
 };
 
+// Linear, as in the scene target, where 0.6 stands for a radiance of 1.5: brighter would lose its hue in tone
+// mapping.
+struct MarkerColours {
+  glm::vec3 next{0.03F, 0.33F, 0.68F};
+  glm::vec3 dwelling{0.70F, 0.34F, 0.01F};
+  glm::vec3 done{0.04F, 0.46F, 0.12F};
+};
+
 struct GhostState {
-  float opacity = 0.0F;  // 0..1; 0: not drawn at all
-  glm::mat4 X_WG{1.0F};  // the ghost, a copy of all that follows the tool, to world
+  float opacity = 0.0F;               // 0..1; 0: not drawn at all
+  glm::mat4 X_WG{1.0F};               // the ghost, a copy of all that follows the tool, to world
+  std::optional<glm::vec3> colour{};  // linear; none: the scene's
+};
+
+// A second view of the scene, in a part of the picture.
+struct Inset {
+  Camera camera;
+  std::uint32_t x = 0, y = 0;           // pixels, of its top left corner in the picture
+  std::uint32_t width = 0, height = 0;  // pixels; all of it is in the picture
 };
 
 struct FrameState {
   std::span<const glm::mat4> X_WM;  // one for each movable instance, in the order of VisualDesc::instances
   std::span<const MarkerState> markers;  // one for each VisualDesc::markers; empty: all hidden
-  GhostState ghost;
+  MarkerColours marker_colours;
+  std::span<const GhostState> ghosts;  // one for each VisualDesc::ghosts; empty: none is drawn
   Camera camera;
+  std::optional<Inset> inset{};    // none: nothing is built for it
   double time_s = 0.0;             // simulated time: markers pulse with it, so that a replay looks the same
   OverlayPass* overlay = nullptr;  // drawn last, over the picture; none: nothing
 };

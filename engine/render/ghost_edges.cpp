@@ -49,13 +49,13 @@ struct Side {
 
 }  // namespace
 
-GhostEdges::GhostEdges(const VisualDesc& desc) {
+GhostEdges::GhostEdges(const VisualDesc& desc, const Ghost& look) {
   std::vector<std::size_t> meshes;
   for (const Instance& instance : desc.instances) {
     if (instance.movable && instance.follows == 0 &&
         std::find(meshes.begin(), meshes.end(), instance.mesh) == meshes.end()) {
       meshes.push_back(instance.mesh);
-      add(desc.meshes[instance.mesh], desc.ghost->crease_rad);
+      add(desc.meshes[instance.mesh], look.crease_rad);
     }
   }
   towards_eye_.resize(faces_.size());

@@ -11,8 +11,9 @@ namespace fulcrum::render {
 
 class GhostEdges {
 public:
-  // Of all that follows the tool in a valid description with a ghost, together: they share one pose.
-  explicit GhostEdges(const VisualDesc& desc);
+  // Of all that follows the tool in a valid description with a ghost of that look, together: they share one
+  // pose.
+  GhostEdges(const VisualDesc& desc, const Ghost& look);
 
   std::size_t size() const { return edges_.size(); }
   std::size_t creases() const { return creases_; }

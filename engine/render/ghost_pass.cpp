@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/render/frame_data.h"
 #include "engine/render/recording.h"
@@ -28,22 +29,18 @@ vulkan::SamplerHandle make_texel_sampler(vulkan::Device& device) {
 
 }  // namespace
 
-GhostPass::GhostPass(vulkan::Device& device, const VisualDesc& desc)
-    : device_(device),
-      look_(*desc.ghost),
-      edges_(desc),
-      chosen_(device, edges_.size() * sizeof(gpu::GhostLine), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+GhostPass::GhostPass(vulkan::Device& device, const Ghost& look, std::shared_ptr<GhostEdges> edges,
+                     const RenderPlan& plan, VkImageView scene_depth)
+    : look_(look),
+      edges_(std::move(edges)),
+      chosen_(device, edges_->size() * sizeof(gpu::GhostLine), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
               vulkan::Place::upload),
-      sampler_(make_texel_sampler(device)) {}
-
-void GhostPass::build(const RenderPlan& plan, VkImageView scene_depth) {
+      sampler_(make_texel_sampler(device)) {
   const VkExtent2D extent{plan.picture.width, plan.picture.height};
-  depth_ = {};  // the old ones go before the new ones come
-  lines_ = {};
-  depth_ = vulkan::Image(device_, {kDepthFormat, extent,
-                                   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
+  depth_ = vulkan::Image(device, {kDepthFormat, extent,
+                                  VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
   lines_ = vulkan::Image(
-      device_, {kGhostLineFormat, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
+      device, {kGhostLineFormat, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
   const auto sampled = [&](std::uint32_t number, VkImageView view) {
     return vulkan::Binding{number,
                            VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
@@ -52,21 +49,23 @@ void GhostPass::build(const RenderPlan& plan, VkImageView scene_depth) {
                            view,
                            sampler_.get()};
   };
-  set_ = vulkan::DescriptorSet(device_, {{kGhostChosenBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                          VK_SHADER_STAGE_VERTEX_BIT, chosen_.get()},
-                                         sampled(kGhostDepthBinding, depth_.view()),
-                                         sampled(kGhostSceneBinding, scene_depth),
-                                         sampled(kGhostLinesBinding, lines_.view())});
+  set_ = vulkan::DescriptorSet(device, {{kGhostChosenBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                         VK_SHADER_STAGE_VERTEX_BIT, chosen_.get()},
+                                        sampled(kGhostDepthBinding, depth_.view()),
+                                        sampled(kGhostSceneBinding, scene_depth),
+                                        sampled(kGhostLinesBinding, lines_.view())});
 }
 
-void GhostPass::update(const FrameState& state, const RenderPlan& plan) {
-  draw_.colour = glm::vec4(srgb_encoded(look_.colour.r), srgb_encoded(look_.colour.g),
-                           srgb_encoded(look_.colour.b), std::clamp(state.ghost.opacity, 0.0F, 1.0F));
+void GhostPass::update(const GhostState& ghost, const Camera& camera, const RenderPlan& plan) {
+  const glm::vec3 colour = ghost.colour.value_or(look_.colour);
+  draw_.colour = glm::vec4(srgb_encoded(colour.r), srgb_encoded(colour.g), srgb_encoded(colour.b),
+                           std::clamp(ghost.opacity, 0.0F, 1.0F));
+  layers_ = camera.layers;
   if (!shown()) return;
-  const glm::vec4 p_GE = glm::inverse(state.ghost.X_WG) * glm::vec4(state.camera.eye, 1.0F);
+  const glm::vec4 p_GE = glm::inverse(ghost.X_WG) * glm::vec4(camera.eye, 1.0F);
   chosen_count_ = static_cast<std::uint32_t>(
-      edges_.choose(glm::vec3(p_GE), reinterpret_cast<gpu::GhostLine*>(chosen_.mapped())));
-  draw_.clip_from_ghost = clip_from_world(state.camera, plan.scene) * state.ghost.X_WG;
+      edges_->choose(glm::vec3(p_GE), reinterpret_cast<gpu::GhostLine*>(chosen_.mapped())));
+  draw_.clip_from_ghost = clip_from_world(camera, plan.scene) * ghost.X_WG;
   const auto width = static_cast<float>(plan.picture.width);
   const auto height = static_cast<float>(plan.picture.height);
   draw_.size = {width, height, static_cast<float>(plan.scene.width) / width,
@@ -89,7 +88,7 @@ void GhostPass::record_lines(VkCommandBuffer commands, const Pipelines& pipeline
   depth.clearValue.depthStencil.depth = 0.0F;  // reversed: infinitely far
   begin(commands, depth_.extent(), nullptr, &depth);
   use(commands, pipelines, pipelines.ghost_depth.get());
-  geometry.draw(commands, SceneGeometry::Which::tool);
+  geometry.draw(commands, SceneGeometry::Which::tool, layers_);
   vkCmdEndRendering(commands);
   vulkan::barrier(commands, depth_.get(), kDepth, to::kDepthTarget, to::kSampled);
 

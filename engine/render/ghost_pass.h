@@ -1,6 +1,8 @@
 #pragma once
-// Draws the ghost: its surface in depth alone, its lines against that and against the scene, and the lines
+// Draws a ghost: its surface in depth alone, its lines against that and against the scene, and the lines
 // over the finished picture.
+
+#include <memory>
 
 #include "engine/render/frame_state.h"
 #include "engine/render/ghost_edges.h"
@@ -13,15 +15,14 @@ namespace fulcrum::render {
 
 class GhostPass {
 public:
-  // A valid description with a ghost. Throws vulkan::Failure.
-  GhostPass(vulkan::Device& device, const VisualDesc& desc);
-
-  // Images and descriptors for a plan and its targets. Throws vulkan::Failure.
-  void build(const RenderPlan& plan, VkImageView scene_depth);
+  // Of one view. Views may share edges: one after the other chooses of them. Images and descriptors are for a
+  // plan with a ghost and its targets. Throws vulkan::Failure.
+  GhostPass(vulkan::Device& device, const Ghost& look, std::shared_ptr<GhostEdges> edges,
+            const RenderPlan& plan, VkImageView scene_depth);
   VkDescriptorSetLayout layout() const { return set_.layout(); }
 
-  // What of the ghost is to be seen in the next frame.
-  void update(const FrameState& state, const RenderPlan& plan);
+  // What of the ghost is to be seen in the next frame, by that camera.
+  void update(const GhostState& ghost, const Camera& camera, const RenderPlan& plan);
   bool shown() const { return draw_.colour.a > 0.0F; }
 
   // Outside any rendering, with the scene's depth ready to be sampled.
@@ -32,12 +33,12 @@ public:
 private:
   void use(VkCommandBuffer commands, const Pipelines& pipelines, VkPipeline pipeline) const;
 
-  vulkan::Device& device_;
   Ghost look_;
-  GhostEdges edges_;
+  std::shared_ptr<GhostEdges> edges_;
   vulkan::Buffer chosen_;  // gpu::GhostLine
   std::uint32_t chosen_count_ = 0;
   gpu::GhostDraw draw_{};
+  std::uint32_t layers_ = 1;  // of the camera
 
   vulkan::SamplerHandle sampler_;
   vulkan::Image depth_;

@@ -78,8 +78,8 @@ PipelineHandle make_markers(vulkan::Device& device, const RenderPlan& plan, cons
   return make_pipeline(device, desc);
 }
 
-void add_ghost(Pipelines& made, vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
-               VkDescriptorSetLayout set) {
+void add_ghosts(Pipelines& made, vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+                VkDescriptorSetLayout set) {
   const std::array<VkPushConstantRange, 1> draw = {{{kGhostStages, 0, sizeof(gpu::GhostDraw)}}};
   made.ghost_layout = vulkan::make_pipeline_layout(device, {&set, 1}, draw);
   PipelineDesc depth;
@@ -122,7 +122,7 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
   if (plan.surfaces) made.surfaces = make_surfaces(device, plan, shaders, layout);
   if (plan.shadow_size > 0) made.shadow = make_shadow(device, shaders, layout);
   if (plan.markers) made.markers = make_markers(device, plan, shaders, layout);
-  if (plan.ghost) add_ghost(made, device, plan, shaders, sets.ghost);
+  if (plan.ghosts) add_ghosts(made, device, plan, shaders, sets.ghost);
   PipelineDesc tone;
   tone.layout = made.tone_layout.get();
   tone.stages = stages(shaders, "screen.vert", "tone.frag");

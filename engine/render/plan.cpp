@@ -44,6 +44,11 @@ std::optional<Error> check_options(const RenderOptions& options) {
   }
   if (!(quality.resolution_scale >= 0.25F && quality.resolution_scale <= 1.0F))
     return Error{"The resolution scale is " + std::to_string(quality.resolution_scale) + "; use 0.25 to 1."};
+  const auto& inset = options.inset;
+  if (inset && (inset->width == 0 || inset->height == 0 || inset->width > options.extent.width ||
+                inset->height > options.extent.height))
+    return Error{"A second view of " + size_of(*inset) + " cannot be laid into a picture of " +
+                 size_of(options.extent) + "; use 1 pixel a side up to the picture's."};
   return {};
 }
 
@@ -95,20 +100,34 @@ void add_markers(const SceneFacts& facts, RenderPlan& plan) {
   plan.built.push_back({"markers", "pipeline", 0, "glowing spheres"});
 }
 
-void add_ghost(const SceneFacts& facts, RenderPlan& plan) {
-  if (!plan.ghost) {
+void add_ghosts(const SceneFacts& facts, RenderPlan& plan) {
+  if (!plan.ghosts) {
     plan.left_out.push_back({"ghost", "buffer", 0, "the scene has no ghost"});
     plan.left_out.push_back({"ghost", "pipeline", 0, "the scene has no ghost"});
     return;
   }
   const std::string size = size_of(plan.picture);
-  plan.built.push_back({"ghost", "buffer", facts.ghost_edges * sizeof(gpu::GhostLine),
-                        "room for " + std::to_string(facts.ghost_edges) + " edges"});
-  plan.built.push_back({"ghost depth", "image", texels(plan.picture) * kDepthTexel, size});
-  plan.built.push_back({"ghost lines", "image", texels(plan.picture) * kGhostTexel, size});
+  for (const std::uint64_t edges : facts.ghost_edges) {
+    plan.built.push_back(
+        {"ghost", "buffer", edges * sizeof(gpu::GhostLine), "room for " + std::to_string(edges) + " edges"});
+    plan.built.push_back({"ghost depth", "image", texels(plan.picture) * kDepthTexel, size});
+    plan.built.push_back({"ghost lines", "image", texels(plan.picture) * kGhostTexel, size});
+  }
   plan.built.push_back({"ghost depth", "pipeline", 0, "its surface, which hides its rear lines"});
   plan.built.push_back({"ghost lines", "pipeline", 0, "creases and silhouettes, fainter behind the scene"});
   plan.built.push_back({"ghost", "pipeline", 0, "its lines over the picture"});
+}
+
+void add_inset(const SceneFacts& facts, RenderPlan& plan) {
+  if (!plan.inset) {
+    plan.left_out.push_back({"second view", "image", 0, "it is switched on in a window"});
+    return;
+  }
+  const auto samples = static_cast<std::uint64_t>(plan.samples);
+  const std::uint64_t scene = kSceneTexel * (samples > 1 ? samples + 1 : 1), depth = kDepthTexel * samples;
+  const std::uint64_t ghosts = facts.ghost_edges.size() * (kDepthTexel + kGhostTexel);
+  plan.built.push_back({"second view", "image", texels(*plan.inset) * (scene + depth + ghosts),
+                        size_of(*plan.inset) + ", the same passes once more"});
 }
 
 void add_targets(RenderPlan& plan) {
@@ -142,7 +161,11 @@ SceneFacts facts_of(const VisualDesc& desc) {
       std::count_if(desc.instances.begin(), desc.instances.end(),
                     [](const Instance& instance) { return instance.casts_shadow; }));
   facts.markers = desc.markers.size();
-  facts.ghost_edges = desc.ghost ? GhostEdges(desc).size() : 0;
+  for (const Ghost& ghost : desc.ghosts) {
+    // All of them copy the same instances: if one has no edges, none has.
+    if (const std::size_t edges = GhostEdges(desc, ghost).size(); edges > 0)
+      facts.ghost_edges.push_back(edges);
+  }
   facts.key_light = desc.key_light.has_value();
   facts.key_light_casts = desc.key_light && desc.key_light->casts_shadow;
   return facts;
@@ -160,12 +183,14 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   plan.samples = options.quality.samples;
   plan.surfaces = facts.instances > 0;
   plan.markers = facts.markers > 0;
-  plan.ghost = facts.ghost_edges > 0;
+  plan.ghosts = !facts.ghost_edges.empty();
+  plan.inset = options.inset;
   add_geometry(facts, plan);
   add_shadow(facts, options.quality, plan);
   add_markers(facts, plan);
-  add_ghost(facts, plan);
+  add_ghosts(facts, plan);
   add_targets(plan);
+  add_inset(facts, plan);
   return plan;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct RenderOptions {
   Quality quality;
   std::filesystem::path
       shader_folder;  // empty: the built-in shaders; else GLSL from here, reloaded when it changes
+  std::optional<Extent> inset{};  // of a second view; none: there is none
 };
 
 // The repository's shaders/ in a Debug build, else empty: what `shader_folder` should be in a program.
@@ -48,7 +50,8 @@ struct RenderPlan {
   int shadow_size = 0;  // pixels on a side; 0: nothing is built for shadows
   bool surfaces = false;
   bool markers = false;
-  bool ghost = false;
+  bool ghosts = false;
+  std::optional<Extent> inset{};  // its scene is as large
   std::vector<BuildItem> built;
   std::vector<BuildItem> left_out;
 };
@@ -60,7 +63,7 @@ struct SceneFacts {
   std::uint64_t instances = 0;
   std::uint64_t casters = 0;  // instances that throw a shadow
   std::uint64_t markers = 0;
-  std::uint64_t ghost_edges = 0;  // 0: no ghost
+  std::vector<std::uint64_t> ghost_edges;  // of each ghost that has some
   bool key_light = false;
   bool key_light_casts = false;
 };

@@ -8,7 +8,18 @@ namespace {
 
 constexpr double kWorthwhile = 0.8;  // of the time before: a step down that leaves more is taken back
 
+// Where frames take very long, whoever waits for them is helped after a few: that many, once they have taken
+// so long together. Whether a step down was worth it is looked at for longer: a machine that is busy with
+// something else for a moment would have it taken back for good.
+constexpr std::size_t kFew = 3;
+constexpr double kLong = 1.0, kLongForJudging = 3.0;  // s
+
 }  // namespace
+
+bool AutoQuality::has_seen_enough() const {
+  if (count_ == kWindow) return true;
+  return count_ >= kFew && seen_s_ >= (before_s_ > 0.0 ? kLongForJudging : kLong);
+}
 
 bool AutoQuality::add(double frame_s) {
   if (skip_ > 0) {
@@ -16,11 +27,14 @@ bool AutoQuality::add(double frame_s) {
     return false;
   }
   times_[count_++] = frame_s;
-  if (count_ < kWindow) return false;
-  count_ = 0;
+  seen_s_ += frame_s;
+  if (!has_seen_enough()) return false;
   std::array<double, kWindow> sorted = times_;
-  std::nth_element(sorted.begin(), sorted.begin() + kWindow / 2, sorted.end());
-  const double median = sorted[kWindow / 2];
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count_ / 2);
+  std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(count_));
+  const double median = *middle;
+  count_ = 0;
+  seen_s_ = 0;
   const double before = std::exchange(before_s_, 0.0);
   if (before > 0.0 && median > kWorthwhile * before) {
     worst_allowed_ = best_allowed_ = came_from_;

@@ -1,4 +1,6 @@
-// How a frame is recorded: shadow map, scene, ghost, tone mapping, overlay.
+// How a frame is recorded: shadow map, then scene and ghosts of each view, tone mapping, overlay.
+
+#include <algorithm>
 
 #include "engine/render/recording.h"
 #include "engine/render/renderer.h"
@@ -18,17 +20,23 @@ void Renderer::record(VkCommandBuffer commands, OverlayPass* overlay) {
     record_shadow(commands);
     shadow_stale_ = false;
   }
-  const bool ghost = ghost_ && ghost_->shown();
-  record_scene(commands, ghost);
-  if (ghost) {
-    vulkan::barrier(commands, targets_.depth.get(), kDepth, use::kDepthTarget, use::kSampled);
-    ghost_->record_lines(commands, pipelines_, *geometry_);
-  }
-  vulkan::barrier(commands, targets_.scene.get(), kColour, use::kColourTarget, use::kSampled);
-  record_tone(commands, ghost);
-  if (overlay != nullptr)
-    overlay->record(commands, {targets_.picture.view(), targets_.picture.extent(), generation_});
-  vulkan::barrier(commands, targets_.picture.get(), kColour, use::kColourTarget, use::kCopySource);
+  record_view(commands, main_);
+  if (inset_) record_view(commands, *inset_);
+  record_picture(commands);
+  if (overlay != nullptr) overlay->record(commands, {picture_.view(), picture_.extent(), generation_});
+  vulkan::barrier(commands, picture_.get(), kColour, use::kColourTarget, use::kCopySource);
+}
+
+// Up to its scene and lines, which are then ready to be laid into the picture.
+void Renderer::record_view(VkCommandBuffer commands, View& view) {
+  namespace use = vulkan::use;
+  const bool ghosts =
+      std::any_of(view.ghosts.begin(), view.ghosts.end(), [](const auto& each) { return each->shown(); });
+  record_scene(commands, view, ghosts);
+  if (ghosts) vulkan::barrier(commands, view.targets.depth.get(), kDepth, use::kDepthTarget, use::kSampled);
+  for (const auto& ghost : view.ghosts)
+    if (ghost->shown()) ghost->record_lines(commands, pipelines_, *geometry_);
+  vulkan::barrier(commands, view.targets.scene.get(), kColour, use::kColourTarget, use::kSampled);
 }
 
 void Renderer::record_shadow(VkCommandBuffer commands) {
@@ -38,21 +46,21 @@ void Renderer::record_shadow(VkCommandBuffer commands) {
                                                VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_STORE);
   depth.clearValue.depthStencil.depth = 1.0F;
   begin(commands, shadow_map_.extent(), nullptr, &depth);
-  bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), scene_set_.get());
-  geometry_->draw(commands, SceneGeometry::Which::casters);
+  bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), main_.scene_set.get());
+  geometry_->draw_casters(commands);
   vkCmdEndRendering(commands);
   vulkan::barrier(commands, shadow_map_.get(), kDepth, use::kDepthTarget, use::kSampled);
 }
 
-void Renderer::record_scene(VkCommandBuffer commands, bool ghost) {
+void Renderer::record_scene(VkCommandBuffer commands, const View& view, bool ghosts) {
   namespace use = vulkan::use;
-  const bool resolves = static_cast<bool>(targets_.samples);
-  const vulkan::Image& drawn = resolves ? targets_.samples : targets_.scene;
-  vulkan::barrier(commands, targets_.scene.get(), kColour, discarded_after(use::kSampled),
-                  use::kColourTarget);
+  const Targets& targets = view.targets;
+  const bool resolves = static_cast<bool>(targets.samples);
+  const vulkan::Image& drawn = resolves ? targets.samples : targets.scene;
+  vulkan::barrier(commands, targets.scene.get(), kColour, discarded_after(use::kSampled), use::kColourTarget);
   if (resolves)
     vulkan::barrier(commands, drawn.get(), kColour, discarded_after(use::kColourTarget), use::kColourTarget);
-  vulkan::barrier(commands, targets_.depth.get(), kDepth,
+  vulkan::barrier(commands, targets.depth.get(), kDepth,
                   discarded_after(either(use::kDepthTarget, use::kSampled)), use::kDepthTarget);
 
   // Every pixel is drawn, by the background if by nothing else: no clear.
@@ -61,26 +69,26 @@ void Renderer::record_scene(VkCommandBuffer commands, bool ghost) {
                  resolves ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE);
   if (resolves) {
     colour.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
-    colour.resolveImageView = targets_.scene.view();
+    colour.resolveImageView = targets.scene.view();
     colour.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   }
   VkRenderingAttachmentInfo depth =
-      attachment(targets_.depth.view(), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR,
-                 ghost ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE);
+      attachment(targets.depth.view(), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR,
+                 ghosts ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE);
   depth.clearValue.depthStencil.depth = 0.0F;  // reversed: infinitely far
-  begin(commands, targets_.scene.extent(), &colour, &depth);
+  begin(commands, targets.scene.extent(), &colour, &depth);
   if (plan_.surfaces) {
-    bind(commands, pipelines_.surfaces.get(), pipelines_.scene_layout.get(), scene_set_.get());
-    geometry_->draw(commands, SceneGeometry::Which::all);
+    bind(commands, pipelines_.surfaces.get(), pipelines_.scene_layout.get(), view.scene_set.get());
+    geometry_->draw(commands, SceneGeometry::Which::all, view.layers);
   }
-  bind(commands, pipelines_.background.get(), pipelines_.scene_layout.get(), scene_set_.get());
+  bind(commands, pipelines_.background.get(), pipelines_.scene_layout.get(), view.scene_set.get());
   vkCmdDraw(commands, 3, 1, 0, 0);
   if (markers_shown_ > 0) record_markers(commands);
   vkCmdEndRendering(commands);
 }
 
 void Renderer::record_markers(VkCommandBuffer commands) {
-  bind(commands, pipelines_.markers.get(), pipelines_.scene_layout.get(), scene_set_.get());
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.markers.get());
   const auto draw = [&](VkCompareOp passes, float visibility) {
     vkCmdSetDepthCompareOp(commands, passes);
     vkCmdPushConstants(commands, pipelines_.scene_layout.get(), VK_SHADER_STAGE_FRAGMENT_BIT, 0,
@@ -91,18 +99,27 @@ void Renderer::record_markers(VkCommandBuffer commands) {
   draw(VK_COMPARE_OP_LESS_OR_EQUAL, 0.22F);  // behind something: a trainee must still find the way
 }
 
-void Renderer::record_tone(VkCommandBuffer commands, bool ghost) {
+void Renderer::record_picture(VkCommandBuffer commands) {
   namespace use = vulkan::use;
-  vulkan::barrier(commands, targets_.picture.get(), kColour, discarded_after(use::kCopySource),
-                  use::kColourTarget);
+  vulkan::barrier(commands, picture_.get(), kColour, discarded_after(use::kCopySource), use::kColourTarget);
   const VkRenderingAttachmentInfo colour =
-      attachment(targets_.picture.view(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                 VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE);
-  begin(commands, targets_.picture.extent(), &colour, nullptr);
-  bind(commands, pipelines_.tone.get(), pipelines_.tone_layout.get(), tone_set_.get());
-  vkCmdDraw(commands, 3, 1, 0, 0);
-  if (ghost) ghost_->record_over(commands, pipelines_);
+      attachment(picture_.view(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                 VK_ATTACHMENT_STORE_OP_STORE);
+  begin(commands, picture_.extent(), &colour, nullptr);
+  record_tone(commands, main_);
+  if (inset_) {
+    set_area(commands, inset_at_->x, inset_at_->y, {inset_at_->width, inset_at_->height});
+    record_tone(commands, *inset_);
+  }
   vkCmdEndRendering(commands);
+}
+
+// Into the part of the picture that the view fills.
+void Renderer::record_tone(VkCommandBuffer commands, const View& view) {
+  bind(commands, pipelines_.tone.get(), pipelines_.tone_layout.get(), view.tone_set.get());
+  vkCmdDraw(commands, 3, 1, 0, 0);
+  for (const auto& ghost : view.ghosts)
+    if (ghost->shown()) ghost->record_over(commands, pipelines_);
 }
 
 }  // namespace fulcrum::render

@@ -1,20 +1,18 @@
 #include "engine/render/recording.h"
 
 namespace fulcrum::render {
-namespace {
 
 // Y up in clip space, as on paper: the viewport is turned over, so that counter-clockwise stays
 // counter-clockwise.
-void set_area(VkCommandBuffer commands, VkExtent2D extent) {
+void set_area(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y, VkExtent2D extent) {
   const auto width = static_cast<float>(extent.width);
   const auto height = static_cast<float>(extent.height);
-  const VkViewport viewport{0.0F, height, width, -height, 0.0F, 1.0F};
-  const VkRect2D scissor{{0, 0}, extent};
+  const VkViewport viewport{
+      static_cast<float>(x), static_cast<float>(y) + height, width, -height, 0.0F, 1.0F};
+  const VkRect2D scissor{{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}, extent};
   vkCmdSetViewport(commands, 0, 1, &viewport);
   vkCmdSetScissor(commands, 0, 1, &scissor);
 }
-
-}  // namespace
 
 VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, VkAttachmentLoadOp load,
                                      VkAttachmentStoreOp store) {
@@ -37,7 +35,7 @@ void begin(VkCommandBuffer commands, VkExtent2D extent, const VkRenderingAttachm
   info.pColorAttachments = colour;
   info.pDepthAttachment = depth;
   vkCmdBeginRendering(commands, &info);
-  set_area(commands, extent);
+  set_area(commands, 0, 0, extent);
 }
 
 void bind(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set) {

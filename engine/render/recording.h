@@ -17,6 +17,9 @@ VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, VkA
 void begin(VkCommandBuffer commands, VkExtent2D extent, const VkRenderingAttachmentInfo* colour,
            const VkRenderingAttachmentInfo* depth);
 
+// Draws from here on into that part of the targets alone; x, y: pixels, of its top left corner.
+void set_area(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y, VkExtent2D extent);
+
 void bind(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set);
 
 // Content is not kept, but what used it last must be over.

@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cstdio>
-#include <cstring>
 
 namespace fulcrum::render {
 namespace {
@@ -61,14 +60,15 @@ Renderer::Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderO
       markers_(desc.markers),
       shaders_(std::move(shaders)),
       commands_(device),
-      frame_buffer_(device, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                    vulkan::Place::upload),
       scene_sampler_(make_scene_sampler(device)) {
+  shared_.scene_sampler = scene_sampler_.get();
   if (!desc.instances.empty()) geometry_ = std::make_unique<SceneGeometry>(device, desc);
-  if (facts_.ghost_edges > 0) ghost_ = std::make_unique<GhostPass>(device, desc);
+  if (geometry_) shared_.instances = geometry_->instances();
+  take_ghosts(desc);
   if (!markers_.empty()) {
     marker_buffer_ = vulkan::Buffer(device, markers_.size() * sizeof(gpu::MarkerData),
                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Place::upload);
+    shared_.markers = marker_buffer_.get();
   }
 }
 
@@ -76,54 +76,51 @@ Renderer::~Renderer() {
   vkDeviceWaitIdle(device_.get());
 }
 
+void Renderer::take_ghosts(const VisualDesc& desc) {
+  shared_.ghosts.clear();
+  if (facts_.ghost_edges.empty()) return;
+  for (const Ghost& look : desc.ghosts)
+    shared_.ghosts.push_back({look, std::make_shared<GhostEdges>(desc, look)});
+}
+
 void Renderer::build(const RenderPlan& plan) {
   const bool first = generation_ == 0;
   const bool other_shadow = first || !ready_ || plan.shadow_size != plan_.shadow_size;
-  const bool other_pipelines =
-      first || !ready_ || plan.samples != plan_.samples || (plan.shadow_size > 0) != (plan_.shadow_size > 0);
+  const bool other_pipelines = first || !ready_ || plan.samples != plan_.samples ||
+                               plan.ghosts != plan_.ghosts ||
+                               (plan.shadow_size > 0) != (plan_.shadow_size > 0);
   ready_ = false;
   drawn_ = false;
   plan_ = plan;
-  targets_ = {};  // the old ones go before the new ones come: both might not fit
-  targets_ = make_targets(device_, plan);
+  main_ = {};  // the old ones go before the new ones come: both might not fit
+  inset_.reset();
+  picture_ = {};
+  picture_ = make_picture(device_, plan);
   generation_ = next_generation();
-  tone_set_ = vulkan::DescriptorSet(
-      device_, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE,
-                 targets_.scene.view(), scene_sampler_.get()}});
-  if (other_shadow) build_scene_set();
-  if (ghost_) ghost_->build(plan, targets_.depth.view());
+  if (other_shadow) build_shadow_map();
+  main_ = View(device_, plan, shared_);
+  if (plan.inset) inset_.emplace(device_, inset_plan(plan), shared_);
   if (other_pipelines)  // not for another size alone: drivers take long to compile them
     build_pipelines();
   ready_ = true;
 }
 
 void Renderer::build_pipelines() {
-  const VkDescriptorSetLayout ghost = ghost_ ? ghost_->layout() : VK_NULL_HANDLE;
-  pipelines_ = make_pipelines(device_, plan_, shaders_, {scene_set_.layout(), tone_set_.layout(), ghost});
+  // Of all ghosts alike.
+  const VkDescriptorSetLayout ghost = main_.ghosts.empty() ? VK_NULL_HANDLE : main_.ghosts.front()->layout();
+  pipelines_ =
+      make_pipelines(device_, plan_, shaders_, {main_.scene_set.layout(), main_.tone_set.layout(), ghost});
 }
 
-void Renderer::build_scene_set() {
-  constexpr VkShaderStageFlags both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-  std::vector<vulkan::Binding> bindings = {
-      {kFrameBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, both, frame_buffer_.get()}};
-  if (plan_.surfaces) {
-    bindings.push_back({kInstancesBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT,
-                        geometry_->instances()});
-  }
-  if (plan_.markers) {
-    bindings.push_back({kMarkersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT,
-                        marker_buffer_.get()});
-  }
+void Renderer::build_shadow_map() {
   shadow_map_ = {};
-  if (plan_.shadow_size > 0) {
-    shadow_map_ = make_shadow_map(device_, plan_);
-    shadow_sampler_ = make_shadow_sampler(device_);
-    shadow_stale_ = true;
-    bindings.push_back({kShadowBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                        VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, shadow_map_.view(),
-                        shadow_sampler_.get()});
-  }
-  scene_set_ = vulkan::DescriptorSet(device_, bindings);
+  shared_.shadow_map = VK_NULL_HANDLE;
+  if (plan_.shadow_size == 0) return;
+  shadow_map_ = make_shadow_map(device_, plan_);
+  shadow_sampler_ = make_shadow_sampler(device_);
+  shadow_stale_ = true;
+  shared_.shadow_map = shadow_map_.view();
+  shared_.shadow_sampler = shadow_sampler_.get();
 }
 
 std::optional<Error> Renderer::rebuild(const RenderOptions& options) {
@@ -141,12 +138,35 @@ std::optional<Error> Renderer::rebuild(const RenderOptions& options) {
 std::optional<Error> Renderer::resize(Extent extent) {
   RenderOptions options = options_;
   options.extent = extent;
+  options.inset.reset();  // until the next frame says where in the new picture it is
   return rebuild(options);
 }
 
 std::optional<Error> Renderer::set_quality(const Quality& quality) {
   RenderOptions options = options_;
   options.quality = quality;
+  return rebuild(options);
+}
+
+std::optional<Error> Renderer::set_ghosts(const VisualDesc& desc) {
+  const Result<RenderPlan> planned = render::plan(desc, options_);
+  if (!planned) return planned.error();
+  try {
+    facts_ = facts_of(desc);
+    take_ghosts(desc);
+    build(*planned);
+  } catch (const vulkan::Failure& failure) {
+    return Error{failure.what()};
+  }
+  return {};
+}
+
+std::optional<Error> Renderer::fit(Extent extent, const std::optional<Inset>& inset) {
+  RenderOptions options = options_;
+  options.extent = extent;
+  options.inset.reset();
+  if (inset) options.inset = Extent{inset->width, inset->height};
+  if (options.extent == options_.extent && options.inset == options_.inset) return {};
   return rebuild(options);
 }
 
@@ -175,24 +195,34 @@ std::optional<Error> Renderer::update(const FrameState& state) {
                  " marker states, but the scene has " + std::to_string(markers_.size()) +
                  " markers; give one for each, or none."};
   }
-  if (state.ghost.opacity > 0.0F && !ghost_)
-    return Error{"A frame came with a ghost, but the scene has none; name it in the scene."};
+  if (!state.ghosts.empty() && state.ghosts.size() != shared_.ghosts.size()) {
+    return Error{"A frame came with " + std::to_string(state.ghosts.size()) + " ghosts, but the scene has " +
+                 std::to_string(shared_.ghosts.size()) + "; give one for each, or none."};
+  }
+  if (state.inset && (state.inset->x + state.inset->width > plan_.picture.width ||
+                      state.inset->y + state.inset->height > plan_.picture.height))
+    return Error{"A frame came with a second view that reaches beyond the picture; lay it inside."};
   if (geometry_ && geometry_->place(state.X_WM)) shadow_stale_ = true;
   if (geometry_ && geometry_->see(state.camera.layers)) shadow_stale_ = true;
   if (plan_.shadow_size > 0 && shadow_stale_) {
     const std::vector<Bounds> casters = geometry_->casters();
     light_ = casters.empty() ? LightFit{} : fit_light(*setting_.key_light, casters, plan_.shadow_size);
   }
-  const gpu::FrameData data = frame_data(setting_, state, plan_.scene, light_, plan_.shadow_size);
-  std::memcpy(frame_buffer_.mapped(), &data, sizeof(data));
-  if (ghost_) ghost_->update(state, plan_);
-  markers_shown_ = plan_.markers ? write_markers(markers_, state.markers,
+  main_.update(frame_data(setting_, state, plan_.scene, light_, plan_.shadow_size), state);
+  inset_at_ = state.inset;
+  if (inset_) {
+    FrameState seen = state;
+    seen.camera = state.inset->camera;
+    inset_->update(frame_data(setting_, seen, inset_->plan.scene, light_, plan_.shadow_size), seen);
+  }
+  markers_shown_ = plan_.markers ? write_markers(markers_, state.markers, state.marker_colours,
                                                  reinterpret_cast<gpu::MarkerData*>(marker_buffer_.mapped()))
                                  : 0;
   return {};
 }
 
 std::optional<Error> Renderer::frame(const FrameState& state) {
+  if (auto error = fit(options_.extent, state.inset)) return *error;
   try {
     reload_shaders();
     if (auto error = update(state)) return *error;
@@ -207,14 +237,12 @@ std::optional<Error> Renderer::frame(const FrameState& state) {
 
 Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window, Extent size) {
   if (size.width == 0 || size.height == 0) return false;
-  if (!(size == options_.extent)) {
-    if (auto error = resize(size)) return *error;
-  }
+  if (auto error = fit(size, state.inset)) return *error;
   try {
     reload_shaders();
     if (auto error = update(state)) return *error;
     const VkExtent2D extent{size.width, size.height};
-    const bool shown = window.show(commands_, extent, targets_.picture.get(), targets_.picture.extent(),
+    const bool shown = window.show(commands_, extent, picture_.get(), picture_.extent(),
                                    [&](VkCommandBuffer commands) { record(commands, state.overlay); });
     if (shown) {
       last_frame_s_ = commands_.last_run_s();
@@ -228,7 +256,7 @@ Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window,
 
 Result<Picture> Renderer::read_back() {
   if (!drawn_) return Error{"There is no picture yet: draw a frame before reading it back."};
-  const VkExtent2D extent = targets_.picture.extent();
+  const VkExtent2D extent = picture_.extent();
   Picture picture{extent.width, extent.height, {}};
   try {
     const std::size_t bytes = std::size_t{extent.width} * extent.height * 4;
@@ -237,8 +265,8 @@ Result<Picture> Renderer::read_back() {
       VkBufferImageCopy copy{};
       copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
       copy.imageExtent = {extent.width, extent.height, 1};
-      vkCmdCopyImageToBuffer(commands, targets_.picture.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                             buffer.get(), 1, &copy);
+      vkCmdCopyImageToBuffer(commands, picture_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1,
+                             &copy);
       VkMemoryBarrier2 to_host{};
       to_host.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
       to_host.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;

@@ -3,16 +3,15 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/render/frame_data.h"
-#include "engine/render/ghost_pass.h"
 #include "engine/render/overlay_pass.h"
 #include "engine/render/picture.h"
 #include "engine/render/pipelines.h"
 #include "engine/render/scene_geometry.h"
-#include "engine/render/targets.h"
+#include "engine/render/view.h"
 #include "engine/vulkan/commands.h"
-#include "engine/vulkan/descriptors.h"
 #include "engine/vulkan/swapchain.h"
 
 namespace fulcrum::render {
@@ -43,6 +42,8 @@ public:
 
   std::optional<Error> resize(Extent extent);
   std::optional<Error> set_quality(const Quality& quality);
+  // From here on the scene has other ghosts: desc is the description that it was created from, with them.
+  std::optional<Error> set_ghosts(const VisualDesc& desc);
 
 private:
   Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderOptions& options,
@@ -50,15 +51,20 @@ private:
 
   std::optional<Error> rebuild(const RenderOptions& options);
   void build(const RenderPlan& plan);
-  void build_scene_set();
+  void take_ghosts(const VisualDesc& desc);
+  void build_shadow_map();
   void build_pipelines();
   void reload_shaders();
+  // Builds anew where the picture or the second view is of another size, or comes or goes.
+  std::optional<Error> fit(Extent extent, const std::optional<Inset>& inset);
   std::optional<Error> update(const FrameState& state);
   void record(VkCommandBuffer commands, OverlayPass* overlay);
   void record_shadow(VkCommandBuffer commands);
-  void record_scene(VkCommandBuffer commands, bool ghost);
+  void record_view(VkCommandBuffer commands, View& view);
+  void record_scene(VkCommandBuffer commands, const View& view, bool ghosts);
   void record_markers(VkCommandBuffer commands);
-  void record_tone(VkCommandBuffer commands, bool ghost);
+  void record_picture(VkCommandBuffer commands);
+  void record_tone(VkCommandBuffer commands, const View& view);
 
   vulkan::Device& device_;
   RenderOptions options_;
@@ -70,16 +76,16 @@ private:
   vulkan::Commands commands_;
 
   std::unique_ptr<SceneGeometry> geometry_;  // null without instances
-  std::unique_ptr<GhostPass> ghost_;         // null without a ghost
-  vulkan::Buffer frame_buffer_;
-  vulkan::Buffer marker_buffer_;  // empty without markers
+  vulkan::Buffer marker_buffer_;             // empty without markers
   vulkan::SamplerHandle shadow_sampler_;
   vulkan::SamplerHandle scene_sampler_;
 
-  Targets targets_;
+  SharedParts shared_;
   vulkan::Image shadow_map_;  // empty without shadows
-  vulkan::DescriptorSet scene_set_;
-  vulkan::DescriptorSet tone_set_;
+  vulkan::Image picture_;
+  View main_;
+  std::optional<View> inset_;      // where the plan has a second view
+  std::optional<Inset> inset_at_;  // of the newest frame
   Pipelines pipelines_;
   std::uint64_t generation_ = 0;  // of the picture's image
 

@@ -122,13 +122,13 @@ std::uint32_t SceneGeometry::count_of(const Batch& batch, Which which) {
   }
 }
 
-void SceneGeometry::draw(VkCommandBuffer commands, Which which) const {
+void SceneGeometry::draw(VkCommandBuffer commands, Which which, std::uint32_t layers) const {
   const VkBuffer vertices = vertices_.get();
   const VkDeviceSize offset = 0;
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
   vkCmdBindIndexBuffer(commands, indices_.get(), 0, VK_INDEX_TYPE_UINT32);
   for (const Batch& batch : batches_) {
-    if ((batch.layers & seen_) == 0) continue;
+    if ((batch.layers & layers) == 0) continue;
     if (const std::uint32_t count = count_of(batch, which); count > 0) {
       vkCmdDrawIndexed(commands, batch.index_count, count, batch.first_index, batch.first_vertex,
                        batch.first_slot);

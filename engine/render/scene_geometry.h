@@ -21,7 +21,8 @@ public:
   // a shadow has moved.
   bool place(std::span<const glm::mat4> X_WM);
 
-  // Draws from now on what a camera of these layers sees. True when that is other than before.
+  // What throws shadows is from now on what a camera of these layers sees. True when that is other than
+  // before.
   bool see(std::uint32_t layers);
 
   // Boxes around what is seen and throws a shadow, in the world, as placed.
@@ -34,8 +35,10 @@ public:
     casters,
     tool  // each mesh that follows the tool, once: for a pipeline that brings its own pose
   };
-  // Binds the buffers and draws; pipeline and descriptor sets are bound by the caller.
-  void draw(VkCommandBuffer commands, Which which) const;
+  // Binds the buffers and draws what a camera of these layers sees; pipeline and descriptor sets are bound by
+  // the caller.
+  void draw(VkCommandBuffer commands, Which which, std::uint32_t layers) const;
+  void draw_casters(VkCommandBuffer commands) const { draw(commands, Which::casters, seen_); }
 
 private:
   // All instances of one mesh lie side by side, those that throw a shadow first: one draw a mesh.

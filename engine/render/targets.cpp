@@ -10,14 +10,17 @@ Targets make_targets(vulkan::Device& device, const RenderPlan& plan) {
     made.samples = vulkan::Image(device, {kSceneFormat, scene, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples});
   made.scene = vulkan::Image(
       device, {kSceneFormat, scene, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
-  const VkImageUsageFlags read_by_ghost = plan.ghost ? VK_IMAGE_USAGE_SAMPLED_BIT : 0;
+  const VkImageUsageFlags read_by_ghost = plan.ghosts ? VK_IMAGE_USAGE_SAMPLED_BIT : 0;
   made.depth = vulkan::Image(
       device, {kDepthFormat, scene, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | read_by_ghost, samples});
-  made.picture =
-      vulkan::Image(device, {kPictureFormat,
-                             {plan.picture.width, plan.picture.height},
-                             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
   return made;
+}
+
+vulkan::Image make_picture(vulkan::Device& device, const RenderPlan& plan) {
+  return {device,
+          {kPictureFormat,
+           {plan.picture.width, plan.picture.height},
+           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
 }
 
 vulkan::Image make_shadow_map(vulkan::Device& device, const RenderPlan& plan) {

@@ -1,5 +1,5 @@
 #pragma once
-// The images that frames are drawn into.
+// The images that frames are drawn into: those of each view of the scene, and the picture.
 
 #include "engine/render/overlay_pass.h"
 #include "engine/render/plan.h"
@@ -15,7 +15,6 @@ struct Targets {
   vulkan::Image samples;  // empty with one sample a pixel
   vulkan::Image scene;
   vulkan::Image depth;
-  vulkan::Image picture;
 };
 
 inline VkSampleCountFlagBits sample_count(const RenderPlan& plan) {
@@ -24,6 +23,7 @@ inline VkSampleCountFlagBits sample_count(const RenderPlan& plan) {
 
 // All throw vulkan::Failure where memory runs out.
 Targets make_targets(vulkan::Device& device, const RenderPlan& plan);
+vulkan::Image make_picture(vulkan::Device& device, const RenderPlan& plan);
 vulkan::Image make_shadow_map(vulkan::Device& device, const RenderPlan& plan);
 
 }  // namespace fulcrum::render

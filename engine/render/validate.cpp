@@ -85,15 +85,17 @@ std::optional<Error> validate(const VisualDesc& desc) {
                    " needs a finite position and a radius above 0 m."};
     }
   }
-  if (desc.ghost && std::none_of(desc.instances.begin(), desc.instances.end(), [](const Instance& instance) {
-        return instance.movable && instance.follows == 0;
-      })) {
+  if (!desc.ghosts.empty() &&
+      std::none_of(desc.instances.begin(), desc.instances.end(),
+                   [](const Instance& instance) { return instance.movable && instance.follows == 0; })) {
     return Error{
         "The scene has a ghost, but nothing movable that it could be a copy of; leave out the ghost."};
   }
-  if (desc.ghost && !(desc.ghost->line_width > 0.0F && desc.ghost->line_width <= 0.05F)) {
-    return Error{"The ghost's lines are " + std::to_string(desc.ghost->line_width) +
-                 " of the picture's height wide; use more than 0 and at most 0.05."};
+  for (const Ghost& ghost : desc.ghosts) {
+    if (!(ghost.line_width > 0.0F && ghost.line_width <= 0.05F)) {
+      return Error{"The ghost's lines are " + std::to_string(ghost.line_width) +
+                   " of the picture's height wide; use more than 0 and at most 0.05."};
+    }
   }
   if (desc.key_light && !(glm::length(desc.key_light->direction) > 0.0F))
     return Error{"The key light has no direction; give the way its light travels, such as 0 -1 0."};

@@ -78,8 +78,8 @@ struct Marker {
   float radius = 0.01F;      // m
 };
 
-// The tool once more, as lines: where the hand has turned to while the scene holds the tool. A copy of all
-// instances that follow it, in one pose that comes with every FrameState.
+// The tool once more, as lines: where the hand has turned to while the scene holds the tool, or where another
+// hand would have it. A copy of all instances that follow it, in one pose that comes with every FrameState.
 struct Ghost {
   glm::vec3 colour{0.03F, 0.80F, 1.0F};  // linear; shown as it is, whatever the light
   float line_width = 0.0032F;            // of the picture's height; never less than 1.3 pixels
@@ -100,7 +100,7 @@ struct VisualDesc {
   Ambient ambient;
   Camera camera;                // where a view starts
   std::vector<Marker> markers;  // empty: nothing is built for markers
-  std::optional<Ghost> ghost;   // absent: nothing is built for it
+  std::vector<Ghost> ghosts;    // later ones are drawn over earlier ones; empty: nothing is built for them
   Background background;
 };
 

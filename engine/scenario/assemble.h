@@ -3,6 +3,7 @@
 // for: a headless run draws nothing, and a picture alone needs no distance field.
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,7 +43,10 @@ struct HapticAssembly {
   std::vector<HandScript> hands;
   Solid scene_W;  // what is touched, in W: for measuring penetration exactly, with tool_T
   Solid tool_T;
-  std::vector<std::string> notes;  // sentences: from the cache or baked in how long
+  // Which model a place belongs to, where an effect or the sound tells them apart.
+  std::shared_ptr<const ObjectMap> objects;
+  std::vector<ImpactMaterial> heard;  // of each model that is touched, where `sound` is named
+  std::vector<std::string> notes;     // sentences: from the cache or baked in how long
   // Sentences: what runs, and may not do what its author wants; what is wrong with the cache.
   std::vector<std::string> warnings;
   std::vector<std::string> repaired;  // sentences: what was wrong with surfaces, and what was guessed

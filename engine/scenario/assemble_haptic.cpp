@@ -32,15 +32,19 @@ Result<Solid> scene_solid(const Scenario& scenario, const LoadedModels& models) 
   return solid;
 }
 
-// Of the models that are touched, by their numbers.
-std::vector<ImpactMaterial> materials_of(const Scenario& scenario) {
+// Of the models that are touched, by their numbers. otherwise: of those that name none.
+std::vector<ImpactMaterial> materials_of(const Scenario& scenario, const std::string& otherwise) {
   std::vector<ImpactMaterial> materials;
   for (const ModelEntry& model : scenario.models) {
     if (model.role != ModelRole::scene) continue;
-    materials.push_back(
-        scenario.impact_materials.at(model.material.empty() ? scenario.impact_material : model.material));
+    materials.push_back(scenario.impact_materials.at(model.material.empty() ? otherwise : model.material));
   }
   return materials;
+}
+
+bool sounds_apart(const std::vector<ImpactMaterial>& heard) {
+  return std::ranges::any_of(
+      heard, [&](const ImpactMaterial& each) { return each.name != heard.front().name; });
 }
 
 // About this many samples in all, whatever the scene's size.
@@ -153,9 +157,13 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   scene.allocation = scenario.device.allocation;
   scene.impact = scenario.impact;
   static_cast<EffectDescs&>(scene) = scenario.effects;
-  if (!scenario.impact_material.empty()) set_materials(scene, materials_of(scenario));
+  if (!scenario.impact_material.empty())
+    set_materials(scene, materials_of(scenario, scenario.impact_material));
   scene.holding_point = scenario.holding_point;
-  if (tells_objects_apart(scene, scene)) scene.scene_objects = objects_of(scenario, models);
+  const bool felt_apart = tells_objects_apart(scene, scene);
+  if (scenario.sound) result.heard = materials_of(scenario, scenario.sound->material);
+  if (felt_apart || sounds_apart(result.heard)) result.objects = objects_of(scenario, models);
+  if (felt_apart) scene.scene_objects = result.objects;
   scene.coupling = tune_coupling(scenario.coupling, scene);
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
   for (const std::string& warning : advice_on_effects(scene, scene)) result.warnings.push_back(warning);
@@ -183,6 +191,7 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   for (const HandEntry& hand : scenario.hands) {
     HandScript script{hand.name, hand.desc, hand.waypoints};
     for (Waypoint& waypoint : script.waypoints) waypoint.X_WT = waypoint.X_WT * X_MT;
+    if (hand.name == kExpertHand) set_expert(scene, script.waypoints);
     result.hands.push_back(std::move(script));
   }
   return result;

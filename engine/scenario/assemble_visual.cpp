@@ -48,6 +48,8 @@ Result<std::monostate> apply(const MaterialOverride& override, std::vector<rende
                did_you_mean(override.name, names, "there is: " + joined(names))};
 }
 
+constexpr glm::vec3 kExpertColour{0.45F, 0.95F, 0.10F};  // linear, of the expert's tool
+
 // Layers: what cameras of whole views see, and those of views that are cut open.
 constexpr std::uint32_t kWhole = 1, kCut = 2;
 
@@ -114,7 +116,9 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   desc.key_light = scenario.light;
   desc.ambient = scenario.ambient;
   desc.background = scenario.background;
-  if (shows_ghost(scene, scene)) desc.ghost = render::Ghost{};
+  // The bridge gives their poses in this order.
+  if (shows_ghost(scene, scene)) desc.ghosts.push_back({});
+  if (follows_expert(scene)) desc.ghosts.push_back({.colour = kExpertColour});
   result.views = scenario.views;
   for (View& view : result.views) view.camera.layers = view.cut ? kCut : kWhole;
   if (!result.views.empty()) desc.camera = result.views.front().camera;

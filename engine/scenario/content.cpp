@@ -66,15 +66,21 @@ std::vector<ScenarioListing> list_scenarios() {
 std::vector<ScenarioListing> list_scenarios(const std::vector<fs::path>& roots) {
   std::vector<ScenarioListing> listings;
   for (const auto& [name, file] : scenario_files(roots)) {
-    ScenarioListing& listing = listings.emplace_back(ScenarioListing{name, {}, {}, file, {}});
+    ScenarioListing& listing = listings.emplace_back(
+        ScenarioListing{.name = name, .title = {}, .about = {}, .file = file, .fault = {}});
     const auto scenario = load_scenario(file);
     if (scenario) {
       listing.title = scenario->title;
       listing.about = scenario->about;
+      listing.difficulty = scenario->difficulty;
+      listing.checkpoints = scenario->checkpoints.size();
+      listing.time_limit = scenario->time_limit;
     } else {
       listing.fault = scenario.faults().front().text();
     }
   }
+  std::ranges::stable_sort(listings, {},
+                           [](const ScenarioListing& listing) { return listing.name != kTutorial; });
   return listings;
 }
 

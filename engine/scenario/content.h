@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/scenario/scenario.h"
 #include "haptics/math/result.h"
 
 namespace fulcrum::scenario {
@@ -24,9 +26,16 @@ struct ScenarioListing {
   std::string about;
   std::filesystem::path file;
   std::string fault;  // the first sentence about it, if it cannot be read
+  std::optional<Difficulty> difficulty{};
+  std::size_t checkpoints = 0;
+  double time_limit = 0;  // s
 };
 
-// Every ROOT/scenarios/NAME/scenario.yaml, by name; a name that two roots have is the first root's.
+// The scenario that whoever is new begins with.
+inline constexpr std::string_view kTutorial = "tutorial";
+
+// Every ROOT/scenarios/NAME/scenario.yaml: the tutorial, then by name; a name that two roots have is the
+// first root's.
 std::vector<ScenarioListing> list_scenarios();
 std::vector<ScenarioListing> list_scenarios(const std::vector<std::filesystem::path>& roots);
 

@@ -30,7 +30,12 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario);  // field to d
 void describe_effects(KeyVisitor& visitor, Scenario& scenario);
 // Where a scenario says what models are made of that do not say so themselves.
 std::initializer_list<std::string_view> impact_material_key();
+// After effects and hands: whoever leads along the expert's way needs an expert.
+void check_expert(KeyVisitor& visitor, const Scenario& scenario);
 void describe_effects_of_device(KeyVisitor& visitor, Scenario& scenario);  // within 'device'
 void describe_look(KeyVisitor& visitor, Scenario& scenario);               // views to background
+void describe_sound(KeyVisitor& visitor, Scenario& scenario);
+// Where a scenario says what sounds are made of that no model says.
+std::initializer_list<std::string_view> sound_material_key();
 
 }  // namespace fulcrum::scenario

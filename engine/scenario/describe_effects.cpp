@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/scenario/describe.h"
 
 namespace fulcrum::scenario {
@@ -196,6 +198,22 @@ void describe_workspace_walls(KeyVisitor& visitor, WorkspaceWallsDesc& effect) {
                           effect.stiffness, above_to(0, 1e5));
 }
 
+void describe_guidance(KeyVisitor& visitor, GuidanceDesc& effect) {
+  visitor.number({"dead_band", "m", "of the handle from the way, in the scene, within which nothing is felt"},
+                 effect.dead_band, above_to(0, 1));
+  visitor.optional_number(
+      {"window", "m", "in the scene, how much of the way ahead is looked at; without it ten dead bands"},
+      effect.window, above_to(0, 10));
+  visitor.optional_number({"stiffness", "N/m", "at the device; without it, what suits the device"},
+                          effect.stiffness, above_to(0, 1e5));
+  visitor.optional_number({"max_force", "N", "at the device; without it a fifth of its largest"},
+                          effect.max_force, above_to(0, 1000));
+  visitor.number({"ahead", "s", "by which the expert's tool that is shown is ahead"}, effect.ahead,
+                 from_to(0, 60));
+  visitor.number({"gain", "", "of pull and ghost; 0: off at the start, and no trial with more is scored"},
+                 effect.gain, kFraction);
+}
+
 }  // namespace
 
 std::initializer_list<std::string_view> impact_material_key() {
@@ -251,8 +269,19 @@ void describe_effects(KeyVisitor& visitor, Scenario& scenario) {
       [&](KeyVisitor& inner) {
         describe_inertia_compensation(inner, scenario.effects.inertia_compensation.emplace());
       });
-  visitor.mapping({"texture", "", "ridges that are felt while sliding, on surfaces that are smooth"},
-                  [&](KeyVisitor& inner) { describe_texture(inner, scenario.effects.texture.emplace()); });
+  visitor.mapping(
+      {"texture", "", "ridges that are felt while sliding, on surfaces that are smooth"},
+      [&](KeyVisitor& inner) { describe_texture(inner, scenario.effects.texture.emplace()); });
+  visitor.mapping(
+      {"guidance", "", "on request: a pull towards the expert's way, and the expert's tool a little ahead"},
+      [&](KeyVisitor& inner) { describe_guidance(inner, scenario.effects.guidance.emplace()); });
+}
+
+void check_expert(KeyVisitor& visitor, const Scenario& scenario) {
+  const bool has_expert = std::ranges::count(scenario.hands, kExpertHand, &HandEntry::name) > 0;
+  visitor.rule("guidance", has_expert || !follows_expert(scenario.effects),
+               "leads along the way of a hand 'expert', which 'hands' does not name: name one, or leave "
+               "guidance out");
 }
 
 }  // namespace fulcrum::scenario

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/scenario/describe.h"
+#include "engine/scenario/hint.h"
 
 namespace fulcrum::scenario {
 
@@ -61,24 +62,34 @@ void describe_materials(KeyVisitor& visitor, std::vector<MaterialOverride>& mate
 
 void describe_task(KeyVisitor& visitor, Scenario& scenario) {
   std::set<std::string> names, mirrored_names;
-  visitor.list({"checkpoints", "", "where the tool's touch point has to go, in order", true}, 1,
-               [&](KeyVisitor& each) {
-                 Checkpoint& checkpoint = scenario.checkpoints.emplace_back();
-                 each.text({"name", "", "as results and panels call it", true}, checkpoint.name);
-                 const bool differs = names.insert(checkpoint.name).second;
-                 each.rule("name", differs, "is the name of an earlier one; choose another");
-                 std::string& mirrored = checkpoint.mirrored_name;
-                 each.text({"mirrored_name", "",
-                            "its name where 'left_handed' mirrors the scene, such as 'left 1' of 'right 1'; "
-                            "without it the same"},
-                           mirrored);
-                 const std::string& seen = mirrored.empty() ? checkpoint.name : mirrored;
-                 each.rule(mirrored.empty() ? "name" : "mirrored_name",
-                           mirrored_names.insert(seen).second || !differs,
-                           "is the name of an earlier one where the scene is mirrored; choose another");
-                 each.vector({"position", "m", "in the world", true}, checkpoint.position, kPosition);
-                 each.number({"radius", "m", "how near counts as there"}, checkpoint.radius, above_to(0, 10));
-               });
+  visitor.list(
+      {"checkpoints", "", "where the tool's touch point has to go, in order", true}, 1,
+      [&](KeyVisitor& each) {
+        Checkpoint& checkpoint = scenario.checkpoints.emplace_back();
+        each.text({"name", "", "as results and panels call it", true}, checkpoint.name);
+        const bool differs = names.insert(checkpoint.name).second;
+        each.rule("name", differs, "is the name of an earlier one; choose another");
+        std::string& mirrored = checkpoint.mirrored_name;
+        each.text({"mirrored_name", "",
+                   "its name where 'left_handed' mirrors the scene, such as 'left 1' of 'right 1'; "
+                   "without it the same"},
+                  mirrored);
+        const std::string& seen = mirrored.empty() ? checkpoint.name : mirrored;
+        each.rule(mirrored.empty() ? "name" : "mirrored_name", mirrored_names.insert(seen).second || !differs,
+                  "is the name of an earlier one where the scene is mirrored; choose another");
+        each.vector({"position", "m", "in the world", true}, checkpoint.position, kPosition);
+        each.number({"radius", "m", "how near counts as there"}, checkpoint.radius, above_to(0, 10));
+        each.choice_of({"needs", "",
+                        "place: to be there; touch: something is touched all the while; stop: the "
+                        "force is stopped there and taken up again"},
+                       checkpoint.needs);
+        each.text({"hint", "",
+                   "what to do, in the window while it is the next; {move}, {turn}, {finely}, {stop} "
+                   "and {go_on} stand for how the device in hand does that"},
+                  checkpoint.hint);
+        const std::string fault = hint_fault(checkpoint.hint);
+        each.rule("hint", fault.empty(), fault);
+      });
   visitor.number({"dwell", "s", "how long the touch point must stay at a checkpoint without a break"},
                  scenario.dwell, from_to(0, 600));
   visitor.mapping({"hard_touch", "", "touches that are too hard are counted; without it none are"},
@@ -88,6 +99,9 @@ void describe_task(KeyVisitor& visitor, Scenario& scenario) {
                         scenario.hard_touch.emplace(), above_to(0, 1000));
                   });
 }
+
+// s, of a waypoint's dwell after its stop: longer than a tick of the slowest loop.
+constexpr double kLeastGoOn = 0.1;
 
 void describe_yielding(KeyVisitor& visitor, YieldingDesc& yields) {
   visitor.number({"reaction", "s", "from a cue to the hand's first motion by it"}, yields.reaction,
@@ -143,6 +157,8 @@ void describe_scenario(KeyVisitor& visitor, Scenario& scenario) {
   visitor.version({"fulcrum", "", "version of the file's format", true}, kFormatVersion);
   visitor.text({"title", "", "as lists and windows show it", true}, scenario.title);
   visitor.text({"about", "", "one line for `fulcrum list`", true}, scenario.about);
+  visitor.choice_of({"difficulty", "", "for whom it is: easy, medium or hard; without it nobody is told"},
+                    scenario.difficulty);
   visitor.number({"time_limit", "s", "of simulated time; a run that takes longer ends not completed", true},
                  scenario.time_limit, above_to(0, 86400));
   visitor.integer({"seed", "", "of everything random in a run"}, scenario.seed, 0,
@@ -159,7 +175,9 @@ void describe_scenario(KeyVisitor& visitor, Scenario& scenario) {
   describe_effects(visitor, scenario);
   describe_task(visitor, scenario);
   describe_hands(visitor, scenario.hands);
+  check_expert(visitor, scenario);
   describe_look(visitor, scenario);
+  describe_sound(visitor, scenario);
 }
 
 void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints) {
@@ -182,6 +200,12 @@ void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints) {
             {"press", "N",
              "on the stick's strip. Without it as at the waypoint before, and 2 N to begin with"},
             waypoint.press, from_to(0, 100));
+        each.optional_number({"stop", "s",
+                              "the hand stops the force on arrival, and takes it up again so long after; "
+                              "without it it does not"},
+                             waypoint.stop, above_to(0, 3600));
+        each.rule("stop", !waypoint.stop || *waypoint.stop + kLeastGoOn <= waypoint.dwell,
+                  "must end 0.1 s before 'dwell' does, so that the hand takes the force up again");
       });
 }
 

@@ -71,6 +71,7 @@ public:
   virtual void boolean(const Key& key, bool& value) = 0;
   virtual void text(const Key& key, std::string& value) = 0;  // one line, not empty
   virtual void word(const Key& key, std::string& value) = 0;  // letters, digits, '_' and '-'
+  // index: names.size() where none is chosen; then the key may be left out.
   virtual void choice(const Key& key, std::size_t& index, std::span<const std::string_view> names) = 0;
   virtual void vector(const Key& key, Vec3& value, const Range& each) = 0;
   // Up to `most` numbers; none: the key may be left out.
@@ -105,6 +106,13 @@ public:
     auto index = static_cast<std::size_t>(value);
     choice(key, index, names_of<Enum>);
     value = static_cast<Enum>(index);
+  }
+  template <class Enum>
+  void choice_of(const Key& key, std::optional<Enum>& value) {
+    constexpr std::span<const std::string_view> names(names_of<Enum>);
+    std::size_t index = value ? static_cast<std::size_t>(*value) : names.size();
+    choice(key, index, names);
+    if (index < names.size()) value = static_cast<Enum>(index);
   }
 };
 

@@ -161,6 +161,7 @@ Faults read_materials(Scenario& scenario, const Node& root, TextStore& texts) {
   };
   for (const ModelEntry& model : scenario.models) read(model.material, {"models", model.name, "material"});
   read(scenario.impact_material, impact_material_key());
+  if (scenario.sound) read(scenario.sound->material, sound_material_key());
   return faults;
 }
 

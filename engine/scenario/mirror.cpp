@@ -29,7 +29,7 @@ void mirror(DeviceEntry& device) {
 }
 
 void mirror(Checkpoint& checkpoint) {
-  auto& [name, position, radius, mirrored_name] = checkpoint;
+  auto& [name, position, radius, mirrored_name, needs, hint] = checkpoint;
   if (!mirrored_name.empty()) std::swap(name, mirrored_name);
   fulcrum::mirror(position);
 }
@@ -37,7 +37,7 @@ void mirror(Checkpoint& checkpoint) {
 void mirror(HandEntry& hand) {
   auto& [name, path, desc, waypoints] = hand;
   for (Waypoint& waypoint : waypoints) {
-    auto& [X_WT, travel, dwell, hold, press] = waypoint;
+    auto& [X_WT, travel, dwell, hold, press, stop] = waypoint;
     fulcrum::mirror(X_WT);
   }
 }
@@ -74,10 +74,10 @@ std::string why_not_mirrored(const Scenario& scenario) {
 }
 
 void mirror(Scenario& scenario) {
-  auto& [title, about, time_limit, seed, tick_rate_Hz, left_handed, why_right_handed, models, materials, tool,
-         field, shell, contact, edges, integrator, coupling, velocity_estimator, device, effects, impact,
-         impact_material, impact_materials, holding_point, checkpoints, dwell, hard_touch, hands, guide,
-         views, light, ambient, background, folder, overrides, texts] = scenario;
+  auto& [title, about, difficulty, time_limit, seed, tick_rate_Hz, left_handed, why_right_handed, models,
+         materials, tool, field, shell, contact, edges, integrator, coupling, velocity_estimator, device,
+         effects, impact, impact_material, impact_materials, holding_point, checkpoints, dwell, hard_touch,
+         hands, guide, sound, views, light, ambient, background, folder, overrides, texts] = scenario;
   mirror(tool);
   mirror(device);
   fulcrum::mirror(effects);

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/render/visual_desc.h"
@@ -72,11 +73,20 @@ struct DeviceEntry {
   std::optional<double> floor;  // m, y in W of what they stand on; none: nothing is drawn under them
 };
 
+// The hand that knows how: what a trial is compared with, and whose way can be shown.
+inline constexpr std::string_view kExpertHand = "expert";
+
 struct HandEntry {
   std::string name;
   FileRef path;
   HandDesc desc;                    // its seed is the scenario's
   std::vector<Waypoint> waypoints;  // of M, what the path's file says
+};
+
+// What is heard of the scene.
+struct SoundEntry {
+  double gain = 1, pitch = 16, slide = 1;  // audio/scene_sound.h
+  std::string material = "steel";          // of models that name none, content/materials/MATERIAL.yaml
 };
 
 struct View {
@@ -92,13 +102,17 @@ struct SourceTexts {
       files;  // "scenario.yaml", "expert.yaml", "devices/phantom_like.yaml", ...
 };
 
+// For whom a scenario is, among those beside it.
+enum class Difficulty { easy, medium, hard };
+
 // The slowest and the fastest loop that a scenario may ask for.
 inline constexpr double kSlowestTicks_Hz = 100, kFastestTicks_Hz = 20000;
 
 struct Scenario {
   std::string title;
-  std::string about;      // one line
-  double time_limit = 0;  // s
+  std::string about;                     // one line
+  std::optional<Difficulty> difficulty;  // none: nobody has said
+  double time_limit = 0;                 // s
   std::int64_t seed = 1;
   double tick_rate_Hz = 1000;
   bool left_handed = false;      // all below is mirrored; the models are where they are loaded (mirror.h)
@@ -124,6 +138,7 @@ struct Scenario {
   std::optional<double> hard_touch;  // N
   std::vector<HandEntry> hands;
   std::optional<GuideDesc> guide;
+  std::optional<SoundEntry> sound;
   std::vector<View> views;  // the first is where a window starts
   std::optional<render::KeyLight> light = render::KeyLight{};
   render::Ambient ambient;
@@ -139,3 +154,6 @@ struct Scenario {
 template <>
 inline constexpr std::array<std::string_view, 3> fulcrum::names_of<fulcrum::scenario::ModelRole>{
     "scene", "tool", "decor"};
+template <>
+inline constexpr std::array<std::string_view, 3> fulcrum::names_of<fulcrum::scenario::Difficulty>{
+    "easy", "medium", "hard"};

@@ -56,7 +56,7 @@ public:
     add(key, {{"type", "string"}, {"pattern", kWordPattern}}, value);
   }
   void choice(const Key& key, std::size_t& index, std::span<const std::string_view> names) override {
-    add(key, names_schema(names), names[index]);
+    add(key, names_schema(names), index < names.size() ? Json(names[index]) : Json(nullptr));
   }
   void vector(const Key& key, Vec3& value, const Range& each) override {
     add(key, numbers_schema(3, each), {value.x(), value.y(), value.z()});

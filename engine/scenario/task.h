@@ -6,14 +6,24 @@
 #include <vector>
 
 #include "haptics/math/linear.h"
+#include "haptics/math/names_of.h"
 
 namespace fulcrum::scenario {
+
+// What a checkpoint needs beside the touch point's being there.
+enum class Needs {
+  place,  // nothing
+  touch,  // that the tool touches the scene all the while
+  stop    // that the force was stopped there, as Esc does, and taken up again
+};
 
 struct Checkpoint {
   std::string name;
   Vec3 position = Vec3::Zero();  // (3) m, in W
   double radius = 0.01;          // m
   std::string mirrored_name{};   // where the scene is mirrored; empty: the same
+  Needs needs = Needs::place;
+  std::string hint{};  // a sentence for whoever has it next, with hint words (hint.h); empty: none
 };
 
 struct TaskDesc {
@@ -25,3 +35,7 @@ struct TaskDesc {
 };
 
 }  // namespace fulcrum::scenario
+
+template <>
+inline constexpr std::array<std::string_view, 3> fulcrum::names_of<fulcrum::scenario::Needs>{"place", "touch",
+                                                                                             "stop"};

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/safety/faults.h"
+
 namespace fulcrum::scenario {
 
 namespace {
@@ -31,19 +33,43 @@ void TaskJudge::judge_touch(const TickRecord& record) {
   state_.hard_touch_time = static_cast<double>(hard_ticks_) * tick_s_;
 }
 
+bool TaskJudge::is_there(const TickRecord& record) const {
+  const Checkpoint& next = desc_.checkpoints[state_.step];
+  // Not a number is nowhere: the comparison fails.
+  return (record.X_WT * desc_.touch_point - next.position).norm() <= next.radius;
+}
+
+bool TaskJudge::has_what_it_needs(const TickRecord& record) const {
+  switch (desc_.checkpoints[state_.step].needs) {
+    case Needs::place:
+      return true;
+    case Needs::touch:
+      return record.regions > 0;
+    case Needs::stop:
+      return was_stopped_;
+  }
+  return true;
+}
+
 void TaskJudge::judge(const TickRecord& record) {
   if (record.stopped) {
+    // Asked for, by nothing else, and at the checkpoint in the tick in which it began.
+    const bool asked_for = (record.faults & kStoppingFaults) == kStopRequested;
+    if (!rests_ && asked_for && !state_.completed && is_there(record)) was_stopped_ = true;
+    rests_ = true;
     ++rested_;
     return;
   }
+  rests_ = false;
   if (desc_.hard_touch) judge_touch(record);
   if (state_.completed) return;
   state_.time = static_cast<double>(record.tick - rested_) * tick_s_;
-  const Checkpoint& next = desc_.checkpoints[state_.step];
-  // Not a number is nowhere: the comparison fails.
-  state_.inside = (record.X_WT * desc_.touch_point - next.position).norm() <= next.radius;
-  ticks_inside_ = state_.inside ? ticks_inside_ + 1 : -1;
-  if (!state_.inside) {
+  state_.inside = is_there(record);
+  if (!state_.inside) was_stopped_ = false;
+  state_.lacks = state_.inside && !has_what_it_needs(record);
+  const bool counts = state_.inside && !state_.lacks;
+  ticks_inside_ = counts ? ticks_inside_ + 1 : -1;
+  if (!counts) {
     state_.dwell_progress = 0;
     return;
   }
@@ -54,6 +80,7 @@ void TaskJudge::judge(const TickRecord& record) {
   state_.reached[state_.step] = state_.time;
   ++state_.step;
   ticks_inside_ = -1;
+  was_stopped_ = false;
   state_.inside = false;
   state_.dwell_progress = 0;
   state_.completed = state_.step == desc_.checkpoints.size();

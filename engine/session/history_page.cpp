@@ -80,13 +80,13 @@ std::string history_html(const std::vector<StoredTrial>& trials) {
   std::map<std::string, ByParticipant> scenarios;
   std::map<std::string, std::string> titles;
   for (const StoredTrial& stored : trials) {
-    if (!stored.trial.whole || !stored.trial.changes.empty()) continue;
+    if (!stored.trial.whole || !stored.trial.changes.empty() || stored.trial.metrics.guided) continue;
     scenarios[stored.trial.scenario][stored.session.participant].push_back(&stored.trial);
     titles[stored.trial.scenario] = stored.trial.title;
   }
   report::Page page("Results over trials");
   if (scenarios.empty())
-    page.paragraph("There is no trial that came to its end, of a task as its scenario has it.");
+    page.paragraph("There is no trial that came to its end, of a task as its scenario has it, unguided.");
   for (const auto& [scenario, people] : scenarios) {
     page.heading(titles[scenario] + " (" + scenario + ")");
     page.plot(over_trials(people, "Score", "of 100", score_of, 100.0), "Every trial that came to its end.");

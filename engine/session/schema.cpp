@@ -35,6 +35,9 @@ CREATE TABLE sent (trial INTEGER NOT NULL REFERENCES trial(id) ON DELETE CASCADE
 CREATE INDEX trial_folder ON trial(folder);
 )";
 
+// Whether the person was led in a trial. None was before there was this column.
+constexpr const char* kVersion3 = "ALTER TABLE trial ADD COLUMN guided INTEGER NOT NULL DEFAULT 0";
+
 void name_trials(sql::Database& database) {
   sql::Statement unnamed = database.prepare("SELECT id FROM trial WHERE uuid = ''");
   sql::Statement name = database.prepare("UPDATE trial SET uuid = ? WHERE id = ?");
@@ -63,6 +66,10 @@ void migrate(sql::Database& database, std::int64_t to) {
     database.run(kVersion2);
     name_trials(database);
     version = 2;
+  }
+  if (version < 3 && to >= 3) {
+    database.run(kVersion3);
+    version = 3;
   }
   database.run(("PRAGMA user_version = " + std::to_string(version)).c_str());
   all.commit();

@@ -5,7 +5,7 @@
 
 namespace fulcrum::session {
 
-inline constexpr std::int64_t kSchemaVersion = 2;
+inline constexpr std::int64_t kSchemaVersion = 3;
 
 // Of a store that is there; 0: it has no tables yet.
 std::int64_t schema_version(sql::Database& database);

@@ -138,6 +138,12 @@ Score score(const TrialMetrics& trial, const TrialMetrics* expert) {
   list.push_back(told("E_tau", digits(trial.torque_error, 3, "N m s"), "Torque of the coupling over time."));
   list.push_back(told("E_F", digits(trial.force_error, 2, "N s"), "Force of contact over time."));
 
+  if (trial.guided) {
+    for (Criterion& criterion : list) criterion.points.reset();
+    list.insert(list.begin(),
+                told("Guided", "yes", "A trial in which the expert's way was shown has no points."));
+    return all;
+  }
   double points = 0, most = 0;
   for (const Criterion& criterion : list) {
     if (!criterion.points) continue;

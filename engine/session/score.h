@@ -21,7 +21,7 @@ struct Criterion {
 struct Score {
   std::vector<Criterion> criteria;
   // 0 to 100: the points there are, over the most that there may be. None: there is no expert to compare
-  // with.
+  // with, or the person was guided.
   std::optional<double> total;
 };
 

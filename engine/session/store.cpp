@@ -20,7 +20,8 @@ namespace {
 constexpr const char* kTrials =
     "SELECT trial.id, trial.uuid, scenario, title, trial.began, ended, device, hand, left_handed, seed, "
     "whole, "
-    "score, changes, folder, trace_sha256, session.uuid, participant.name, session.began, program_version "
+    "guided, score, changes, folder, trace_sha256, session.uuid, participant.name, session.began, "
+    "program_version "
     "FROM trial "
     "JOIN "
     "session ON session.id = trial.session JOIN participant ON participant.id = session.participant ";
@@ -35,6 +36,7 @@ StoredTrial read_trial(const sql::Statement& row) {
   trial.left_handed = row.integer(column++) != 0;
   trial.seed = row.integer(column++);
   trial.whole = row.integer(column++) != 0;
+  trial.metrics.guided = row.integer(column++) != 0;
   if (!row.is_null(column)) trial.score = row.number(column);
   ++column;
   for (std::string* text :
@@ -132,7 +134,9 @@ public:
     sql::Statement metrics = database.prepare("SELECT name, value FROM metric WHERE trial = ?");
     metrics.bind(id);
     while (metrics.step()) values.emplace_back(metrics.text(0), metrics.number(1));
+    const bool guided = stored.trial.metrics.guided;  // a column of the trial's own
     stored.trial.metrics = from_named_values(values);
+    stored.trial.metrics.guided = guided;
     sql::Statement events =
         database.prepare("SELECT time_s, kind, text FROM event WHERE trial = ? ORDER BY number");
     events.bind(id);
@@ -213,8 +217,8 @@ std::optional<Error> Store::add(const Session& session, const Trial& trial) {
         .prepare(
             "INSERT INTO trial (session, uuid, scenario, title, began, ended, device, hand, left_handed, "
             "seed, "
-            "whole, score, changes, folder, trace_sha256) "
-            "SELECT id, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM session WHERE uuid = ?")
+            "whole, guided, score, changes, folder, trace_sha256) "
+            "SELECT id, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM session WHERE uuid = ?")
         .bind(trial.uuid)
         .bind(trial.scenario)
         .bind(trial.title)
@@ -225,6 +229,7 @@ std::optional<Error> Store::add(const Session& session, const Trial& trial) {
         .bind(std::int64_t{trial.left_handed})
         .bind(trial.seed)
         .bind(std::int64_t{trial.whole})
+        .bind(std::int64_t{trial.metrics.guided})
         .bind(trial.score)
         .bind(trial.changes)
         .bind(kept_folder(trial.folder))
@@ -281,7 +286,7 @@ Result<std::optional<double>> Store::best_score(const std::string& participant,
     sql::Statement best = database.prepare(
         "SELECT MAX(score) FROM trial JOIN session ON session.id = trial.session JOIN participant ON "
         "participant.id = session.participant WHERE participant.name = ? AND scenario = ? AND whole = 1 "
-        "AND changes = ''");
+        "AND changes = '' AND guided = 0");
     best.bind(participant).bind(scenario);
     std::optional<double> score;
     if (best.step() && !best.is_null(0)) score = best.number(0);
@@ -302,7 +307,8 @@ Result<bool> Store::set_consent(const std::string& participant, bool consents) {
 namespace {
 
 constexpr const char* kToSend =
-    "participant.consents = 1 AND whole = 1 AND changes = '' AND NOT EXISTS (SELECT 1 FROM sent WHERE "
+    "participant.consents = 1 AND whole = 1 AND changes = '' AND guided = 0 AND NOT EXISTS (SELECT 1 FROM "
+    "sent WHERE "
     "sent.trial = trial.id "
     "AND "
     "sent.url = ?1)";

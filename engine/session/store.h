@@ -50,14 +50,15 @@ public:
 
   Result<std::vector<Participant>> participants() const;
   Result<std::vector<StoredTrial>> trials(const Filter& filter) const;  // by the time at which they began
-  // Of the participant in that scenario, among whole trials of the task as it is; none: there is none.
+  // Of the participant in that scenario, among whole trials of the task as it is, without guidance; none:
+  // there is none.
   Result<std::optional<double>> best_score(const std::string& participant, const std::string& scenario) const;
 
   // Whether there is such a participant.
   Result<bool> set_consent(const std::string& participant, bool consents);
 
-  // The trials of participants who consent, that came to an end, of the task as it is, and that this address
-  // has not been sent yet.
+  // The trials of participants who consent, that came to an end, of the task as it is, without guidance, and
+  // that this address has not been sent yet.
   Result<std::vector<StoredTrial>> unsent(const std::string& url) const;
   // Whether it is still to be sent: asked again before each, since somebody may withdraw meanwhile.
   Result<bool> may_send(const std::string& trial_uuid, const std::string& url) const;

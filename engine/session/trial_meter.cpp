@@ -52,6 +52,7 @@ void TrialMeter::note_event(TrialEvent::Kind kind, std::string text) {
 }
 
 void TrialMeter::note(const TickRecord& record, const scenario::TaskState& task) {
+  if (fulcrum::guided(record)) guided_ = true;
   const std::uint32_t began = record.faults & kStoppingFaults & ~faults_;
   faults_ = record.faults & kStoppingFaults;
   for (const FaultName& fault : fault_names())
@@ -132,6 +133,7 @@ TrialMetrics TrialMeter::metrics(const scenario::TaskState& task) const {
   TrialMetrics metrics;
   metrics.time = static_cast<double>(ticks_) * tick_s_;
   metrics.completed = task.completed;
+  metrics.guided = guided_;
   metrics.checkpoints = std::ssize(task_.checkpoints);
   metrics.checkpoints_reached = static_cast<std::int64_t>(task.step);
   metrics.path = path_;

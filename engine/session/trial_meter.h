@@ -35,10 +35,12 @@ class TrialMeter {
 public:
   TrialMeter(const scenario::TaskDesc& task, double tick_s);
 
-  // task: as the record left it. A stop is a pause: nothing is measured until it is acknowledged.
+  // task: as the record left it. A stop is a pause: nothing is measured until it is acknowledged, but whether
+  // the person was led.
   void note(const TickRecord& record, const scenario::TaskState& task);
 
   TrialMetrics metrics(const scenario::TaskState& task) const;
+  bool guided() const { return guided_; }
   const TrialCurves& curves() const { return curves_; }
   // At most kMostEvents of them.
   const std::vector<TrialEvent>& events() const { return events_; }
@@ -57,6 +59,7 @@ private:
   scenario::TaskDesc task_;
   double tick_s_;
   std::int64_t ticks_ = 0;  // of the trial
+  bool guided_ = false;
 
   std::optional<Vec3> p_WC_;  // (3) m, of the touch point, a tick ago
   double path_ = 0;

@@ -13,6 +13,7 @@ namespace fulcrum::session {
 struct TrialMetrics {
   double time = 0;  // s, of the trial: it rests while the force is stopped
   bool completed = false;
+  bool guided = false;  // the person was led, be it for a tick: the other figures are not theirs alone
   std::int64_t checkpoints_reached = 0, checkpoints = 0;
   double path = 0;                      // m, that the touch point went
   std::optional<double> smoothness{};   // spectral arc length of the touch point's speed

@@ -106,6 +106,7 @@ std::string trial_html(const TrialPage& of) {
   report::Page page(trial.title.empty() ? trial.scenario : trial.title);
   if (!of.about.empty()) page.paragraph(of.about);
   std::string verdict = outcome(trial);
+  if (trial.metrics.guided) verdict += " Guided: no points.";
   if (of.score.total) verdict += " " + report::short_number(std::round(*of.score.total)) + " of 100 points.";
   page.note(verdict);
   for (const std::string& sentence : of.faults) page.paragraph(sentence);
@@ -118,6 +119,7 @@ std::string trial_html(const TrialPage& of) {
   if (!trial.hand.empty()) facts.emplace_back("Simulated hand", trial.hand);
   if (of.expert_time) facts.emplace_back("The expert's time", in_seconds(*of.expert_time));
   facts.emplace_back("Seed", std::to_string(trial.seed));
+  if (!of.heard.empty()) facts.emplace_back("Heard", of.heard);
   page.facts(facts);
 
   page.heading("Score");

@@ -19,6 +19,7 @@ struct TrialPage {
   std::optional<double> expert_time{};          // s
   std::vector<std::string> faults{}, limits{};  // sentences, of what befell it
   std::string replay_command{};
+  std::string heard{};  // how many blows, and how late; empty: nobody listened
 };
 
 std::string trial_html(const TrialPage& page);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "engine/session/plain_text.h"
 
@@ -62,8 +63,13 @@ StatementJson verb_json(bool completed) {
 StatementJson activity_json(const Statement& statement, const std::string& space) {
   const std::string name = name_alone(statement.scenario);
   const bool titled = !statement.scenario_title.empty() && statement.scenario_title != statement.scenario;
+  // A person's own scenario, named by its file, is none of those that come with Fulcrum, and its folder may
+  // be called as another's is: its title goes into its identifier, too.
+  const bool own = statement.scenario.find('/') != std::string::npos || statement.scenario.ends_with(".yaml");
+  std::string id = space + (own ? "scenarios/own/" : "scenarios/") + in_address(name);
+  if (own && titled) id += '/' + in_address(plain_text(statement.scenario_title));
   return {{"objectType", "Activity"},
-          {"id", space + "scenarios/" + in_address(name)},
+          {"id", std::move(id)},
           {"definition",
            {{"name", {{"en", titled ? plain_text(statement.scenario_title) : name}}},
             {"type", "http://adlnet.gov/expapi/activities/simulation"}}}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/ui/columns.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
 
@@ -12,27 +13,36 @@ constexpr float kGap = 6.0F;    // between what is drawn beside each other
 constexpr float kStep = 24.0F;  // by which a place farther away is tried
 constexpr int kSteps = 14;
 
-bool touch(const Area& a, const Area& b) {
+bool crowd(const Area& a, const Area& b) {
   return a.at.x < b.at.x + b.size.x + kGap && b.at.x < a.at.x + a.size.x + kGap &&
          a.at.y < b.at.y + b.size.y + kGap && b.at.y < a.at.y + a.size.y + kGap;
 }
 
 }  // namespace
 
-std::vector<Area> panel_areas(const Canvas& canvas, const OverlayState& state) {
+std::vector<Area> fixed_areas(const Canvas& canvas, const OverlayState& state) {
   std::vector<Area> areas;
-  for (const Area& area : {checkpoints_area(state), health_area(canvas, state), trouble_area(canvas, state),
-                           cues_area(canvas, state), holding_area(canvas, state), motors_area(canvas, state),
-                           dials_area(canvas, state), message_area(canvas, state)})
+  const Columns columns = columns_of(canvas, state);
+  for (const Area& area :
+       {checkpoints_area(canvas, state), trouble_area(canvas, state), message_area(canvas, state),
+        returning_area(canvas, state), columns.health, columns.cues, columns.holding, columns.motors,
+        columns.dials, columns.timeline, columns.band})
     if (area.size.x > 0.0F) areas.push_back(area);
   return areas;
 }
 
+std::vector<Area> panel_areas(const Canvas& canvas, const OverlayState& state) {
+  std::vector<Area> areas = fixed_areas(canvas, state);
+  if (const Area area = second_view_area(canvas, state); area.size.x > 0.0F) areas.push_back(area);
+  return areas;
+}
+
 bool is_clear(const Canvas& canvas, const Area& area, std::span<const Area> taken) {
-  const bool inside = area.at.x >= theme::kMargin && area.at.y >= theme::kMargin &&
-                      area.at.x + area.size.x <= canvas.width() - theme::kMargin &&
-                      area.at.y + area.size.y <= canvas.height() - theme::kMargin;
-  return inside && std::ranges::none_of(taken, [&](const Area& other) { return touch(area, other); });
+  const float margin = margin_of(canvas.height());
+  const bool inside = area.at.x >= margin && area.at.y >= margin &&
+                      area.at.x + area.size.x <= canvas.width() - margin &&
+                      area.at.y + area.size.y <= canvas.height() - margin;
+  return inside && std::ranges::none_of(taken, [&](const Area& other) { return crowd(area, other); });
 }
 
 Area clear_beside(const Canvas& canvas, ImVec2 middle, float radius, ImVec2 size,
@@ -46,11 +56,7 @@ Area clear_beside(const Canvas& canvas, ImVec2 middle, float radius, ImVec2 size
     for (const ImVec2& place : places)
       if (is_clear(canvas, {place, size}, taken)) return {place, size};
   }
-  const float right = std::max(theme::kMargin, canvas.width() - theme::kMargin - size.x);
-  const float bottom = std::max(theme::kMargin, canvas.height() - theme::kMargin - size.y);
-  return {{std::clamp(middle.x + radius + kGap, theme::kMargin, right),
-           std::clamp(middle.y - size.y / 2.0F, theme::kMargin, bottom)},
-          size};
+  return {};
 }
 
 }  // namespace fulcrum::ui

@@ -16,8 +16,8 @@ void draw_busy(const Canvas& canvas, const Busy& busy) {
   const float left = at.x + inset;
   const float right = at.x + size.x - inset;
   canvas.card(at, size);
-  canvas.text(fonts.number, {left, at.y + 22.0F}, theme::kText,
-              canvas.fitted(fonts.number, busy.title, right - left));
+  ImFont* const font = canvas.widest({fonts.number, fonts.strong, fonts.small}, busy.title, right - left);
+  canvas.text(font, {left, at.y + 22.0F}, theme::kText, canvas.fitted(font, busy.title, right - left));
   const auto done = static_cast<float>(std::clamp(busy.fraction, 0.0, 1.0));
   const std::string percent = std::to_string(static_cast<int>(100.0F * done)) + " %";
   canvas.text(fonts.body, {right, at.y + 64.0F}, theme::kText, percent, Align::right);
@@ -27,9 +27,13 @@ void draw_busy(const Canvas& canvas, const Busy& busy) {
   const ImVec2 bar{left, at.y + 90.0F};
   canvas.box(bar, {right - left, height}, theme::kTrack, height / 2.0F);
   if (done > 0.0F)
-    canvas.box(bar, {std::max(height, done * (right - left)), height}, theme::kAccent, height / 2.0F);
-  canvas.text(fonts.small, {left, at.y + 112.0F}, theme::kFaint,
-              canvas.fitted(fonts.small, busy.note, right - left));
+    canvas.box(bar, {std::max(height, done * (right - left)), height}, canvas.colours().accent,
+               height / 2.0F);
+  float y = at.y + 108.0F;
+  for (const std::string& line : canvas.lines(fonts.small, busy.note, right - left, 2)) {
+    canvas.text(fonts.small, {left, y}, theme::kSecondary, line);
+    y += 16.0F;
+  }
 }
 
 }  // namespace fulcrum::ui

@@ -3,12 +3,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "engine/ui/theme.h"
-
 namespace fulcrum::ui {
 
-void Canvas::card(ImVec2 at, ImVec2 size) const {
-  box(at, size, theme::kCard, theme::kRounding);
+void Canvas::card(ImVec2 at, ImVec2 size, ImU32 colour) const {
+  if (log_ != nullptr) log_->cards.push_back({at, size});
+  box(at, size, colour, theme::kRounding);
   frame(at, size, theme::kCardEdge, theme::kRounding, 1.0F);
 }
 
@@ -45,6 +44,8 @@ void Canvas::triangle(ImVec2 a, ImVec2 b, ImVec2 c, ImU32 colour) const {
 void Canvas::text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& words, Align align) const {
   const float width = align == Align::left ? 0.0F : measure(font, words).x;
   at.x -= align == Align::centre ? width / 2.0F : width;
+  if (log_ != nullptr && !words.empty())
+    log_->words.push_back({{at, measure(font, words)}, words, log_->cards.size()});
   const ImVec2 corner = px(at);
   // On whole pixels: glyphs are rasterised for them and blur between them.
   list_.AddText(font, font->FontSize, {std::round(corner.x), std::round(corner.y)}, colour, words.c_str());
@@ -57,6 +58,7 @@ ImVec2 Canvas::measure(ImFont* font, const std::string& words) const {
 
 std::string Canvas::fitted(ImFont* font, const std::string& words, float width) const {
   if (measure(font, words).x <= width) return words;
+  if (log_ != nullptr) log_->cut.push_back(words);
   std::string shorter = words;
   while (!shorter.empty() && measure(font, shorter + "...").x > width) {
     // A whole UTF-8 character at a time: continuation bytes are 10xxxxxx.
@@ -69,15 +71,38 @@ std::string Canvas::fitted(ImFont* font, const std::string& words, float width) 
 
 std::vector<std::string> Canvas::wrapped(ImFont* font, const std::string& words, float width) const {
   std::vector<std::string> lines;
-  std::istringstream rest(words);
-  for (std::string word; rest >> word;) {
-    const std::string longer = lines.empty() ? word : lines.back() + " " + word;
-    if (!lines.empty() && measure(font, longer).x <= width)
-      lines.back() = longer;
-    else
-      lines.push_back(fitted(font, word, width));
+  std::istringstream sentences(words);
+  for (std::string sentence; std::getline(sentences, sentence);) {
+    bool begins = true;
+    std::istringstream rest(sentence);
+    for (std::string word; rest >> word; begins = false) {
+      const std::string longer = begins ? word : lines.back() + " " + word;
+      if (!begins && measure(font, longer).x <= width)
+        lines.back() = longer;
+      else
+        lines.push_back(fitted(font, word, width));
+    }
   }
   return lines;
+}
+
+std::vector<std::string> Canvas::lines(ImFont* font, const std::string& words, float width,
+                                       std::size_t most) const {
+  std::vector<std::string> all = wrapped(font, words, width);
+  if (all.size() <= most) return all;
+  if (log_ != nullptr) log_->cut.push_back(words);
+  all.resize(most);
+  if (most > 0) all.back() = fitted(font, all.back() + " ...", width);
+  return all;
+}
+
+ImFont* Canvas::widest(std::initializer_list<ImFont*> fonts, const std::string& words, float width) const {
+  ImFont* last = nullptr;
+  for (ImFont* const font : fonts) {
+    last = font;
+    if (measure(font, words).x <= width) break;
+  }
+  return last;
 }
 
 }  // namespace fulcrum::ui

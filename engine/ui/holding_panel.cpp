@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "engine/ui/columns.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
@@ -14,9 +15,7 @@ namespace {
 
 using Part = HoldingPress::Part;
 
-constexpr float kWidth = 214.0F;  // as of the panels above
-constexpr float kLength = kWidth - 2.0F * theme::kPadding;
-constexpr float kGap = 10.0F;  // to the panel above
+constexpr float kLength = kColumn - 2.0F * theme::kPadding;
 // From the panel's top.
 constexpr float kSlider = 46.0F, kSensor = 64.0F, kWall = 109.0F, kScale = 134.0F;
 constexpr float kReach = 11.0F;  // a press this near to the slider counts as on it
@@ -34,20 +33,10 @@ float height_of(const HoldingPanel& panel) {
   return inertia_at(panel) + 55.0F;
 }
 
-ImVec2 panel_at(const OverlayState& state, float width) {
-  const float cues = cues_height(state);
-  return {width - theme::kMargin - kWidth,
-          theme::kMargin + health_height(state) + kGap + (cues > 0.0F ? cues + kGap : 0.0F)};
-}
-
 std::string words(const char* pattern, double value) {
   char text[64];
   std::snprintf(text, sizeof text, pattern, value);
   return text;
-}
-
-ImU32 thin(ImU32 colour, ImU32 alpha) {
-  return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
 }
 
 void draw_slider(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
@@ -60,7 +49,7 @@ void draw_slider(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
     canvas.line({at.x + x, at.y + 5.0F}, {at.x + x, at.y + (longer ? 10.0F : 7.5F)}, theme::kFaint, 1.0F);
   }
   const float x = kLength * static_cast<float>(std::clamp((panel.place - panel.low) / range, 0.0, 1.0));
-  canvas.disc({at.x + x, at.y}, 7.5F, panel.sensed_well ? theme::kAccent : theme::kWarn);
+  canvas.disc({at.x + x, at.y}, 7.5F, panel.sensed_well ? canvas.colours().accent : canvas.colours().warn);
   canvas.disc({at.x + x, at.y}, 3.0F, IM_COL32_WHITE);
 }
 
@@ -71,9 +60,9 @@ double scale_end(const HoldingPanel& panel) {
   return 2.0 * panel.levels[n - 1] - panel.levels[n - 2];
 }
 
-ImU32 wall_colour(const HoldingPanel& panel) {
-  if (!(panel.limit > 0.0) || *panel.stiffness < kWarnFrom * panel.limit) return theme::kAccent;
-  return *panel.stiffness < panel.limit ? theme::kWarn : theme::kBad;
+ImU32 wall_colour(const Palette& colours, const HoldingPanel& panel) {
+  if (!(panel.limit > 0.0) || *panel.stiffness < kWarnFrom * panel.limit) return colours.accent;
+  return *panel.stiffness < panel.limit ? colours.warn : colours.bad;
 }
 
 std::string wall_words(const HoldingPanel& panel) {
@@ -93,8 +82,8 @@ void draw_scale(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
     return at.x + kLength * static_cast<float>(std::clamp(value / end, 0.0, 1.0));
   };
   canvas.box(at, {kLength, kScaleHeight}, theme::kTrack, 3.0F);
-  const ImU32 colour = wall_colour(panel);
-  canvas.box(at, {x_of(stiffness) - at.x, kScaleHeight}, thin(colour, 150), 3.0F);
+  const ImU32 colour = wall_colour(canvas.colours(), panel);
+  canvas.box(at, {x_of(stiffness) - at.x, kScaleHeight}, with_alpha(colour, 150), 3.0F);
   for (const double level : panel.levels)
     canvas.line({x_of(level), at.y + 3.0F}, {x_of(level), at.y + kScaleHeight - 3.0F},
                 level <= stiffness ? theme::kText : theme::kFaint, 1.4F);
@@ -103,8 +92,8 @@ void draw_scale(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
                 theme::kText, 2.0F);
   if (!(panel.limit > 0.0) || panel.limit > end) return;
   const float x = x_of(panel.limit);
-  canvas.box({x, at.y}, {at.x + kLength - x, kScaleHeight}, thin(theme::kBad, 60), 0.0F);
-  canvas.line({x, at.y - 4.0F}, {x, at.y + kScaleHeight + 4.0F}, theme::kBad, 2.0F);
+  canvas.box({x, at.y}, {at.x + kLength - x, kScaleHeight}, with_alpha(canvas.colours().bad, 60), 0.0F);
+  canvas.line({x, at.y - 4.0F}, {x, at.y + kScaleHeight + 4.0F}, canvas.colours().bad, 2.0F);
 }
 
 // Where a method's field ends, from the left: each is as wide as its word asks for.
@@ -124,8 +113,8 @@ void draw_methods(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
     const float each = at.x + method_end(panel, i) - x;
     const bool chosen = i == panel.method;
     if (chosen)
-      canvas.box({x, at.y}, {each, kMethodHeight}, thin(panel.faded ? theme::kWarn : theme::kAccent, 160),
-                 4.0F);
+      canvas.box({x, at.y}, {each, kMethodHeight},
+                 with_alpha(panel.faded ? canvas.colours().warn : canvas.colours().accent, 160), 4.0F);
     canvas.text(canvas.fonts().small, {x + each / 2.0F, at.y + 4.0F},
                 chosen ? theme::kText : theme::kSecondary, panel.methods[i], Align::centre);
   }
@@ -133,22 +122,18 @@ void draw_methods(const Canvas& canvas, ImVec2 at, const HoldingPanel& panel) {
 
 }  // namespace
 
-float holding_bottom(const OverlayState& state) {
-  return state.holding ? panel_at(state, 0.0F).y + height_of(*state.holding) + kGap : 0.0F;
-}
-
-Area holding_area(const Canvas& canvas, const OverlayState& state) {
-  if (!state.holding) return {};
-  return {panel_at(state, canvas.width()), {kWidth, height_of(*state.holding)}};
+float holding_height(const OverlayState& state) {
+  return state.holding ? height_of(*state.holding) : 0.0F;
 }
 
 void draw_holding(const Canvas& canvas, const OverlayState& state) {
-  if (!state.holding) return;
+  const Area area = columns_of(canvas, state).holding;
+  if (!(area.size.x > 0.0F)) return;
+  const ImVec2 at = area.at;
   const HoldingPanel& panel = *state.holding;
   const Fonts& fonts = canvas.fonts();
-  const ImVec2 at = holding_area(canvas, state).at;
   const float left = at.x + theme::kPadding, right = left + kLength;
-  canvas.card(at, {kWidth, height_of(panel)});
+  canvas.card(at, area.size);
   // A heading, its value, and the keys that change it.
   const auto head = [&](float y, const char* title, const std::string& value, ImU32 colour, const char* key) {
     const float width = draw_key(canvas, {right, at.y + y - 2.0F}, key);
@@ -163,15 +148,15 @@ void draw_holding(const Canvas& canvas, const OverlayState& state) {
               panel.measured ? theme::kText : theme::kFaint, "Measured");
   draw_key(canvas, {right, at.y + kSensor - 2.0F}, "H");
   canvas.text(fonts.small, {left, at.y + kSensor + 21.0F},
-              panel.sensed_well ? theme::kSecondary : theme::kWarn,
+              panel.sensed_well ? theme::kSecondary : canvas.colours().warn,
               canvas.fitted(fonts.small, panel.sensed, kLength));
 
   if (panel.stiffness) {
     head(kWall, "Stiffness", words("%.0f N/m", *panel.stiffness), theme::kText, "- =");
     draw_scale(canvas, {left, at.y + kScale}, panel);
-    const ImU32 colour = wall_colour(panel);
+    const ImU32 colour = wall_colour(canvas.colours(), panel);
     canvas.text(fonts.small, {left, at.y + kScale + kScaleHeight + 4.0F},
-                colour == theme::kAccent ? theme::kSecondary : colour,
+                colour == canvas.colours().accent ? theme::kSecondary : colour,
                 canvas.fitted(fonts.small, wall_words(panel), kLength));
   }
 
@@ -180,17 +165,17 @@ void draw_holding(const Canvas& canvas, const OverlayState& state) {
                 "Inertia is not made up for");
     return;
   }
-  head(inertia_at(panel), "Inertia", panel.faded ? "faded" : "", theme::kWarn, "N");
+  head(inertia_at(panel), "Inertia", panel.faded ? "faded" : "", canvas.colours().warn, "N");
   draw_methods(canvas, {left, at.y + methods_at(panel)}, panel);
 }
 
-std::optional<HoldingPress> pressed_holding(const OverlayState& state, float width, float x, float y) {
-  if (!state.holding) return std::nullopt;
+std::optional<HoldingPress> pressed_holding(const OverlayState& state, const PanelPoint& press) {
+  const auto [at, size] = columns_of(state, press.width, press.height).holding;
+  if (!(size.x > 0.0F)) return std::nullopt;
   const HoldingPanel& panel = *state.holding;
-  const ImVec2 at = panel_at(state, width);
-  const float along = (x - at.x - theme::kPadding) / kLength, down = y - at.y;
+  const float along = (press.x - at.x - theme::kPadding) / kLength, down = press.y - at.y;
   if (along < -0.04F || along > 1.04F) return std::nullopt;
-  if (std::abs(down - kSlider) <= kReach) return HoldingPress{Part::place, dragged_place(state, width, x)};
+  if (std::abs(down - kSlider) <= kReach) return HoldingPress{Part::place, dragged_place(state, press)};
   if (down >= kSensor - 4.0F && down <= kSensor + 20.0F)
     return HoldingPress{Part::measured, panel.measured ? 0.0 : 1.0};
   if (panel.stiffness && !panel.levels.empty() && down >= kScale - 5.0F &&
@@ -209,9 +194,10 @@ std::optional<HoldingPress> pressed_holding(const OverlayState& state, float wid
   return std::nullopt;
 }
 
-double dragged_place(const OverlayState& state, float width, float x) {
+double dragged_place(const OverlayState& state, const PanelPoint& pointer) {
   const HoldingPanel& panel = *state.holding;
-  const float along = (x - panel_at(state, width).x - theme::kPadding) / kLength;
+  const Area area = columns_of(state, pointer.width, pointer.height).holding;
+  const float along = (pointer.x - area.at.x - theme::kPadding) / kLength;
   return panel.low + std::clamp(static_cast<double>(along), 0.0, 1.0) * (panel.high - panel.low);
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/ui/cue_panel.h"
 #include "engine/ui/overlay_state.h"
 
 namespace fulcrum::ui {
@@ -13,10 +14,10 @@ struct HoldingPress {
   double value = 0.0;  // m; 0 or 1; N/m; an index into HoldingPanel::methods
 };
 
-// A press at (x, y) of a picture that is `width` wide, all in theme units. Elsewhere: nothing.
-std::optional<HoldingPress> pressed_holding(const OverlayState& state, float width, float x, float y);
+// A press elsewhere is nothing.
+std::optional<HoldingPress> pressed_holding(const OverlayState& state, const PanelPoint& press);
 
 // m: where a slider that is held is drawn to, by x alone.
-double dragged_place(const OverlayState& state, float width, float x);
+double dragged_place(const OverlayState& state, const PanelPoint& pointer);
 
 }  // namespace fulcrum::ui

@@ -1,7 +1,8 @@
-// A sentence at the bottom of the picture.
+// Sentences at the bottom of the picture, each beginning a line of its own.
 
 #include <algorithm>
 
+#include "engine/ui/columns.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
 
@@ -11,32 +12,58 @@ namespace {
 constexpr float kSide = 16.0F;  // between the words and the card's edge
 constexpr float kLine = 18.0F;
 constexpr float kLeast = 260.0F;  // narrower than this, the words go above the dials
+constexpr std::size_t kMostLines = 6;
 
 struct Words {
   std::vector<std::string> lines;
   Area area;
 };
 
-Words laid_out(const Canvas& canvas, const OverlayState& state) {
-  if (state.message.empty()) return {};
-  // Between the dials and the motors, or above both.
-  const Area dials = dials_area(canvas, state), motors = motors_area(canvas, state);
-  float left = std::max(theme::kMargin, dials.at.x + dials.size.x + theme::kMargin);
-  float right = motors.size.x > 0.0F ? motors.at.x - theme::kMargin : canvas.width() - theme::kMargin;
-  float bottom = canvas.height() - theme::kMargin;
-  if (right - left < kLeast) {
-    bottom -= std::max(dials.size.y, motors.size.y) + 10.0F;
-    left = theme::kMargin;
-    right = canvas.width() - theme::kMargin;
-  }
-  Words words{canvas.wrapped(canvas.fonts().body, state.message, right - left - 2.0F * kSide), {}};
+// Between two sides, above a bottom, in the middle of the picture where that is free.
+Words between(const Canvas& canvas, const std::string& message, float left, float right, float bottom,
+              std::size_t most) {
+  ImFont* const font = canvas.fonts().body;
+  Words words{canvas.lines(font, message, right - left - 2.0F * kSide, most), {}};
   float widest = 0.0F;
-  for (const std::string& line : words.lines)
-    widest = std::max(widest, canvas.measure(canvas.fonts().body, line).x);
-  const ImVec2 size{widest + 2.0F * kSide, 16.0F + kLine * static_cast<float>(words.lines.size())};
-  // In the middle of the picture where that is free.
+  for (const std::string& line : words.lines) widest = std::max(widest, canvas.measure(font, line).x);
+  const ImVec2 size{std::min(widest + 2.0F * kSide, right - left),
+                    16.0F + kLine * static_cast<float>(words.lines.size())};
   const float middle = std::clamp(canvas.width() / 2.0F, left + size.x / 2.0F, right - size.x / 2.0F);
   words.area = {{middle - size.x / 2.0F, bottom - size.y}, size};
+  return words;
+}
+
+Words laid_out(const Canvas& canvas, const OverlayState& state) {
+  if (state.message.empty() || state.keys_visible || state.debrief) return {};
+  const Columns columns = columns_of(canvas, state);
+  const float margin = margin_of(canvas.height());
+  const float end = canvas.width() - margin, beside_column = end - kColumn - margin;
+  float bottom = canvas.height() - margin;
+  if (columns.timeline.size.x > 0.0F) bottom = columns.timeline.at.y - kPanelGap;
+  // Never under the panels at the right.
+  const auto placed = [&](float left, std::size_t most) {
+    for (const float right : {end, beside_column}) {
+      if (right - left < kLeast) continue;
+      Words words = between(canvas, state.message, left, right, bottom, most);
+      const Area around{{words.area.at.x, words.area.at.y - kPanelGap},
+                        {words.area.size.x, words.area.size.y + kPanelGap}};
+      const bool clear = std::ranges::none_of(
+          std::initializer_list<Area>{columns.health, columns.cues, columns.holding, columns.motors},
+          [&](const Area& area) { return touch(area, around); });
+      if (clear) return words;
+    }
+    return Words{};
+  };
+  // Beside the dials, or above them, where the list of checkpoints keeps a row at least.
+  const Area& dials = columns.dials;
+  Words words = placed(dials.size.x > 0.0F ? dials.at.x + dials.size.x + margin : margin, kMostLines);
+  if (words.lines.empty() && dials.size.x > 0.0F) {
+    bottom = std::min(bottom, dials.at.y - kPanelGap);
+    const float list = state.checkpoints.empty() ? 0.0F : checkpoints_height(state, 1) + kPanelGap;
+    const float room = bottom - margin - list - 16.0F;
+    if (room >= kLine) words = placed(margin, std::min(kMostLines, static_cast<std::size_t>(room / kLine)));
+  }
+  if (!(unless_covered(canvas, state, words.area).size.x > 0.0F)) return {};
   return words;
 }
 

@@ -4,21 +4,17 @@
 #include <cmath>
 #include <string>
 
+#include "engine/ui/columns.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
 
 namespace fulcrum::ui {
 namespace {
 
-constexpr float kPanelWidth = 214.0F;  // as of the panels above
 constexpr float kHead = 36.0F;
 constexpr float kRow = 19.0F;
 constexpr float kHalf = 42.0F;  // of a bar, a motor's limit
 constexpr float kBar = 8.0F;    // its height
-
-ImU32 faded(ImU32 colour) {
-  return (colour & ~IM_COL32_A_MASK) | (110U << IM_COL32_A_SHIFT);
-}
 
 // From the middle to a load, -1 to 1.
 void draw_load(const Canvas& canvas, ImVec2 middle, double load, ImU32 colour) {
@@ -30,26 +26,20 @@ void draw_load(const Canvas& canvas, ImVec2 middle, double load, ImU32 colour) {
 void draw_peak(const Canvas& canvas, ImVec2 middle, double peak) {
   const float x = kHalf * static_cast<float>(std::clamp(peak, -1.0, 1.0));
   if (std::abs(x) < 0.5F) return;
-  const ImU32 colour = load_colour(static_cast<float>(std::abs(peak)));
-  draw_load(canvas, middle, peak, faded(colour));
+  const ImU32 colour = load_colour(canvas.colours(), static_cast<float>(std::abs(peak)));
+  draw_load(canvas, middle, peak, with_alpha(colour, 110));
   canvas.box({middle.x + x - 1.0F, middle.y - kBar / 2.0F - 2.0F}, {2.0F, kBar + 4.0F}, colour, 0.0F);
 }
 
 }  // namespace
 
-float motors_width() {
-  return kPanelWidth;
-}
-
-Area motors_area(const Canvas& canvas, const OverlayState& state) {
-  if (state.motors.empty()) return {};
-  const ImVec2 size{kPanelWidth, kHead + static_cast<float>(state.motors.size()) * kRow + 6.0F};
-  const ImVec2 at{canvas.width() - theme::kMargin - size.x, canvas.height() - theme::kMargin - size.y};
-  return at.y < holding_bottom(state) ? Area{} : Area{at, size};
+float motors_height(const OverlayState& state) {
+  if (state.motors.empty()) return 0.0F;
+  return kHead + static_cast<float>(state.motors.size()) * kRow + 6.0F;
 }
 
 void draw_motors(const Canvas& canvas, const OverlayState& state) {
-  const auto [at, size] = motors_area(canvas, state);
+  const auto [at, size] = columns_of(canvas, state).motors;
   if (!(size.x > 0.0F)) return;
   canvas.card(at, size);
   canvas.text(canvas.fonts().strong, {at.x + theme::kPadding, at.y + 9.0F}, theme::kText, "Motors");
@@ -66,7 +56,8 @@ void draw_motors(const Canvas& canvas, const OverlayState& state) {
     canvas.box({middle.x - kHalf, middle.y - kBar / 2.0F}, {2.0F * kHalf, kBar}, theme::kTrack, 2.0F);
     draw_peak(canvas, middle, motor.low);
     draw_peak(canvas, middle, motor.high);
-    draw_load(canvas, middle, motor.load, load_colour(static_cast<float>(std::abs(motor.load))));
+    draw_load(canvas, middle, motor.load,
+              load_colour(canvas.colours(), static_cast<float>(std::abs(motor.load))));
     canvas.line({middle.x, middle.y - kRow / 2.0F}, {middle.x, middle.y + kRow / 2.0F}, theme::kFaint, 1.0F);
     middle.y += kRow;
   }

@@ -86,14 +86,19 @@ public:
 
   void prepare(const OverlayState& state, render::Extent picture) {
     ImGui::SetCurrentContext(context_);
-    const float scale = overlay_scale(picture.height);
+    const float scale = overlay_scale(picture.height, state.look.text);
     if (scale != scale_) start_backend(scale);
     const ImVec2 size{static_cast<float>(picture.width), static_cast<float>(picture.height)};
     ImGui::GetIO().DisplaySize = size;
     ImGui::GetIO().DeltaTime = 1.0F / 60.0F;  // nothing is animated by ImGui itself
     ImGui_ImplVulkan_NewFrame();
     ImGui::NewFrame();
-    draw(Canvas(*ImGui::GetBackgroundDrawList(), fonts_, size, scale), state);
+    const Peaks peaks{force_peak_.add(state.force_N.value, state.time_s),
+                      torque_peak_.add(state.torque_Nm.value, state.time_s)};
+    const Canvas canvas(*ImGui::GetBackgroundDrawList(), fonts_, palette(state.look.palette), size, scale);
+    draw_overlay(canvas, state, peaks);
+    keys_pages_ = fulcrum::ui::keys_pages(canvas, state);
+    place_second_view(canvas, state, picture);
     ImGui::Render();
   }
 
@@ -115,33 +120,21 @@ public:
   }
 
   const std::string& font_note() const { return font_note_; }
+  std::size_t keys_pages() const { return keys_pages_; }
+  const std::optional<PixelArea>& second_view() const { return second_view_; }
 
 private:
-  void draw(const Canvas& canvas, const OverlayState& state) {
-    if (state.busy) {
-      draw_busy(canvas, *state.busy);
-      return;
-    }
-    if (state.start) {
-      draw_start(canvas, *state.start);
-      return;
-    }
-    const Peaks peaks{force_peak_.add(state.force_N.value, state.time_s),
-                      torque_peak_.add(state.torque_Nm.value, state.time_s)};
-    draw_way(canvas, state);
-    draw_dials(canvas, state, peaks);
-    draw_checkpoints(canvas, state);
-    draw_health(canvas, state);
-    draw_trouble(canvas, state);
-    draw_cues(canvas, state);
-    draw_holding(canvas, state);
-    draw_motors(canvas, state);
-    draw_message(canvas, state);
-    draw_target(canvas, state);
-    draw_timeline(canvas, state);
-    draw_debrief(canvas, state);
-    draw_keys(canvas, state);
-    draw_banner(canvas, state);  // last: nothing hides it
+  void place_second_view(const Canvas& canvas, const OverlayState& state, render::Extent picture) {
+    second_view_.reset();
+    const Area area = second_view_area(canvas, state);
+    if (!(area.size.x > 0.0F)) return;
+    const auto pixel = [this](float units, std::uint32_t most) {
+      return static_cast<std::uint32_t>(std::clamp(std::lround(units * scale_), 0L, static_cast<long>(most)));
+    };
+    PixelArea placed{pixel(area.at.x, picture.width), pixel(area.at.y, picture.height)};
+    placed.width = std::min(pixel(area.size.x, picture.width), picture.width - placed.x);
+    placed.height = std::min(pixel(area.size.y, picture.height), picture.height - placed.y);
+    if (placed.width > 0 && placed.height > 0) second_view_ = placed;
   }
 
   // The backend keeps the texture of one atlas for its lifetime: other fonts, another backend.
@@ -200,9 +193,11 @@ private:
   Fonts fonts_;
   std::string font_note_;
   float scale_ = 0.0F;
+  std::size_t keys_pages_ = 0;
   bool running_ = false;
   PeakHold force_peak_;
   PeakHold torque_peak_;
+  std::optional<PixelArea> second_view_;
 };
 
 vulkan::Result<std::unique_ptr<Overlay>> Overlay::create(vulkan::Device& device) {
@@ -227,8 +222,16 @@ std::optional<vulkan::Error> Overlay::prepare(const OverlayState& state, render:
   }
 }
 
+std::size_t Overlay::keys_pages() const {
+  return implementation_->keys_pages();
+}
+
 const std::string& Overlay::font_note() const {
   return implementation_->font_note();
+}
+
+const std::optional<PixelArea>& Overlay::second_view() const {
+  return implementation_->second_view();
 }
 
 void Overlay::record(VkCommandBuffer commands, const render::OverlayTarget& target) {

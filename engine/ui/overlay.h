@@ -11,6 +11,11 @@
 
 namespace fulcrum::ui {
 
+struct PixelArea {
+  std::uint32_t x = 0, y = 0;           // pixels, of its top left corner in the picture
+  std::uint32_t width = 0, height = 0;  // pixels
+};
+
 class Overlay : public render::OverlayPass {
 public:
   // The device must outlive the overlay. Where the font is not installed, ImGui's own is used, and
@@ -20,6 +25,11 @@ public:
 
   // Lays out what the next frame shows, for a picture of that size; text grows with its height.
   std::optional<vulkan::Error> prepare(const OverlayState& state, render::Extent picture);
+
+  // Of the list of keys, as it was prepared last; 0: it was not visible.
+  std::size_t keys_pages() const;
+  // Where the prepared state has room for its second view; none: nowhere, or it has none.
+  const std::optional<PixelArea>& second_view() const;
 
   // Empty, or one line to print: that the font is missing, and how to install it.
   const std::string& font_note() const;

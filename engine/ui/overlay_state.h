@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/render/frame_state.h"
+#include "engine/ui/look.h"
+#include "engine/ui/settings_page.h"
 #include "engine/ui/start_page.h"
 #include "engine/ui/target_state.h"
 #include "engine/ui/timeline.h"
@@ -106,16 +108,21 @@ struct Busy {
 enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength
 
 struct OverlayState {
-  std::optional<Busy> busy;        // if there, it is all that is shown
-  std::optional<StartPage> start;  // the same
-  double time_s = 0.0;             // simulated time, for peaks that are held and banners that pulse
-  std::string scenario;            // heading of the checkpoints
+  Look look;
+  std::optional<Busy> busy;              // if there, it is all that is shown
+  std::optional<StartPage> start;        // the same
+  std::optional<SettingsPage> settings;  // the same
+  double time_s = 0.0;                   // simulated time, for peaks that are held and banners that pulse
+  std::string scenario;                  // heading of the checkpoints
   Dial force_N;
   Dial torque_Nm;
   std::vector<CheckpointLine> checkpoints;   // empty: no list
   std::optional<std::int64_t> hard_touches;  // below them; none: the task does not count them
   std::optional<TrialTime> trial;            // above them; none: no clock
   std::optional<Target> target;              // none: nothing shows the way
+  std::optional<EdgePlace> tool;             // none: it is in the picture
+  std::vector<TouchMark> touches;            // px; empty: nothing is touched, or it is not to be shown
+  std::optional<SecondView> second_view;     // none: there is one view alone
   std::optional<Debrief> debrief;            // none: the trial has not ended
   std::optional<Timeline> timeline;          // none: the trial has not ended
   std::vector<CueLine> cues;                 // empty: no panel
@@ -127,12 +134,15 @@ struct OverlayState {
   TickHealth ticks;
   bool figures_visible = false;  // those of the ticks; without them only trouble is told
   Force force = Force::on;
-  std::string stop_reason;  // "Esc pressed"; shown while stopped
-  std::string device;       // "Simulated hand"
-  std::string hint;         // below it, "F1: keys"; empty: none
-  std::string view;         // beside that, the name of the view; empty: none
-  std::string message;      // a sentence at the bottom; empty: none
+  std::string stop_reason;    // "Esc pressed"; shown while stopped
+  bool pad = false;           // a gamepad is there, whose A goes on as Enter does
+  std::string device;         // "Simulated hand"
+  std::string hint;           // below it, "F1: keys"; empty: none
+  std::string view;           // beside that, the name of the view; empty: none
+  std::string message;        // sentences at the bottom, a line each; empty: none
+  std::optional<bool> muted;  // the sound; none: there is no sound
   bool keys_visible = false;
+  std::size_t keys_page = 0;  // of the keys, where the picture has no room for all of them
   std::vector<KeyLine> keys;
   std::vector<std::string> mapping;  // lines below the keys: how the device or the mouse moves the tool
 };

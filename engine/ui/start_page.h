@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/render/plan.h"
+#include "engine/ui/device_panel.h"
+#include "engine/ui/look.h"
 
 namespace fulcrum::ui {
 
@@ -21,7 +23,7 @@ struct StartPage {
     std::string value;     // "the mouse"
     bool written = false;  // it is being written: a caret stands after it
   };
-  enum class Part { scenario, setting, start, end };
+  enum class Part { scenario, setting, start, settings, end };  // the last three are buttons, from the left
 
   std::vector<Scenario> scenarios;
   std::size_t chosen = 0;  // of them
@@ -29,9 +31,10 @@ struct StartPage {
   std::string facts;       // "easy, 6 checkpoints, 90 s"
   std::vector<Setting> settings;
   Part focus = Part::scenario;
-  std::size_t index = 0;  // of the scenario or the setting in focus
-  std::string note;       // a sentence about what went wrong; empty: none
-  std::string help;       // what keys do
+  std::size_t index = 0;                // of the scenario or the setting in focus
+  std::string note;                     // a sentence about what went wrong; empty: none
+  std::string help;                     // what keys do
+  std::optional<DevicePanel> tested{};  // over all of it: a device that is being tried
 };
 
 // What lies under the pointer. side: of a setting, -1 its left arrow, 1 its right one, else 0.
@@ -42,6 +45,7 @@ struct StartHit {
 };
 
 // x, y: fractions of the picture's height, from its top left.
-std::optional<StartHit> start_hit(const StartPage& page, render::Extent picture, double x, double y);
+std::optional<StartHit> start_hit(const StartPage& page, render::Extent picture, const Look& look, double x,
+                                  double y);
 
 }  // namespace fulcrum::ui

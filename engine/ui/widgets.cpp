@@ -6,7 +6,7 @@ namespace fulcrum::ui {
 
 void draw_switch(const Canvas& canvas, ImVec2 at, bool on) {
   const float radius = kSwitch.y / 2.0F;
-  canvas.box(at, kSwitch, on ? theme::kAccent : theme::kTrack, radius);
+  canvas.box(at, kSwitch, on ? canvas.colours().accent : theme::kTrack, radius);
   canvas.disc({on ? at.x + kSwitch.x - radius : at.x + radius, at.y + radius}, radius - 3.0F,
               on ? IM_COL32_WHITE : theme::kSecondary);
 }

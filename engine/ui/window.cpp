@@ -103,24 +103,6 @@ Window::Window(GLFWwindow* window) : window_(window) {
   });
 }
 
-MenuButtons Window::menu_buttons() const {
-  constexpr float kTilted = 0.6F;  // of a stick that means it
-  MenuButtons buttons;
-  for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
-    GLFWgamepadstate state;
-    if (glfwGetGamepadState(joystick, &state) != GLFW_TRUE) continue;
-    const auto down = [&](int button) { return state.buttons[button] == GLFW_PRESS; };
-    const float x = state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], y = state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y];
-    buttons.up |= down(GLFW_GAMEPAD_BUTTON_DPAD_UP) || y < -kTilted;
-    buttons.down |= down(GLFW_GAMEPAD_BUTTON_DPAD_DOWN) || y > kTilted;
-    buttons.left |= down(GLFW_GAMEPAD_BUTTON_DPAD_LEFT) || x < -kTilted;
-    buttons.right |= down(GLFW_GAMEPAD_BUTTON_DPAD_RIGHT) || x > kTilted;
-    buttons.accept |= down(GLFW_GAMEPAD_BUTTON_A) || down(GLFW_GAMEPAD_BUTTON_START);
-    buttons.back |= down(GLFW_GAMEPAD_BUTTON_B);
-  }
-  return buttons;
-}
-
 void Window::show() {
   ask_display([this] { glfwShowWindow(window_); });
 }

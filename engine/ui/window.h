@@ -25,11 +25,6 @@ struct WindowEvents {
   std::function<void(char32_t letter)> text;         // as the keyboard's layout has it
 };
 
-// What a menu takes from a gamepad: its cross or left stick, and two buttons.
-struct MenuButtons {
-  bool up = false, down = false, left = false, right = false, accept = false, back = false;
-};
-
 // Why no window can be opened here, and what would change that; empty where one can.
 std::string why_no_window();
 
@@ -57,9 +52,6 @@ public:
 
   // Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
   void poll();
-
-  // What is down on the gamepads that are there, as poll() found them.
-  MenuButtons menu_buttons() const;
 
   void hide();
   bool closing() const;           // its close button was pressed, or it is lost

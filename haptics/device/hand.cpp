@@ -33,6 +33,14 @@ Grip HandPath::grip(double time) const {
           std::lerp(grips_[next - 1].press, grips_[next].press, s)};
 }
 
+std::uint32_t HandPath::buttons(double time) const {
+  const auto at = static_cast<std::size_t>(std::upper_bound(end_.begin(), end_.end(), time) - end_.begin());
+  if (at == end_.size() || !waypoints_[at].stop) return 0;
+  const double rested = time - (end_[at] - waypoints_[at].dwell);
+  if (rested < 0) return 0;
+  return rested < *waypoints_[at].stop ? kHandStopButton : kHandGoButton;
+}
+
 Pose HandPath::at(double time) const {
   const auto next = static_cast<std::size_t>(std::upper_bound(end_.begin(), end_.end(), time) - end_.begin());
   if (next == 0) return waypoints_.front().X_WT;

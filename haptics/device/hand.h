@@ -41,7 +41,12 @@ struct Waypoint {
   // Of a stick: where it is held from here on, m along it from the handle's origin, and the force on its
   // strip, N. Absent: as at the waypoint before; to begin with at the handle's origin, and 2 N.
   std::optional<double> hold{}, press{};
+  // s. Where it is given the hand presses its stop button on arrival and its go button so long after.
+  std::optional<double> stop{};
 };
+
+// Bits of DeviceSample::buttons, above all that a device in a hand has.
+inline constexpr std::uint32_t kHandStopButton = 1u << 30, kHandGoButton = 1u << 31;
 
 struct Grip {
   double hold = 0;   // m, along the stick from the handle's origin
@@ -55,6 +60,9 @@ public:
   Pose at(double time) const;  // X_WT at s
   // Where and how firmly the stick is held at s: on a straight line in time from waypoint to waypoint.
   Grip grip(double time) const;
+  // Those of the two buttons above that are down at s: the one until the stop is over, the other for the rest
+  // of the dwell.
+  std::uint32_t buttons(double time) const;
   bool slides() const { return slides_; }  // a waypoint says where the stick is held
   double duration() const { return end_.back(); }
 

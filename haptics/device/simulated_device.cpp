@@ -80,6 +80,7 @@ DeviceSample SimulatedDevice::read() noexcept {
   sample.X_DH = seen.X_DH;
   sample.age = desc_.sample_age_ticks * desc_.tick_s;
   sample.strip_ohm = seen.strip_ohm;
+  if (task_) sample.buttons = task_->path.buttons(time_);
   return sample;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "haptics/effects/braking_pulse/pulse_record.h"
+#include "haptics/effects/guidance/guidance_record.h"
 #include "haptics/effects/impact_vibration/impact_vibration_record.h"
 #include "haptics/effects/inertia_compensation/inertia_record.h"
 #include "haptics/effects/texture/texture_record.h"
@@ -58,6 +59,7 @@ struct EffectRecords {
   std::optional<InertiaRecord> inertia_compensation{};
   std::optional<TextureRecord> texture{};
   std::optional<WorkspaceWallsRecord> workspace_walls{};
+  std::optional<GuidanceRecord> guidance{};
   OwnRecord own{};
 };
 
@@ -69,6 +71,22 @@ inline const VibrotactileCommand* channel_command(const EffectRecords& records) 
 // How plainly the tool is drawn once more where the hand has turned to, 0 to 1.
 inline double ghost_opacity(const EffectRecords& records) {
   return records.torque_substitution ? records.torque_substitution->ghost : 0;
+}
+
+// The person was led, or had asked for it: such a tick tells nothing of what they can do by themselves.
+inline bool guided(const EffectRecords& records) {
+  return records.guidance && (records.guidance->gain > 0 || records.guidance->level > 0);
+}
+
+// The expert's tool where it would be a little later, and how plainly it is drawn.
+struct ExpertAhead {
+  double opacity = 0;  // 0 to 1
+  Pose X_WT;
+};
+// Absent: no effect leads along the expert's way.
+inline std::optional<ExpertAhead> expert_ahead(const EffectRecords& records) {
+  if (!records.guidance) return std::nullopt;
+  return ExpertAhead{records.guidance->level, records.guidance->X_WT_ahead};
 }
 
 // Where else the newest impact would have felt the same, but for its frequency: on a circle about the handle.
@@ -86,7 +104,7 @@ inline std::optional<ImpactCircle> impact_circle(const EffectRecords& records) {
 template <class V>
 void describe(V& values, const EffectRecords& records) {
   const auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion,
-               inertia_compensation, texture, workspace_walls, own] = records;
+               inertia_compensation, texture, workspace_walls, guidance, own] = records;
   const auto describe_built = [&values](const auto& record) {
     if (record) describe(values, *record);
   };
@@ -97,6 +115,7 @@ void describe(V& values, const EffectRecords& records) {
   describe_built(inertia_compensation);
   describe_built(texture);
   describe_built(workspace_walls);
+  describe_built(guidance);
   describe(values, own);
 }
 

@@ -1,6 +1,7 @@
 #include "haptics/effects/effects.h"
 
 #include "haptics/effects/braking_pulse/braking_pulse_effect.h"
+#include "haptics/effects/guidance/guidance_effect.h"
 #include "haptics/effects/impact_vibration/impact_vibration_effect.h"
 #include "haptics/effects/inertia_compensation/inertia_compensation_effect.h"
 #include "haptics/effects/listed_effect.h"
@@ -26,6 +27,7 @@ void for_each_effect(Descs& descs, F&& f) {
   f(Entry<InertiaCompensationEffect>(), descs.inertia_compensation);
   f(Entry<TextureEffect>(), descs.texture);
   f(Entry<WorkspaceWallsEffect>(), descs.workspace_walls);
+  f(Entry<GuidanceEffect>(), descs.guidance);
 }
 
 // Of those alone that are built.
@@ -126,6 +128,14 @@ void set_materials(EffectDescs& descs, const std::vector<ImpactMaterial>& materi
         if constexpr (T::kTellsObjectsApart)
           if (desc) desc->materials = materials;
       });
+}
+
+bool follows_expert(const EffectDescs& descs) {
+  return descs.guidance.has_value();
+}
+
+void set_expert(EffectDescs& descs, const std::vector<Waypoint>& waypoints) {
+  if (descs.guidance) descs.guidance->way = GuidanceEffect::way_of(waypoints);
 }
 
 std::vector<std::string> advice_on_effects(const PlainScene& scene, const EffectDescs& descs) {

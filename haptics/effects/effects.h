@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "haptics/device/hand.h"
 #include "haptics/effects/braking_pulse/braking_pulse.h"
 #include "haptics/effects/effect.h"
 #include "haptics/effects/effect_records.h"
+#include "haptics/effects/guidance/guidance.h"
 #include "haptics/effects/impact_vibration/impact_vibration.h"
 #include "haptics/effects/inertia_compensation/inertia_compensation.h"
 #include "haptics/effects/texture/texture.h"
@@ -32,15 +34,16 @@ struct EffectDescs {
   std::optional<InertiaCompensationDesc> inertia_compensation{};
   std::optional<TextureDesc> texture{};
   std::optional<WorkspaceWallsDesc> workspace_walls{};
+  std::optional<GuidanceDesc> guidance{};
 };
 
 // What they are in the scene's mirror image (math/mirror.h): each Desc has a mirror() of its own beside it.
 inline void mirror(EffectDescs& descs) {
   auto& [torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion, inertia_compensation,
-         texture, workspace_walls] = descs;
+         texture, workspace_walls, guidance] = descs;
   const auto each = [](auto&... desc) { ((desc ? mirror(*desc) : void()), ...); };
   each(torque_substitution, impact_vibration, braking_pulse, vibrotactile_motion, inertia_compensation,
-       texture, workspace_walls);
+       texture, workspace_walls, guidance);
 }
 
 // Whether an effect, such as BrakingPulseEffect, is built: the scene names it and its device can use it.
@@ -82,6 +85,11 @@ bool tells_objects_apart(const PlainScene& scene, const EffectDescs& descs);
 
 // What the scene's objects are made of, by their numbers, for those effects that ask.
 void set_materials(EffectDescs& descs, const std::vector<ImpactMaterial>& materials);
+
+// Whether one of those that a scene names leads along the expert's way, and shows the expert's tool on it.
+bool follows_expert(const EffectDescs& descs);
+// That way: what the expert's hand is told, of T.
+void set_expert(EffectDescs& descs, const std::vector<Waypoint>& waypoints);
 
 // What is likely to go ill with those, sentences.
 std::vector<std::string> advice_on_effects(const PlainScene& scene, const EffectDescs& descs);

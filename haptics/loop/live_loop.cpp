@@ -73,6 +73,7 @@ void LiveLoop::run() {
       ++histogram_[std::min<std::size_t>(std::bit_width(late_us), histogram_.size() - 1)];
       if (event.wake_late_ns >= tick_ns) late_.fetch_add(1, std::memory_order_relaxed);
       if (!events_.push(event)) unrecorded_.fetch_add(1, std::memory_order_relaxed);
+      if (told_ != nullptr) told_->push({event.record, AgeClock::now_ns()});
       snapshot_.draft() = event.record;
       snapshot_.publish();
     }

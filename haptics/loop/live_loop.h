@@ -12,6 +12,7 @@
 #include "haptics/loop/snapshot.h"
 #include "haptics/loop/spsc_ring.h"
 #include "haptics/loop/tick_event.h"
+#include "haptics/loop/timed_tick.h"
 #include "haptics/loop/wake.h"
 #include "haptics/world/world.h"
 
@@ -32,6 +33,10 @@ public:
   ~LiveLoop();  // stops
   LiveLoop(const LiveLoop&) = delete;
   LiveLoop& operator=(const LiveLoop&) = delete;
+
+  // Before start(): one more thread is told of every tick, through a ring of its own, which must outlive the
+  // loop's thread. What finds no place in it is left out.
+  void also_tell(TimedTicks& ring) { told_ = &ring; }
 
   void start();
   void stop();  // waits for the thread
@@ -60,6 +65,7 @@ private:
   Device& device_;
   SpscRing<Command> commands_{64};
   SpscRing<TickEvent> events_;
+  TimedTicks* told_ = nullptr;  // null: nobody else listens
   Snapshot<TickRecord> snapshot_;
   std::atomic<bool> running_{false};
   std::atomic<std::uint64_t> unrecorded_{0}, late_{0}, lost_{0};

@@ -23,7 +23,8 @@ struct Command {
     compensation = 13,       // of the device's inertia: 0 none, 1 arm, 2 acceleration
     caught_up = 14,          // the live loop: this tick and the value - 1 after it come at once, late
     texture_gain = 15,       // of a texture, 0 (off) to 1
-    last = texture_gain
+    guidance_gain = 16,      // of guidance, 0 (off) to 1
+    last = guidance_gain
   };
   Kind kind = Kind::stop;
   double value = 0;  // what it is set to; 0 where there is nothing to set

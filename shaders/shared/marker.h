@@ -9,9 +9,10 @@ FULCRUM_GPU_BEGIN
 struct MarkerData {
   vec4 sphere;  // xyz centre in the world, w radius (m)
   vec4 state;   // x kind (MARKER_...), y progress of the dwell 0..1
+  vec4 tint;    // rgb linear
 };
 
-FULCRUM_GPU_SIZE(MarkerData, 2 * 16);
+FULCRUM_GPU_SIZE(MarkerData, 3 * 16);
 
 FULCRUM_GPU_END
 

@@ -117,6 +117,16 @@ TEST(Allocation, NoTickThatVibratesAtTheFingerAllocates) {
   }
 }
 
+// With a band that the tremor leaves, so that it pulls as well.
+TEST(Allocation, NoTickWithGuidanceAllocates) {
+  for (const std::string hand : {"expert", "clumsy"}) {
+    const std::optional<app::Prepared> prepared =
+        app::prepare("piping", std::vector<std::string>{"guidance={dead_band: 0.0001, gain: 1}"});
+    ASSERT_TRUE(prepared);
+    EXPECT_EQ(allocations_in(*prepared, hand), 0) << hand;
+  }
+}
+
 TEST(Allocation, NoTickInWallsOrAdriftAllocates) {
   const std::optional<app::Prepared> prepared = app::prepare(
       "piping", std::vector<std::string>{"device.workspace_walls={margin: 0.03}", "device.drift=0.05"});

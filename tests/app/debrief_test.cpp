@@ -52,6 +52,19 @@ TEST_F(DebriefTest, TellsWhatWasReachedAndWhen) {
   EXPECT_EQ(shown.foot, "R starts again; close the window to end.");
 }
 
+TEST_F(DebriefTest, SaysThatATrialWasGuided) {
+  RunSink sink(*stick_, std::nullopt, 0.2);
+  TickEvent event;
+  event.record.guidance.emplace().gain = 1;
+  sink.take(event);
+  EXPECT_TRUE(sink.guided());
+  for (int i = 1; i < 200; ++i) tick_at(sink, 0, 0);
+  const session::TrialMetrics best = sink.metrics();
+  const ui::Debrief shown = debrief(*stick_, sink, &best, false);
+  EXPECT_EQ(shown.title, "Time is up after 0.2 s, guided: no points");
+  for (const ui::Debrief::Row& each : shown.rows) EXPECT_FALSE(each.points) << each.name;
+}
+
 TEST_F(DebriefTest, OfACompletedTrialSaysInWhichTime) {
   RunSink sink(*stick_, std::nullopt, 30);
   for (std::size_t checkpoint = 0; checkpoint < stick_->haptic.task.checkpoints.size(); ++checkpoint)

@@ -105,6 +105,20 @@ echo '{"participant": "P7", "scenario": "stick"}' >config/fulcrum/start.json
 XDG_CONFIG_HOME=$work/config expect 0 'Deleted: P7' "$FULCRUM" results --delete-participant P7 --yes
 grep -q P7 config/fulcrum/start.json && fail "the start page remembers who was deleted"
 
+# --- a guided trial has no score, and says so wherever it is told of; a replay tells the same
+expect 0 'guided: this trial has no score' "$FULCRUM" run stick --headless --set guidance.gain=1 --participant P8 --out led
+expect 0 'guided' "$FULCRUM" results --participant P8
+"$FULCRUM" results --participant P8 | grep -q '[0-9][*]' && fail "a guided trial has a score: $("$FULCRUM" results)"
+expect 0 '"guided": true' "$FULCRUM" results --json --participant P8
+expect 0 '"score": null' "$FULCRUM" results --json --participant P8
+grep -q '"guided": true' led/summary.json || fail "summary.json does not say that it was guided"
+grep -q 'Guided: no points' led/report.html || fail "report.html does not say that it was guided"
+expect 0 'the same as recorded, bit for bit' "$FULCRUM" replay led/tape --out led-again
+grep -q 'Guided: no points' led-again/report.html || fail "the replay's report does not say that it was guided"
+grep -q '"guided"' of*/summary.json nobody/summary.json 2>/dev/null && fail "what was not guided says that it was"
+expect 0 'guided.html' "$FULCRUM" results --page guided.html --participant P8
+grep -q 'There is no trial' guided.html || fail "a guided trial has a place in a learning curve"
+
 # --- results that cannot be used refuse the trial before it begins
 rm -f "$store"*
 printf 'no database at all, by its first bytes, but long enough to be looked at as one. %0500d' 0 >"$store"

@@ -92,6 +92,71 @@ TEST_F(ReviewTest, GoesFromEventToEvent) {
   EXPECT_EQ(review_.timeline(sink_).marks.size(), 2U);
 }
 
+TEST_F(ReviewTest, JumpsToWhereTheDeviceGaveAllItHas) {
+  Review review(1e-3);
+  for (std::int64_t tick = 0; tick < 500; ++tick) {
+    TickRecord record = record_at(tick);
+    // From 0.1 s on for 20 ms, with a tick between; again from 0.25 s on.
+    if ((tick >= 100 && tick < 120 && tick != 110) || tick == 250) record.faults = kForceClamped;
+    if (tick == 400) record.faults = kMotorClamped | kSlewLimited;
+    review.add(record, 1e-3 * static_cast<double>(tick + 1));
+  }
+  std::vector<std::string> words;
+  for (const Review::Event& event : review.events(sink_)) words.push_back(event.words);
+  EXPECT_EQ(words, (std::vector<std::string>{"checkpoint: touch at 80 mm", "the device's greatest force",
+                                             "the device's greatest force", "touch on the way",
+                                             "a motor at its limit"}));
+  review.go_to(0.5, sink_);
+  review.press(Review::Key::before, sink_, false);
+  EXPECT_NEAR(*review.timeline(sink_).at_s, 0.401, 1e-9);
+  EXPECT_NE(review.timeline(sink_).caption.find("a motor at its limit"), std::string::npos);
+}
+
+TEST_F(ReviewTest, PlotsForceTorqueDepthAndSpeedOfTheWholeTrial) {
+  EXPECT_TRUE(review_.timeline(sink_).plots.empty()) << "beside the card there is nothing to plot";
+  review_.go_to(0.2, sink_);
+  const ui::Timeline timeline = review_.timeline(sink_, {2.0, 0.1});
+  ASSERT_EQ(timeline.plots.size(), 4U);
+  EXPECT_EQ(timeline.plots[0].limit, 2.0);
+  EXPECT_EQ(timeline.plots[1].limit, 0.1);
+  for (const ui::Timeline::Plot& plot : timeline.plots)
+    EXPECT_NEAR(plot.interval_s * static_cast<double>(plot.largest.size()), 0.5, 0.01) << plot.name;
+  const auto at = [](const ui::Timeline::Plot& plot, double time) {
+    return plot.largest.at(static_cast<std::size_t>(time / plot.interval_s));
+  };
+  EXPECT_EQ(at(timeline.plots[0], 0.2), 0);
+  EXPECT_EQ(at(timeline.plots[0], 0.4), 1) << "N, pushed from 0.3 s on";
+}
+
+TEST_F(ReviewTest, LimitsAreThoseOfTheSceneOnTheTool) {
+  SceneDesc scene = stick_->haptic.scene;
+  scenario::TaskDesc task;
+  scene.device.renders_force = true;
+  scene.device.max_force = 3;
+  scene.mapping.force_scale = 0.5;
+  scene.coupling.max_torque = 0.2;
+  EXPECT_EQ(plot_limits(scene, task).force_N, 6) << "the device gives half of what the scene pushes with";
+  EXPECT_EQ(plot_limits(scene, task).torque_Nm, 0.2);
+  task.hard_touch = 1.5;
+  EXPECT_EQ(plot_limits(scene, task).force_N, 1.5);
+  scene.device.renders_force = false;
+  scene.coupling.max_force = 4;
+  EXPECT_EQ(plot_limits(scene, {}).force_N, 4);
+}
+
+TEST_F(ReviewTest, SaysAtWhichMomentTheExpertIsSeen) {
+  ExpertRun expert;
+  expert.metrics.time = 2;
+  expert.reached.assign(stick_->haptic.task.checkpoints.size(), std::nullopt);
+  expert.reached[0] = 1.0;
+  expert.way = {{0.0, {}}, {2.0, {}}};
+  const double reached = *sink_.task().reached[0];
+  review_.go_to(reached / 2, sink_);
+  EXPECT_NEAR(review_.same_part_s(sink_, expert), 0.5, 1e-9);
+  EXPECT_NE(review_.timeline(sink_, {}, &expert).caption.find("the expert at 0.5 s"), std::string::npos);
+  EXPECT_EQ(review_.timeline(sink_).caption.find("expert"), std::string::npos);
+}
+
 TEST_F(ReviewTest, ShowsTheTaskAsItStoodThen) {
   review_.go_to(0, sink_);
   EXPECT_EQ(review_.task(sink_).step, 0U);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/app/picture/bridge.h"
+#include "haptics/safety/faults.h"
 #include "haptics/safety/guard.h"
 
 namespace fulcrum::test {
@@ -45,6 +46,23 @@ TEST_F(RunSinkTest, AStopIsAPauseOfTheTrial) {
   sink.take(event(false));
   EXPECT_EQ(sink.end(), app::RunSink::End::limit);
   EXPECT_DOUBLE_EQ(sink.finish().time_s, 0.1);
+}
+
+TEST_F(RunSinkTest, AStopThatWasAskedForIsNoFault) {
+  app::RunSink sink(*stick_, std::nullopt, 1);
+  const auto stop = [&](std::uint32_t faults) {
+    TickEvent stopped = event(faults != 0);
+    stopped.record.faults = faults;
+    sink.take(stopped);
+    return sink.stopped_by_fault();
+  };
+  EXPECT_FALSE(stop(kStopRequested));
+  EXPECT_FALSE(stop(kStopRequested));
+  EXPECT_TRUE(stop(kStopRequested | kDeviceLost));
+  EXPECT_TRUE(stop(kStopRequested));  // what asked first is what a tick goes on saying
+  EXPECT_FALSE(stop(0));
+  EXPECT_TRUE(stop(kSampleStale));
+  EXPECT_TRUE(stop(kSampleStale | kStopRequested));
 }
 
 TEST_F(RunSinkTest, ForceThatWasNeverAwayDoesNotComeBack) {

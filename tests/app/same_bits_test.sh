@@ -21,6 +21,7 @@ case $where in
 esac
 
 declare -A coarse=(
+  [tutorial]='field.voxel=0.0015 shell.spacing=0.004'
   [teeth]='field.voxel=0.0005 shell.spacing=0.001'
   [ear]='field.voxel=0.0004 shell.spacing=0.001'
   [plate]='field.voxel=0.0016 shell.spacing=0.003'

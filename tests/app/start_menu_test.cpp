@@ -60,13 +60,13 @@ TEST(StartMenu, RemembersWhatIsStillThere) {
 TEST(StartMenu, GoesRoundEverythingWithTheArrows) {
   StartMenu menu = menu_of();
   std::vector<std::pair<Part, std::size_t>> seen;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 9; ++i) {
     seen.emplace_back(menu.page().focus, menu.page().index);
     press(menu, {Key::down});
   }
   const std::vector<std::pair<Part, std::size_t>> all = {
-      {Part::scenario, 0}, {Part::scenario, 1}, {Part::scenario, 2}, {Part::setting, 0},
-      {Part::setting, 1},  {Part::setting, 2},  {Part::start, 2},    {Part::end, 2}};
+      {Part::scenario, 0}, {Part::scenario, 1}, {Part::scenario, 2}, {Part::setting, 0}, {Part::setting, 1},
+      {Part::setting, 2},  {Part::start, 2},    {Part::settings, 2}, {Part::end, 2}};
   EXPECT_EQ(seen, all);
   EXPECT_EQ(menu.page().focus, Part::scenario);
   EXPECT_EQ(menu.choice().scenario, "ear");
@@ -100,10 +100,26 @@ TEST(StartMenu, StartsAndEnds) {
   EXPECT_EQ(menu.page().focus, Part::start);
   EXPECT_EQ(menu.press(Key::accept), Wish::start);
   press(menu, {Key::right});
-  EXPECT_EQ(menu.press(Key::accept), Wish::end);
+  EXPECT_EQ(menu.press(Key::accept), Wish::settings);
+  press(menu, {Key::right, Key::right});
+  EXPECT_EQ(menu.press(Key::accept), Wish::end) << "the last button has none beside it";
+  press(menu, {Key::left, Key::left, Key::left});
+  EXPECT_EQ(menu.page().focus, Part::start);
   press(menu, {Key::back});
   EXPECT_EQ(menu.page().focus, Part::scenario);
   EXPECT_EQ(menu.press(Key::back), Wish::end);
+}
+
+TEST(StartMenu, TestsTheDeviceThatIsChosen) {
+  StartMenu menu = menu_of();
+  EXPECT_EQ(menu.click({Part::setting, 1, 0}), Wish::test) << "a press on its name";
+  EXPECT_EQ(menu.press(Key::accept), Wish::test);
+  EXPECT_NE(menu.page().help.find("tests it"), std::string::npos) << menu.page().help;
+  EXPECT_EQ(menu.choice().device, "mouse") << "it is still the one that was chosen";
+  press(menu, {Key::right});
+  EXPECT_EQ(menu.choice().device, kShown);
+  EXPECT_EQ(menu.press(Key::accept), Wish::none);
+  EXPECT_NE(menu.page().note.find("nothing to test"), std::string::npos) << menu.page().note;
 }
 
 TEST(StartMenu, SaysWhyAScenarioCannotBeUsed) {
@@ -168,6 +184,7 @@ TEST(StartMenu, ListensToPresses) {
   write(menu, U"Eva");
   EXPECT_EQ(menu.click({Part::start, 0}), Wish::start);
   EXPECT_EQ(menu.choice().participant, "Eva") << "a press elsewhere takes the name";
+  EXPECT_EQ(menu.click({Part::settings, 0}), Wish::settings);
   EXPECT_EQ(menu.click({Part::end, 0}), Wish::end);
 }
 

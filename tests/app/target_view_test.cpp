@@ -107,6 +107,24 @@ TEST(TargetView, LinesEndBeforeTheCamera) {
   EXPECT_FALSE(behind.drop || behind.level || behind.touch);
 }
 
+// How deep it lies is told against the picture's plane, in m and in what a drag is long at the touch point's
+// depth.
+TEST(TargetView, TellsHowMuchFartherOrNearerTheTargetIs) {
+  const Vec3 touch(-0.2, 1.1, 0.5);  // 1.5 m before the eye
+  const ui::TargetPlace behind = place({0.3, 0.8, -1}, touch);
+  ASSERT_TRUE(behind.farther);
+  EXPECT_NEAR(behind.farther->depth, 1.5, 1e-6);
+  EXPECT_NEAR(behind.farther->drag, kPlane, 1e-2);
+  const ui::TargetPlace before = place({0.3, 0.8, 0.8}, touch);
+  ASSERT_TRUE(before.farther);
+  EXPECT_NEAR(before.farther->depth, -0.3, 1e-6);
+  EXPECT_NEAR(before.farther->drag, kPlane * -0.3 / 1.5, 1e-2);
+  // Half of its radius, 20 mm, is as deep.
+  EXPECT_FALSE(place({0.3, 0.8, 0.491}, touch).farther);
+  EXPECT_TRUE(place({0.3, 0.8, 0.489}, touch).farther);
+  EXPECT_FALSE(place({0.3, 0.8, 3}, touch).farther);  // behind the camera
+}
+
 TEST(TargetView, ShowsTheCheckpointThatIsNextAndNoneAfterTheLast) {
   scenario::TaskDesc task = task_to({0.3, 0.8, -1});
   task.checkpoints.push_back({"then", Vec3(-0.3, 0.8, -1), 0.02});
@@ -142,9 +160,56 @@ TEST(TargetView, NamesTheTouchPointAtTheBeginning) {
   EXPECT_EQ(name(), "");
 }
 
+TEST(TargetView, PointsToAToolThatIsOutOfThePicture) {
+  const scenario::TaskDesc task = task_to(Vec3::Zero());
+  EXPECT_FALSE(lost_tool(kCamera, kPicture, touching({0.2, 1.1, 0}), task)) << "it is in it";
+  const auto right = lost_tool(kCamera, kPicture, touching({5, 1.5, 0}), task);
+  ASSERT_TRUE(right);
+  const double length = std::hypot(5, 0.5);
+  expect_at(right->way, {5 / length, -0.5 / length});
+  expect_at(right->place, {1000, 250 - 500 * 0.1});
+  EXPECT_EQ(right->name, "the tip");
+  const auto behind = lost_tool(kCamera, kPicture, touching({-1, 1, 4}), {});
+  ASSERT_TRUE(behind);
+  EXPECT_LT(behind->way.x, -0.9F);
+  EXPECT_EQ(behind->name, "the tool");
+  EXPECT_FALSE(lost_tool(kCamera, kPicture, touching(Vec3::Constant(std::nan(""))), task));
+}
+
 TEST(TargetView, AToolThatIsNowhereHasNoWay) {
   const TickRecord lost = touching(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_FALSE(target_view(kCamera, kPicture, lost, task_to({0.3, 0.8, -1}), {}));
+}
+
+TEST(TargetView, SaysWhatIsLackingThere) {
+  scenario::TaskDesc task = task_to({0.3, 0.8, -1});
+  scenario::TaskState state;
+  state.inside = state.lacks = true;
+  const auto lacks = [&](scenario::Needs needs) {
+    task.checkpoints[0].needs = needs;
+    return target_view(kCamera, kPicture, touching({0.3, 0.8, -1}), task, state).value_or(ui::Target{}).name;
+  };
+  EXPECT_EQ(lacks(scenario::Needs::touch), "touch it");
+  EXPECT_EQ(lacks(scenario::Needs::stop), "stop the force here");
+  state.lacks = false;
+  EXPECT_EQ(lacks(scenario::Needs::stop), "there");
+}
+
+TEST(Advice, IsTheHintOfTheNextCheckpointAsTheDeviceDoesIt) {
+  scenario::TaskDesc task = task_to(Vec3::Zero());
+  task.checkpoints[0].hint = "Go there: {move}. Then {stop}.";
+  task.checkpoints.push_back({"on", Vec3(0, 0, 0), 0.02});
+  const auto said = [&](std::size_t step, const char* device) {
+    scenario::TaskState state;
+    state.step = step;
+    return advice(task, state, device_words(device));
+  };
+  EXPECT_EQ(said(0, "spacemouse"), "Go there: push the cap. Then press Esc.");
+  EXPECT_EQ(said(0, "dualsense+dualsense_coils"),
+            "Go there: left stick, and R2 and L2 away and nearer. Then press Share.");
+  EXPECT_EQ(said(0, "simulated:w6d"), "Go there: move the handle. Then press Esc.");
+  EXPECT_EQ(said(1, "mouse"), "");  // it has none
+  EXPECT_EQ(said(2, "mouse"), "");  // all are reached
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The window under a display without a screen: it shows a picture, a drag moves the tool, a push shows force, Esc stops
-# and is a pause, F2 and F3 hide and show what they say, it survives being resized and minimised, and it closes. $FULCRUM
+# and is a pause, F2, F3 and F7 hide and show what they say, it survives being resized and minimised, and it closes. $FULCRUM
 # is the program.
 set -uo pipefail
 . "$(dirname "$(readlink -f "$0")")/../support/display.sh"
@@ -31,12 +31,24 @@ xdotool key --window "$window" F2
 until_seen accent $ring || fail "F2 does not show the ring again"
 
 # F3 shows the haptic thread's figures: the panel below them, with the ghost's switch, moves down and up again.
-switch=24x14+476+106 lower=24x14+476+166
+switch=24x14+476+106 lower=24x14+476+181
 until_seen accent $switch || fail "no switch is below the device"
 xdotool key --window "$window" F3
 until_seen accent $lower || fail "F3 does not show the figures"
 xdotool key --window "$window" F3
 until_seen accent $switch || fail "F3 does not hide the figures again"
+
+# F7 shows the scene once more in a frame at the lower right, and hides it again.
+framed() {
+  import -window "$window" "$work/part.png"
+  [ "$(convert "$work/part.png" -crop 30x48+455+249 +repage -fuzz 6% -fill black +opaque 'rgb(158,169,182)' -fill white -opaque 'rgb(158,169,182)' -scale 30x1! -format '%[fx:maxima > 0.5]' info:)" = 1 ]
+}
+not_framed() { ! framed; }
+until_seen not_framed || fail "there is a frame before F7"
+xdotool key --window "$window" F7
+until_seen framed || fail "F7 shows no second view"
+xdotool key --window "$window" F7
+until_seen not_framed || fail "F7 does not hide the second view"
 
 # The tool's x, first and now; how hard the coupling pulls, now.
 newest() { column "$work/W" "$1" | tail -n 2 | head -n 1; }
@@ -69,8 +81,9 @@ ghost() { [ "$(newest torque_substitution/ghost_gain)" = "$1" ]; }
 xdotool key --window "$window" F1
 xdotool key --window "$window" g
 until_seen ghost 0 || fail "G does not switch the ghost off"
-# The switch listens once the panel shows that it is off.
-switched() { xdotool mousemove --window "$window" 488 113 click 1 && runs "$work/W" 300 && ghost 1; }
+# The list of keys takes all presses while it is there, and F1 turns its pages; the switch listens once the panel is back
+# and shows that it is off.
+switched() { xdotool key --window "$window" F1 && xdotool mousemove --window "$window" 488 113 click 1 && runs "$work/W" 300 && ghost 1; }
 until_seen switched || fail "the ghost's switch does not switch it on"
 
 # size_is W H: the window's, as its manager has it.

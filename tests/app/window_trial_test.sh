@@ -38,6 +38,17 @@ until_seen debriefed || fail "no card says what came of it"
 looks_back() { ! debriefed; }
 xdotool key Left Left
 until_seen looks_back || fail "the arrow keys do not look back"
+# The expert's tool is beside it in lines of gold, at the first checkpoint, which nobody went to; F5 hides it.
+gold() {
+  import -window "$window" "$work/back.png"
+  [ "$(convert "$work/back.png" -crop 110x60+215+165 +repage -fuzz 5% -fill black +opaque 'rgb(255,191,57)' -format '%[fx:maxima > 0.3]' info:)" = 1 ]
+}
+no_gold() { ! gold; }
+until_seen gold || fail "the expert's tool is not beside it"
+xdotool key F5
+until_seen no_gold || fail "F5 does not hide the expert's tool"
+xdotool key F5
+until_seen gold || fail "F5 does not show it again"
 xdotool key space
 until_seen debriefed || fail "Space does not show what came of it"
 xdotool key Prior

@@ -64,6 +64,11 @@ MockMachine::~MockMachine() {
   g_object_unref(testbed_);
 }
 
+void MockMachine::add(const std::string& tree) {
+  GError* error = nullptr;
+  succeeds(umockdev_testbed_add_from_string(testbed_, tree.c_str(), &error) != FALSE, error);
+}
+
 MockHid::MockHid(MockMachine& machine, MockHidFacts facts)
     : machine_(machine), facts_(std::move(facts)), handler_(umockdev_ioctl_base_new()) {
   const auto connect = [this](const char* signal,

@@ -29,6 +29,8 @@ public:
 
   // False: the program did not begin by umockdev-wrapper, and what it sees is the machine that it runs on.
   bool stands_in() const { return stands_in_; }
+  // What else /sys and /dev show, in umockdev's words.
+  void add(const std::string& tree);
 
 private:
   friend class MockHid;

@@ -40,5 +40,19 @@ TEST(ToolMouse, SlidesTurnsAndRollsAsSeen) {
   EXPECT_GT((mouse.X_WH().q * Vec3::UnitZ()).x(), 0.1);
 }
 
+// By the wheel and by a drag alike: on the way from the eye through the place that has to touch, which stays
+// where it is seen, and as much deeper as was asked for, however far to the side it is.
+TEST(ToolMouse, ReachesAndPushesAlongTheLineOfSight) {
+  const ViewAxes view{.sight_W = Vec3(0.5, -0.2, -1), .height = 0.4};
+  ToolMouse wheel(mouse_steps(0.01));
+  wheel.reach(view, 3, Step::whole);
+  EXPECT_TRUE(wheel.X_WH().p.isApprox(0.03 * view.sight_W));
+  ToolMouse drag(mouse_steps(0.01));
+  drag.push(view, 0, 0.5);
+  EXPECT_TRUE(drag.X_WH().p.isApprox(0.2 * view.sight_W));
+  drag.push(view, 0.25, -0.5);
+  EXPECT_TRUE(drag.X_WH().p.isApprox(Vec3(0.1, 0, 0)));
+}
+
 }  // namespace
 }  // namespace fulcrum::input

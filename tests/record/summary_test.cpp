@@ -37,6 +37,27 @@ TEST(Percentiles, AreWhatCountingGives) {
   }
 }
 
+TEST(Summary, TellsWhatWasHeardWhereSomebodyListened) {
+  Summary summary;
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(summary)).contains("heard"));
+  summary.heard = HeardScene{.device = "A card", .blows = 1};
+  EXPECT_TRUE(nlohmann::json::parse(summary_json(summary))["heard"]["latency_ms"].is_null());
+  EXPECT_EQ(heard_text(*summary.heard), "1 blow on A card");
+  summary.heard = HeardScene{"A card", 12, 2, 3, true, SoundLatency{17.4, 20.6}};
+  const auto heard = nlohmann::json::parse(summary_json(summary))["heard"];
+  EXPECT_EQ(heard["device"], "A card");
+  EXPECT_EQ(heard["blows"], 12);
+  EXPECT_EQ(heard["dropped"], 2);
+  EXPECT_EQ(heard["late"], 3);
+  EXPECT_EQ(heard["unplugged"], true);
+  EXPECT_EQ(heard["latency_ms"]["mean"], 17.4);
+  EXPECT_EQ(heard["latency_ms"]["max"], 20.6);
+  EXPECT_EQ(
+      heard_text(*summary.heard),
+      "12 blows on A card: 17 ms from a blow to the loudspeaker, at most 21 ms; 2 made room for stronger "
+      "ones; then the device was unplugged; 3 came too late to be heard");
+}
+
 TEST(RunTotals, IntegratesAndPeaks) {
   RunTotals totals(0.002);
   for (int tick = 0; tick < 500; ++tick) {
@@ -135,6 +156,9 @@ TEST(Summary, SaysWhatIsKnown) {
   summary.left_out = {"picture: no Vulkan device"};
   const nlohmann::json document = nlohmann::json::parse(summary_json(summary));
   EXPECT_EQ(document["seed"], -9007199254740993);
+  EXPECT_FALSE(document.contains("guided"));
+  summary.guided = true;
+  EXPECT_EQ(nlohmann::json::parse(summary_json(summary))["guided"], true);
   EXPECT_EQ(document["checkpoints"][0], (nlohmann::json{{"name", "bend"}, {"reached_s", 1.5}}));
   EXPECT_TRUE(document["checkpoints"][1]["reached_s"].is_null());
   EXPECT_EQ(document["tick_cpu_us"]["p999"], 3);

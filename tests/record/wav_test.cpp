@@ -47,6 +47,24 @@ void expect_header(const std::string& bytes, std::uint32_t rate_Hz, std::uint32_
   EXPECT_EQ(number(bytes, 40, 4), 2 * samples);
 }
 
+TEST(Wav, OfTwoChannelsTheHeaderSaysSo) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "stereo.wav";
+  Result<WavWriter> writer = WavWriter::create(path, 48000, 2);
+  ASSERT_TRUE(writer);
+  const std::vector<double> frames{0.25, -0.25, 0.5, -0.5, 1, -1};
+  writer->add(frames);
+  ASSERT_FALSE(writer->flush());
+  const std::string bytes = contents(path);
+  EXPECT_EQ(number(bytes, 22, 2), 2u);
+  EXPECT_EQ(number(bytes, 24, 4), 48000u);
+  EXPECT_EQ(number(bytes, 28, 4), 4 * 48000u);
+  EXPECT_EQ(number(bytes, 32, 2), 4u);
+  EXPECT_EQ(number(bytes, 34, 2), 16u);
+  EXPECT_EQ(number(bytes, 40, 4), 12u);
+  EXPECT_EQ(samples_of(bytes), (std::vector<int>{8192, -8192, 16384, -16384, 32767, -32767}));
+}
+
 TEST(Wav, TheFileIsWholeAfterEachBlock) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "tone.wav";

@@ -28,6 +28,10 @@ TEST_P(ScenarioFaults, PointAtTheCause) {
 const FaultCase kFaultCases[] = {
     {"unknown_key", "  stiffness: 5000", "  stifness: 5000",
      "11:3: unknown key 'contact.stifness'; did you mean 'stiffness'?"},
+    {"guidance_without_an_expert", "time_limit: 10", "time_limit: 10\nguidance: {}",
+     "5:11: 'guidance' leads along the way of a hand 'expert', which 'hands' does not name: name one, or "
+     "leave "
+     "guidance out"},
     {"unknown_key_at_top", "time_limit: 10", "time_limit: 10\nseeed: 4",
      "5:1: unknown key 'seeed'; did you mean 'seed'?"},
     {"unknown_key_far_from_any", "  stiffness: 5000", "  colour: red",
@@ -50,6 +54,12 @@ const FaultCase kFaultCases[] = {
      "11:14: 'contact.stiffness' must be above 0 and at most 1e+07 N/m; found '0'"},
     {"above_the_range", "time_limit: 10", "time_limit: 1e6",
      "4:13: 'time_limit' must be above 0 and at most 86400 s; found '1e6'"},
+    {"a_difficulty_that_is_none", "time_limit: 10", "difficulty: hrad\ntime_limit: 10",
+     "4:13: 'difficulty' must be one of easy, medium, hard; found 'hrad'; did you mean 'hard'?"},
+    {"a_need_that_is_none", "radius: 0.005}", "radius: 0.005, needs: stops}",
+     "15:61: 'checkpoints.0.needs' must be one of place, touch, stop; found 'stops'; did you mean 'stop'?"},
+    {"a_hint_with_a_word_that_is_none", "radius: 0.005}", "radius: 0.005, hint: \"Go: {tunr}.\"}",
+     "15:60: 'checkpoints.0.hint' has the word '{tunr}'; did you mean 'turn'?"},
     {"an_arm_of_another_size", "  model: test_arm", "  model: test_arm\n  position_scale: 2\n  drawn: true",
      "15:10: 'device.drawn' needs a position_scale of 1: arms are drawn in their own size"},
     {"drawn_arms_that_drift", "  model: test_arm", "  model: test_arm\n  drift: 0.05\n  drawn: true",
@@ -195,6 +205,22 @@ TEST(ScenarioFaultsTogether, AreAllReported) {
             "sure.yaml:2:22: 'waypoints.0.travel' must be above 0 and at most 3600 s; found '0'\n"
             "devices/test_arm.yaml:1:1: key 'name' is missing: as panels and results show it\n"
             "devices/test_arm.yaml:2:1: unknown key 'max_forse'; did you mean 'max_force'?");
+}
+
+// A hand that never took the force up again would stand still for ever.
+TEST(ScenarioFaultsTogether, OfAStopThatDoesNotEnd) {
+  const Folder folder;
+  const auto rests = [&](const char* stop) {
+    folder.write(
+        "scenarios/peg/sure.yaml",
+        std::string("fulcrum: 1\nwaypoints:\n  - {position: [0, 0.1, 0], dwell: 0.5, stop: ") + stop + "}\n");
+    return faults_of(folder, kScenario);
+  };
+  EXPECT_EQ(rests("0.4"), "");
+  EXPECT_EQ(
+      rests("0.45"),
+      "sure.yaml:3:47: 'waypoints.0.stop' must end 0.1 s before 'dwell' does, so that the hand takes the "
+      "force up again");
 }
 
 TEST(ScenarioFaultsTogether, OfATextThatIsNoScenario) {

@@ -218,6 +218,40 @@ TEST(Content, IsListedWithWhatIsWrongWithIt) {
   EXPECT_EQ(listings[1].fault, "");
 }
 
+TEST(Content, IsListedWithTheTutorialFirst) {
+  const Folder folder;
+  std::filesystem::copy(folder.peg(), folder.root() / "scenarios" / "tutorial",
+                        std::filesystem::copy_options::recursive);
+  folder.write("scenarios/tutorial/scenario.yaml", std::string(kScenario) + "difficulty: easy\n");
+  std::filesystem::copy(folder.peg(), folder.root() / "scenarios" / "zebra",
+                        std::filesystem::copy_options::recursive);
+  const auto listings = list_scenarios({folder.root()});
+  ASSERT_EQ(listings.size(), 3u);
+  EXPECT_EQ(listings[0].name, "tutorial");
+  EXPECT_EQ(listings[0].difficulty, Difficulty::easy);
+  EXPECT_EQ(listings[0].checkpoints, 1u);
+  EXPECT_EQ(listings[0].time_limit, 10);
+  EXPECT_EQ(listings[1].name, "peg");
+  EXPECT_FALSE(listings[1].difficulty);
+  EXPECT_EQ(listings[2].name, "zebra");
+}
+
+// Who is new is told how hard each is, and what to do.
+TEST(Content, ThatComesWithTheProgramSaysHowHardItIsAndWhatToDo) {
+  const std::filesystem::path root = std::filesystem::path(FULCRUM_SOURCE_DIR) / "content";
+  const Installed content(root);
+  const auto listings = list_scenarios({root});
+  ASSERT_FALSE(listings.empty());
+  EXPECT_EQ(listings.front().name, kTutorial);
+  for (const auto& listing : listings) {
+    EXPECT_TRUE(listing.difficulty) << listing.name;
+    const auto scenario = load_scenario(listing.file);
+    ASSERT_TRUE(scenario) << listing.name;
+    for (const Checkpoint& checkpoint : scenario->checkpoints)
+      EXPECT_NE(checkpoint.hint, "") << listing.name << ": " << checkpoint.name;
+  }
+}
+
 TEST(Content, ThatComesWithTheProgramReads) {
   const std::filesystem::path root = std::filesystem::path(FULCRUM_SOURCE_DIR) / "content";
   const Installed content(root);

@@ -37,7 +37,7 @@ void expect_mirrored(const glm::vec3& mirrored, const glm::vec3& p, const std::s
 
 TEST(Mirrored, EveryPlaceOfAShippedScenarioIs) {
   const Installed installed(kContent);
-  for (const char* const name : {"piping", "teeth", "ear", "knock", "sweep"}) {
+  for (const char* const name : {"piping", "teeth", "ear", "knock", "sweep", "tutorial"}) {
     const auto right = load_shipped(name, {}), left = load_shipped(name, {"left_handed=true"});
     ASSERT_TRUE(right) << to_text(right.faults());
     ASSERT_TRUE(left) << to_text(left.faults());
@@ -75,7 +75,7 @@ TEST(Mirrored, EveryPlaceOfAShippedScenarioIs) {
 // Texts of both are compared, and numbers bit for bit by what a tape would keep.
 TEST(Mirrored, TwiceItIsWhatItWas) {
   const Installed installed(kContent);
-  for (const char* const name : {"piping", "teeth", "ear", "knock", "sweep"}) {
+  for (const char* const name : {"piping", "teeth", "ear", "knock", "sweep", "tutorial"}) {
     const auto right = load_shipped(name, {});
     auto left = load_shipped(name, {"left_handed=true"});
     ASSERT_TRUE(right && left);
@@ -122,6 +122,15 @@ TEST(Mirrored, SoAreABaseThatIsTurnedATextureAndAWindow) {
   EXPECT_EQ(left->effects.vibrotactile_motion->centre_W, M * right->effects.vibrotactile_motion->centre_W);
 }
 
+// Its way is known once the scenario is assembled; of what is given it has no sides.
+TEST(Mirrored, SoIsTheWayOfGuidance) {
+  EffectDescs effects;
+  effects.guidance.emplace().way = {{0, {Quat(0.8, 0.36, 0.48, 0), Vec3(0.1, 0.2, 0.3)}, true}};
+  EffectDescs mirrored = effects;
+  fulcrum::mirror(mirrored);
+  expect_mirrored(mirrored.guidance->way[0].X_WT, effects.guidance->way[0].X_WT, "way");
+}
+
 TEST(Mirrored, AVibratorToTheRightStaysThere) {
   const Installed installed(kContent);
   const auto left = load_shipped("sweep", {"left_handed=true", "vibrotactile_motion.axis=[0.9, 0.2, -0.1]"});
@@ -132,8 +141,9 @@ TEST(Mirrored, AVibratorToTheRightStaysThere) {
 // A stick's places and those at which two arms hold a stylus are the device's own.
 TEST(Mirrored, WhatIsTheDevicesOwnIsRefusedWithTheReason) {
   const Installed installed(kContent);
-  for (const auto& [name, why] : {std::pair("stick", "the places of 'holding_point'"),
-                                  std::pair("plate", "the arms of the device 'Entact W6D' hold the tool at two")}) {
+  for (const auto& [name, why] :
+       {std::pair("stick", "the places of 'holding_point'"),
+        std::pair("plate", "the arms of the device 'Entact W6D' hold the tool at two")}) {
     const auto refused = load_shipped(name, {"left_handed=true"});
     ASSERT_FALSE(refused) << name;
     EXPECT_NE(to_text(refused.faults()).find(why), std::string::npos) << to_text(refused.faults());

@@ -80,8 +80,7 @@ const OverrideFaultCase kOverrideFaultCases[] = {
     {"unknown_far", "viscosity=3", "unknown key 'viscosity'; `fulcrum schema` lists the keys"},
     {"ambiguous", "stiffness=3",
      "key 'stiffness' could be any of contact.stiffness, coupling.stiffness, "
-     "device.workspace_walls.stiffness, "
-     "hands.N.stiffness; write it out"},
+     "device.workspace_walls.stiffness, guidance.stiffness, hands.N.stiffness; write it out"},
     {"in_a_list", "fov_deg=30",
      "key 'fov_deg' is in a list or under a name; write it out as views.N.fov_deg, with the number, from "
      "0, or the "

@@ -95,6 +95,12 @@ TEST(Schema, SaysTypesUnitsRangesAndDefaults) {
   EXPECT_EQ(stiffness["default"], ContactDesc{}.stiffness);
   EXPECT_EQ(stiffness["description"], "N/m; of each contact region");
   EXPECT_FALSE(schema["properties"]["coupling"]["properties"]["stiffness"].contains("default"));
+  const Json difficulty = schema["properties"]["difficulty"];
+  EXPECT_EQ(difficulty["enum"], Json({"easy", "medium", "hard"}));
+  EXPECT_FALSE(difficulty.contains("default"));
+  const Json needs = schema["properties"]["checkpoints"]["items"]["properties"]["needs"];
+  EXPECT_EQ(needs["enum"], Json({"place", "touch", "stop"}));
+  EXPECT_EQ(needs["default"], "place");
   const Json& required = schema["required"];
   EXPECT_NE(std::find(required.begin(), required.end(), "time_limit"), required.end());
   EXPECT_EQ(std::find(required.begin(), required.end(), "seed"), required.end());

@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <limits>
 
+#include "haptics/safety/faults.h"
+
 namespace fulcrum::scenario {
 namespace {
 
@@ -166,6 +168,111 @@ TEST(TaskJudge, WithoutCheckpointsThereIsNothingToComplete) {
   TaskJudge task({{}, 3, Vec3::Zero()}, kTick);
   EXPECT_TRUE(task.state().completed);
   EXPECT_FALSE(task.completion_time());
+}
+
+// One checkpoint that needs something, and ticks of any kind.
+class NeedsTest : public testing::Test {
+protected:
+  static TaskDesc needing(Needs needs) {
+    TaskDesc desc = kTask;
+    desc.checkpoints.resize(1);
+    desc.checkpoints[0].needs = needs;
+    return desc;
+  }
+
+  struct Tick {
+    Vec3 p_WC = kAtA;
+    std::int32_t regions = 0;
+    std::uint32_t faults = 0;  // that stop the force; 0: it is on
+  };
+  TickRecord next(const Tick& tick) {
+    TickRecord result = record(tick_++, tick.p_WC);
+    result.regions = tick.regions;
+    result.faults = tick.faults;
+    result.stopped = tick.faults != 0;
+    return result;
+  }
+  void take(TaskJudge& task, int ticks, const Tick& tick) {
+    for (int i = 0; i < ticks; ++i) task.judge(next(tick));
+  }
+
+private:
+  std::int64_t tick_ = 0;
+};
+
+TEST_F(NeedsTest, ATouchHasToLast) {
+  TaskJudge task(needing(Needs::touch), kTick);
+  take(task, 100, {});
+  EXPECT_TRUE(task.state().inside);
+  EXPECT_TRUE(task.state().lacks);
+  EXPECT_EQ(task.state().dwell_progress, 0);
+  take(task, 3, {.regions = 1});
+  EXPECT_FALSE(task.state().lacks);
+  EXPECT_DOUBLE_EQ(task.state().dwell_progress, 2.0 / 3.0);
+  take(task, 1, {});  // let go: the count begins anew
+  take(task, 3, {.regions = 2});
+  EXPECT_FALSE(task.state().completed);
+  take(task, 1, {.regions = 1});
+  EXPECT_TRUE(task.state().completed);
+}
+
+TEST_F(NeedsTest, AStopCountsOnceTheForceIsTakenUpAgain) {
+  TaskJudge task(needing(Needs::stop), kTick);
+  take(task, 100, {});
+  EXPECT_TRUE(task.state().lacks);
+  take(task, 50, {.faults = kStopRequested});
+  EXPECT_FALSE(task.state().completed);
+  EXPECT_DOUBLE_EQ(task.state().time, 0.099);
+  take(task, 3, {});
+  EXPECT_FALSE(task.state().lacks);
+  EXPECT_FALSE(task.state().completed);
+  take(task, 1, {});  // the dwell time after that
+  EXPECT_TRUE(task.state().completed);
+  EXPECT_DOUBLE_EQ(task.state().reached[0].value(), 0.103);
+}
+
+TEST_F(NeedsTest, AStopElsewhereIsNone) {
+  TaskJudge task(needing(Needs::stop), kTick);
+  take(task, 10, {.p_WC = kAway});
+  take(task, 10, {.p_WC = kAway, .faults = kStopRequested});
+  take(task, 10, {.p_WC = kAtA, .faults = kStopRequested});  // a handle is led there while it is stopped
+  take(task, 100, {});
+  EXPECT_EQ(task.state().step, 0u);
+  EXPECT_TRUE(task.state().lacks);
+}
+
+TEST_F(NeedsTest, WhoLeavesHasToStopAgain) {
+  TaskJudge task(needing(Needs::stop), kTick);
+  take(task, 10, {.faults = kStopRequested});
+  take(task, 2, {});
+  take(task, 1, {.p_WC = kAway});
+  take(task, 100, {});
+  EXPECT_EQ(task.state().step, 0u);
+  take(task, 1, {.faults = kStopRequested});
+  take(task, 4, {});
+  EXPECT_TRUE(task.state().completed);
+}
+
+TEST_F(NeedsTest, AStopByAFaultIsNone) {
+  for (const std::uint32_t faults : {std::uint32_t{kDeviceLost}, kDeviceLost | kStopRequested}) {
+    TaskJudge task(needing(Needs::stop), kTick);
+    take(task, 10, {});
+    take(task, 10, {.faults = faults});
+    take(task, 10, {.faults = kDeviceLost | kStopRequested});  // Esc where it is stopped already
+    take(task, 100, {});
+    EXPECT_EQ(task.state().step, 0u) << faults;
+  }
+}
+
+// The stop at the first one is none at the second, in the same place.
+TEST_F(NeedsTest, EachCheckpointNeedsAStopOfItsOwn) {
+  TaskDesc desc = needing(Needs::stop);
+  desc.checkpoints.push_back(desc.checkpoints.front());
+  TaskJudge task(desc, kTick);
+  take(task, 10, {.faults = kStopRequested});
+  take(task, 100, {});
+  EXPECT_EQ(task.state().step, 1u);
+  EXPECT_TRUE(task.state().lacks);
 }
 
 TickRecord touch(std::int64_t tick, double force) {

@@ -16,7 +16,6 @@ VisualDesc of(const Mesh& mesh) {
   desc.meshes = {mesh};
   desc.materials = {{}};
   desc.instances = {{.name = "", .movable = true}};
-  desc.ghost = Ghost{};
   return desc;
 }
 
@@ -27,7 +26,7 @@ std::vector<gpu::GhostLine> chosen(GhostEdges& edges, const glm::vec3& p_GE) {
 }
 
 TEST(GhostEdges, ABoxHasTwelveCreasesAndShowsNineOrFour) {
-  GhostEdges edges(of(test::make_box({1.0F, 1.0F, 1.0F})));
+  GhostEdges edges(of(test::make_box({1.0F, 1.0F, 1.0F})), Ghost{});
   EXPECT_EQ(edges.creases(), 12U);
   EXPECT_EQ(edges.boundaries(), 0U);
   EXPECT_EQ(edges.size(), 12U + 6U);  // a diagonal in each face
@@ -37,7 +36,7 @@ TEST(GhostEdges, ABoxHasTwelveCreasesAndShowsNineOrFour) {
 
 // The test's sphere has a seam and poles whose vertices lie in one place but for rounding.
 TEST(GhostEdges, ASphereShowsItsOutlineAlone) {
-  GhostEdges edges(of(test::make_ball(1.0F)));
+  GhostEdges edges(of(test::make_ball(1.0F)), Ghost{});
   EXPECT_EQ(edges.creases(), 0U);
   EXPECT_EQ(edges.boundaries(), 0U);
   const glm::vec3 eye(0.0F, 0.0F, 4.0F);
@@ -56,7 +55,7 @@ TEST(GhostEdges, ASheetShowsItsFourBoundariesFromBothSides) {
   sheet.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   sheet.normals.assign(4, {0, 0, 1});
   sheet.indices = {0, 1, 2, 0, 2, 3};
-  GhostEdges edges(of(sheet));
+  GhostEdges edges(of(sheet), Ghost{});
   EXPECT_EQ(edges.boundaries(), 4U);
   EXPECT_EQ(edges.creases(), 0U);
   EXPECT_EQ(chosen(edges, {0, 0, 2}).size(), 4U);
@@ -65,8 +64,7 @@ TEST(GhostEdges, ASheetShowsItsFourBoundariesFromBothSides) {
 
 TEST(GhostEdges, TheCreaseAngleDecides) {
   VisualDesc desc = of(test::make_box({1.0F, 1.0F, 1.0F}));
-  desc.ghost->crease_rad = 1.6F;  // more than a right angle
-  GhostEdges edges(desc);
+  GhostEdges edges(desc, {.crease_rad = 1.6F});  // more than a right angle
   EXPECT_EQ(edges.creases(), 0U);
   EXPECT_EQ(chosen(edges, {3.0F, 4.0F, 5.0F}).size(), 6U);  // the outline
 }
@@ -76,7 +74,7 @@ TEST(GhostEdges, OnlyWhatMovesIsCopiedAndEachMeshOnce) {
   desc.meshes.push_back(test::make_ball(1.0F));
   desc.instances.push_back({.mesh = 1, .name = ""});
   desc.instances.push_back({.name = "", .movable = true});
-  EXPECT_EQ(GhostEdges(desc).size(), 18U);
+  EXPECT_EQ(GhostEdges(desc, Ghost{}).size(), 18U);
 }
 
 }  // namespace

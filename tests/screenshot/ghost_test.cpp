@@ -37,7 +37,9 @@ protected:
     FrameState state;
     state.X_WM = poses;
     state.camera = desc.camera;
-    state.ghost = {opacity, glm::rotate(poses.at(0), angle, glm::normalize(axis))};
+    const std::vector<GhostState> ghosts(desc.ghosts.size(),
+                                         {opacity, glm::rotate(poses.at(0), angle, glm::normalize(axis))});
+    state.ghosts = ghosts;
     const std::optional<Error> error = (*renderer)->frame(state);
     EXPECT_FALSE(error) << error->sentence;
     return *(*renderer)->read_back();
@@ -66,7 +68,7 @@ TEST_F(GhostTest, OfNoOpacityLeavesEveryBitAsWithoutGhost) {
   VisualDesc desc = bar_scene();
   const Picture hidden = draw(desc, 0.0F);
   const Picture shown = draw(desc, 1.0F);
-  desc.ghost.reset();
+  desc.ghosts.clear();
   const Picture none = draw(desc, 0.0F);
   EXPECT_TRUE(hidden.rgba == none.rgba);
   EXPECT_GT(lit(shown, none).pixels, 500U);
@@ -175,14 +177,52 @@ TEST_F(GhostTest, RunsOutOfThePictureWhereItPassesTheEye) {
   EXPECT_TRUE(draw(desc, 1.0F).rgba == draw(desc, 0.0F).rgba);
 }
 
+// Each in its own place and colour, with the lines of both: neither hides the other's.
+TEST_F(GhostTest, TwoAreBothDrawn) {
+  VisualDesc desc = bar_scene();
+  desc.ghosts = {Ghost{.colour = {1.0F, 0.0F, 0.0F}}, Ghost{.colour = {0.0F, 0.0F, 1.0F}}};
+  const auto renderer = Renderer::create(*gpu_.device, desc, {{480, 270}, {4, 512, 1.0F}, {}});
+  ASSERT_TRUE(renderer);
+  const auto drawn = [&](float first, float second) {
+    const GhostState ghosts[] = {{first, glm::translate(desc.instances[2].X_WM, {-0.04F, 0.03F, 0.0F})},
+                                 {second, glm::translate(desc.instances[2].X_WM, {0.04F, -0.02F, 0.0F})}};
+    FrameState state;
+    state.X_WM = {&desc.instances[2].X_WM, 1};
+    state.camera = desc.camera;
+    state.ghosts = ghosts;
+    const std::optional<Error> error = (*renderer)->frame(state);
+    EXPECT_FALSE(error) << error->sentence;
+    return *(*renderer)->read_back();
+  };
+  const Picture none = drawn(0, 0), first = drawn(1, 0), second = drawn(0, 1), both = drawn(1, 1);
+  std::size_t of_first = 0, of_second = 0;
+  for (std::size_t i = 0; i < none.rgba.size(); i += 4) {
+    const auto differs = [&](const Picture& from) {
+      return !std::equal(none.rgba.begin() + static_cast<std::ptrdiff_t>(i),
+                         none.rgba.begin() + static_cast<std::ptrdiff_t>(i + 3),
+                         from.rgba.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    const bool in_first = differs(first), in_second = differs(second);
+    if (in_first && in_second) continue;
+    const Picture& alone = in_first ? first : in_second ? second : none;
+    for (std::size_t c = 0; c < 3; ++c)  // where a halo ends, less than a step of the other's is left
+      ASSERT_NEAR(both.rgba[i + c], alone.rgba[i + c], 2) << i;
+    of_first += in_first && first.rgba[i] > first.rgba[i + 2] + 25 ? 1 : 0;
+    of_second += in_second && second.rgba[i + 2] > second.rgba[i] + 25 ? 1 : 0;
+  }
+  EXPECT_GT(of_first, 200U);
+  EXPECT_GT(of_second, 200U);
+}
+
 TEST_F(GhostTest, WhereTheSceneHasNoneIsRefused) {
   VisualDesc desc = bar_scene();
-  desc.ghost.reset();
+  desc.ghosts.clear();
   const auto renderer = Renderer::create(*gpu_.device, desc, {{64, 64}, {1, 0, 1.0F}, {}});
   ASSERT_TRUE(renderer);
   FrameState state;
   state.X_WM = {&desc.instances[2].X_WM, 1};
-  state.ghost.opacity = 1.0F;
+  const GhostState ghost{.opacity = 1.0F};
+  state.ghosts = {&ghost, 1};
   const std::optional<Error> error = (*renderer)->frame(state);
   ASSERT_TRUE(error);
   EXPECT_NE(error->sentence.find("ghost"), std::string::npos);

@@ -45,8 +45,8 @@ Box found(const StartPage& page, render::Extent size, Part part, std::size_t ind
   Box box;
   for (int y = 0; y < static_cast<int>(size.height); y += 2)
     for (int x = 0; x < static_cast<int>(size.width); x += 2) {
-      const auto hit =
-          start_hit(page, size, static_cast<double>(x) / size.height, static_cast<double>(y) / size.height);
+      const auto hit = start_hit(page, size, {}, static_cast<double>(x) / size.height,
+                                 static_cast<double>(y) / size.height);
       if (!hit || hit->part != part || (part <= Part::setting && hit->index != index)) continue;
       box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
     }
@@ -91,11 +91,43 @@ TEST_F(OverlayStartTest, ButtonsAreInThePicture) {
   for (const render::Extent size :
        {render::Extent{640, 360}, render::Extent{1280, 720}, render::Extent{400, 800}}) {
     const StartPage page = page_of(8);
-    for (const Part part : {Part::start, Part::end}) {
+    for (const Part part : {Part::start, Part::settings, Part::end}) {
       const Box box = found(page, size, part, 0);
       EXPECT_GT(box.right, box.left) << size.width << " x " << size.height;
       EXPECT_LT(box.bottom, static_cast<int>(size.height) - 4);
     }
+  }
+}
+
+// A device that is tested stands over it all, at every size: its bars, and the button that closes it.
+TEST_F(OverlayStartTest, ADevicesTestIsInThePictureAndCanBeClosed) {
+  for (const render::Extent size :
+       {render::Extent{640, 360}, render::Extent{1280, 720}, render::Extent{1920, 1080}}) {
+    StartPage page = page_of(8);
+    page.focus = Part::end;  // surrounded in white, which is no accent
+    DevicePanel panel;
+    panel.title = "What gamepad senses";
+    panel.buttons = "Buttons down: A";
+    for (int axis = 0; axis < 6; ++axis) panel.axes.push_back({"toward you", 0, "+0 %", false});
+    const auto width = static_cast<int>(size.width), height = static_cast<int>(size.height);
+    page.tested = panel;
+    const int none = accents(drawn(page, size), 0, 0, width, height);
+    panel.axes[0].part = 1;
+    page.tested = panel;
+    const render::Picture picture = drawn(page, size);
+    EXPECT_GT(accents(picture, width / 2, 0, width, height / 2), none + 50) << "a bar to the right";
+    panel.axes[0].part = -1;
+    page.tested = panel;
+    EXPECT_GT(accents(drawn(page, size), 0, 0, width / 2, height / 2), none + 50) << "and to the left";
+    int closes = 0;
+    for (int y = 0; y < height; y += 2)
+      for (int x = 0; x < width; x += 2)
+        if (closes_device_panel(panel, size, Look(), static_cast<double>(x) / height,
+                                static_cast<double>(y) / height)) {
+          ++closes;
+          EXPECT_LT(y, height - 4);
+        }
+    EXPECT_GT(closes, 100) << size.height << ": a button that a finger finds";
   }
 }
 

@@ -73,6 +73,41 @@ TEST_F(OverlayTargetTest, ARingIsAroundTheTargetAndALabelBesideIt) {
   EXPECT_GT(static_cast<float>(last), middle.x + kRing + 60.0F);  // the label
 }
 
+// Beside the touch point, as long as the drag: up where the target is farther, down where it is nearer.
+TEST_F(OverlayTargetTest, AnArrowIsAsLongAsTheDragThatTheDepthTakes) {
+  OverlayState state = in_sight();
+  const glm::vec2 touch{250, 200};
+  const float side = 18.0F * 0.75F;
+  state.target->at.touch = touch;
+  const auto violet = [&](const render::Picture& picture, float up) {
+    const glm::vec3 colour = at(picture, touch + glm::vec2(side, -up), 0.5F);
+    return colour.b > colour.g + 60.0F && colour.r > colour.g + 60.0F;
+  };
+  const render::Picture none = draw(state);
+  for (const float up : {-55.0F, -30.0F, 0.0F, 30.0F, 55.0F}) EXPECT_FALSE(violet(none, up)) << up;
+  state.target->at.farther = {0.04, 60.0F};
+  const render::Picture up = draw(state);
+  for (const float inside : {2.0F, 30.0F, 55.0F}) EXPECT_TRUE(violet(up, inside)) << inside;
+  for (const float outside : {-6.0F, 63.0F}) EXPECT_FALSE(violet(up, outside)) << outside;
+  state.target->at.farther = {-0.04, -60.0F};
+  const render::Picture down = draw(state);
+  for (const float inside : {-2.0F, -30.0F, -55.0F}) EXPECT_TRUE(violet(down, inside)) << inside;
+  for (const float outside : {6.0F, -63.0F}) EXPECT_FALSE(violet(down, outside)) << outside;
+  // Once the tool is in the checkpoint nothing is left to do but to stay.
+  state.target->dwelling = true;
+  EXPECT_FALSE(violet(draw(state), -30.0F));
+}
+
+// A depth beyond the picture: the arrow's tip stays in it.
+TEST_F(OverlayTargetTest, AnArrowStaysInThePicture) {
+  OverlayState state = in_sight();
+  state.target->at.touch = glm::vec2(630, 120);  // no room to its right
+  state.target->at.farther = {0.5, 5000.0F};
+  const float x = 630 - 18.0F * 0.75F, tip = 18.0F * 0.75F;
+  const glm::vec3 colour = at(draw(state), {x, tip + 5.0F}, 0.5F);
+  EXPECT_GT(colour.b, colour.g + 60.0F);
+}
+
 TEST_F(OverlayTargetTest, ADwellIsAnArcClockwiseFromTheTop) {
   OverlayState state = in_sight();
   state.target->dwelling = true;

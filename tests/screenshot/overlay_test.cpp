@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "engine/ui/cue_panel.h"
 #include "engine/ui/holding_panel.h"
 #include "engine/ui/peak_hold.h"
@@ -65,6 +67,24 @@ TEST_F(OverlayTest, TheKeyListShowsOnlyWhenAskedFor) {
   EXPECT_LT(with.g, without.g - 10.0F);
 }
 
+// A card is darker than what is behind it. One line takes its place at the bottom, a second one the place
+// above.
+TEST_F(OverlayTest, EachSentenceOfAMessageBeginsALine) {
+  OverlayState state = full_state();
+  const auto lines = [&](const std::string& message) {
+    state.message = message;
+    const render::Picture picture = draw(state);
+    return std::pair(test::mean(picture, 0.52F, 0.90F, 0.60F, 0.95F).g,
+                     test::mean(picture, 0.52F, 0.858F, 0.60F, 0.880F).g);
+  };
+  const std::string words = "Bring the tip into the hoop: drag it there.";
+  const auto none = lines(""), one = lines(words), two = lines(words + '\n' + words);
+  EXPECT_LT(one.first, none.first - 10.0F);
+  EXPECT_NEAR(one.second, none.second, 1.0F);
+  EXPECT_LT(two.first, none.first - 10.0F);
+  EXPECT_LT(two.second, none.second - 10.0F);
+}
+
 TEST_F(OverlayTest, ADeviceWithoutTorqueHasNoTorqueDial) {
   OverlayState state = full_state();
   state.message.clear();
@@ -92,7 +112,7 @@ TEST_F(OverlayTest, APressMeansWhatIsDrawnThere) {
       const glm::vec3 colour =
           test::mean(picture, x / width, y / height, (x + 1.5F) / width, (y + 1.5F) / height);
       const bool is_switch = colour.b > 200.0F && colour.r < 120.0F;
-      const std::optional<CuePress> press = pressed_cue(state, gains, width, x, y);
+      const std::optional<CuePress> press = pressed_cue(state, gains, {width, height, x, y});
       blue += is_switch;
       off += is_switch && press && press->cue == 0 && press->gain == 0.0;
     }
@@ -133,7 +153,7 @@ TEST_F(OverlayTest, TheSliderIsTakenWhereItIsDrawn) {
           test::mean(picture, x / width, y / height, (x + 1.0F) / width, (y + 1.0F) / height);
       if (!(colour.b > 200.0F && colour.r < 120.0F)) continue;
       ++blue;
-      const std::optional<HoldingPress> press = pressed_holding(state, width, x, y);
+      const std::optional<HoldingPress> press = pressed_holding(state, {width, height, x, y});
       on_slider += press && press->part == HoldingPress::Part::place && std::abs(press->value - 0.1) < 0.008;
     }
   }
@@ -148,13 +168,13 @@ TEST_F(OverlayTest, AStiffnessNearTheLeversLimitIsWarnedOf) {
     state.holding->limit = limit;
     const render::Picture picture = draw(state);
     const float unit = overlay_scale(picture.height);
-    const float width = static_cast<float>(picture.width) / unit;
+    const float width = static_cast<float>(picture.width) / unit,
+                height = static_cast<float>(picture.height) / unit;
     // Of the scale, a little left of its filled part's end: found by what presses there mean.
     for (float y = 0; y < 400.0F; y += 1.0F) {
       for (float x = 0.7F * width; x < width; x += 1.0F) {
-        const auto press = pressed_holding(state, width, x, y);
+        const auto press = pressed_holding(state, {width, height, x, y});
         if (!press || press->part != HoldingPress::Part::stiffness || press->value != 300.0) continue;
-        const float height = static_cast<float>(picture.height) / unit;
         return test::mean(picture, (x - 4.0F) / width, (y + 9.0F) / height, (x - 1.0F) / width,
                           (y + 11.0F) / height);
       }
@@ -175,14 +195,14 @@ TEST(HoldingPanel, WithoutAStiffnessTheMethodsMoveUp) {
   state.holding = holding();
   const auto methods_from = [&state] {
     for (float y = 0; y < 500.0F; y += 1.0F) {
-      const auto press = pressed_holding(state, 1280.0F, 1155.0F, y);
+      const auto press = pressed_holding(state, {1280.0F, 720.0F, 1155.0F, y});
       if (press && press->part == HoldingPress::Part::method) return y;
     }
     return -1.0F;
   };
   const auto sets_stiffness = [&state] {
     for (float y = 0; y < 500.0F; y += 1.0F) {
-      const auto press = pressed_holding(state, 1280.0F, 1155.0F, y);
+      const auto press = pressed_holding(state, {1280.0F, 720.0F, 1155.0F, y});
       if (press && press->part == HoldingPress::Part::stiffness) return true;
     }
     return false;
@@ -202,14 +222,14 @@ TEST(CuePanel, SwitchesOnAtTheGainOfBeforeAndTheBarSetsIt) {
   const std::vector<double> gains{0.7, 0.6};
   std::vector<double> set;  // by presses down the middle of the panel, first cue only
   for (float y = 0; y < 300.0F; y += 1.0F)
-    if (const auto press = pressed_cue(state, gains, 1280.0F, 1155.0F, y); press && press->cue == 0)
+    if (const auto press = pressed_cue(state, gains, {1280.0F, 720.0F, 1155.0F, y}); press && press->cue == 0)
       set.push_back(press->gain);
   ASSERT_FALSE(set.empty());
   EXPECT_EQ(set.front(), 0.7);
   EXPECT_NEAR(set.back(), 0.5, 0.01);
-  EXPECT_FALSE(pressed_cue(state, gains, 1280.0F, 600.0F, 120.0F));
+  EXPECT_FALSE(pressed_cue(state, gains, {1280.0F, 720.0F, 600.0F, 120.0F}));
   state.cues.clear();
-  EXPECT_FALSE(pressed_cue(state, {}, 1280.0F, 1155.0F, 120.0F));
+  EXPECT_FALSE(pressed_cue(state, {}, {1280.0F, 720.0F, 1155.0F, 120.0F}));
 }
 
 TEST_F(OverlayTest, HardTouchesAreCountedBelowTheCheckpointsAndWarn) {

@@ -28,13 +28,23 @@ std::string complaint(const VisualDesc& desc, const RenderOptions& options = {})
 }
 
 TEST(Plan, HoldsEverythingThatAFullSceneShows) {
-  const RenderPlan all = planned(test::make_scene());
+  RenderOptions with_inset;
+  with_inset.inset = Extent{320, 200};
+  const RenderPlan all = planned(test::make_scene(), with_inset);
   for (const char* pipeline : {"surfaces", "shadows", "markers", "ghost depth", "ghost lines", "ghost",
                                "background", "tone mapping"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);
+  // Four samples of colour and depth, the scene, and the ghost's depth and lines.
+  EXPECT_EQ(find(all.built, "second view", "image")->bytes, 320U * 200U * (4U * 8U + 8U + 4U * 4U + 4U + 2U));
   EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 1280U * 720U * 8U * 4U);
+}
+
+TEST(Plan, BuildsNothingForASecondViewThatNobodyAskedFor) {
+  const RenderPlan plan = planned(test::make_scene());
+  EXPECT_EQ(find(plan.built, "second view", "image"), nullptr);
+  EXPECT_NE(find(plan.left_out, "second view", "image"), nullptr);
 }
 
 TEST(Plan, LeavesOutMarkersWithoutCheckpoints) {
@@ -48,9 +58,9 @@ TEST(Plan, LeavesOutMarkersWithoutCheckpoints) {
 
 TEST(Plan, LeavesOutTheGhostWhereTheSceneHasNone) {
   VisualDesc desc = test::make_scene();
-  desc.ghost.reset();
+  desc.ghosts.clear();
   const RenderPlan plan = planned(desc);
-  EXPECT_FALSE(plan.ghost);
+  EXPECT_FALSE(plan.ghosts);
   for (const BuildItem& item : plan.built) EXPECT_FALSE(item.name.starts_with("ghost")) << item.name;
   for (const char* kind : {"buffer", "pipeline"})
     EXPECT_EQ(find(plan.left_out, "ghost", kind)->note, "the scene has no ghost");
@@ -58,7 +68,7 @@ TEST(Plan, LeavesOutTheGhostWhereTheSceneHasNone) {
 
 TEST(Plan, RefusesAGhostOfNothingAndLinesOfNoWidth) {
   VisualDesc desc = test::make_scene();
-  desc.ghost->line_width = 0.0F;
+  desc.ghosts[0].line_width = 0.0F;
   EXPECT_NE(complaint(desc).find("more than 0"), std::string::npos);
   desc = test::make_scene();
   desc.instances[2].movable = false;

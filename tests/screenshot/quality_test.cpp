@@ -30,6 +30,31 @@ TEST(AutoQuality, ASlowMachineEndsWithinItsBudget) {
   EXPECT_LE(cost(settled(choice, cost)), 1.0 / 30.0);
 }
 
+// Two pictures a second are no use to anybody: they are not waited for as long as many pictures take.
+TEST(AutoQuality, AVerySlowMachineIsHelpedWithinSeconds) {
+  AutoQuality choice(1.0 / 30.0);
+  const auto cost = [](const Quality& q) { return pixels_cost(q, 0.5); };
+  double waited_s = 0;
+  while (choice.quality().resolution_scale > 0.5F && waited_s < 100) {
+    const double frame_s = cost(choice.quality());
+    waited_s += frame_s;
+    choice.add(frame_s);
+  }
+  EXPECT_LT(waited_s, 8);  // 18 frames at the best level alone would take 9
+}
+
+// A step down that helps is not taken back for the sake of three slow frames while something else was busy.
+TEST(AutoQuality, AMomentThatIsBusyDoesNotUndoAStepDown) {
+  AutoQuality choice(1.0 / 30.0);
+  while (choice.quality() == Quality{}) choice.add(0.4);
+  const Quality less = choice.quality();
+  for (int i = 0; i < 3; ++i) choice.add(0.1);  // not counted
+  for (int i = 0; i < 3; ++i) choice.add(0.4);
+  for (int i = 0; i < 100; ++i) choice.add(0.1);
+  EXPECT_NE(choice.quality(), Quality{});
+  EXPECT_LE(choice.quality().resolution_scale, less.resolution_scale);
+}
+
 TEST(AutoQuality, AHopelessMachineEndsAtTheLowestAndStays) {
   AutoQuality choice(1.0 / 30.0);
   const auto cost = [](const Quality& q) { return pixels_cost(q, q.shadow_size == 0 ? 10.0 : 15.0); };

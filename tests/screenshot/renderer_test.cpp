@@ -62,7 +62,7 @@ TEST_F(RendererTest, TheBoxIsRedAndStandsAtTheLeft) {
 TEST_F(RendererTest, SeenAlongTheLightNoPixelIsBlack) {
   VisualDesc desc = test::make_scene();
   desc.instances.resize(1);  // the floor
-  desc.ghost.reset();
+  desc.ghosts.clear();
   desc.markers.clear();
   for (const glm::vec3& direction : {glm::vec3(-0.75F, -0.7F, -0.4F), glm::vec3(0.3F, -1.0F, 0.2F)}) {
     desc.key_light->direction = direction;
@@ -136,7 +136,7 @@ TEST_F(RendererTest, ASpotLightsItsConeOnly) {
 // What a camera does not see throws no shadow either: the picture is that of a scene without it.
 TEST_F(RendererTest, ACameraSeesItsLayersOnly) {
   VisualDesc desc = test::make_scene();
-  desc.ghost.reset();  // it is a copy of what is taken away here
+  desc.ghosts.clear();  // it is a copy of what is taken away here
   VisualDesc without = desc;
   std::erase_if(without.instances, [](const Instance& instance) { return instance.movable; });
   for (Instance& instance : desc.instances) instance.layers = instance.movable ? 2 : 3;

@@ -70,7 +70,7 @@ VisualDesc make_scene() {
   desc.key_light->direction = {0.0F, -1.0F, 0.0F};
   desc.camera = {{0.0F, 0.35F, 0.6F}, {0.0F, 0.05F, 0.0F}, 0.7F};
   desc.markers = {{"above the box", {-0.1F, 0.2F, 0.0F}, 0.02F}};
-  desc.ghost = render::Ghost{};
+  desc.ghosts = {render::Ghost{}};
   return desc;
 }
 

@@ -60,6 +60,16 @@ TEST(TrialPage, HoldsItsFiguresAndNoMarkupOfOthers) {
     EXPECT_NE(html.find(wanted), html.npos) << wanted;
 }
 
+TEST(TrialPage, SaysThatATrialWasGuided) {
+  const TrialCurves none{Envelope(1e-3), Envelope(1e-3), Envelope(1e-3), Envelope(1e-3)};
+  Trial trial = hostile_trial();
+  EXPECT_EQ(page_of(trial, none).find("Guided"), std::string::npos);
+  trial.metrics.guided = true;
+  const std::string html = page_of(trial, none);
+  EXPECT_NE(html.find("Guided: no points."), html.npos);
+  EXPECT_EQ(html.find("of 40"), html.npos);
+}
+
 TEST(TrialPage, StandsForATrialWithoutATick) {
   const TrialCurves none{Envelope(1e-3), Envelope(1e-3), Envelope(1e-3), Envelope(1e-3)};
   Trial trial = hostile_trial();
@@ -81,10 +91,13 @@ TEST(HistoryPage, HasACurveForEachParticipantAndScenario) {
   }
   trials.back().trial.whole = false;
   trials.back().trial.scenario = "left";
+  trials.front().trial.scenario = "led";
+  trials.front().trial.metrics.guided = true;
   const std::string html = history_html(trials);
   expect_self_contained(html);
   EXPECT_NE(html.find("(ear)"), html.npos);
   EXPECT_EQ(html.find("(left)"), html.npos);
+  EXPECT_EQ(html.find("(led)"), html.npos);
   for (int i = 0; i < 10; ++i) EXPECT_NE(html.find("P" + std::to_string(i)), html.npos);
   expect_self_contained(history_html({}));
 }

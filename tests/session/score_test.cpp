@@ -87,6 +87,19 @@ TEST(Score, DoesNotDivideByAnExpertWhoTouchesNothing) {
   EXPECT_TRUE(score(trial, &best).total);
 }
 
+TEST(Score, OfAGuidedTrialIsNone) {
+  const TrialMetrics best = expert();
+  TrialMetrics trial = best;
+  trial.hard_touches = 0;
+  trial.guided = true;
+  const Score all = score(trial, &best);
+  EXPECT_FALSE(all.total);
+  ASSERT_FALSE(all.criteria.empty());
+  EXPECT_EQ(all.criteria.front().name, "Guided");
+  for (const Criterion& criterion : all.criteria) EXPECT_FALSE(criterion.points) << criterion.name;
+  EXPECT_EQ(all.criteria.size(), score(best, &best).criteria.size() + 2) << "its figures are told";
+}
+
 TEST(TrialMetrics, KeepTheirValuesUnderTheirNames) {
   TrialMetrics metrics = expert();
   metrics.hard_touches = 3;

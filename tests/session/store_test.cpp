@@ -248,6 +248,51 @@ TEST(Store, KnowsAChangedTask) {
   EXPECT_EQ(store.unsent("https://a")->size(), 1U);
 }
 
+TEST(Store, AGuidedTrialIsNoBestAndIsNotSent) {
+  const TemporaryFolder folder;
+  Store store = opened(folder / "r.sqlite");
+  Trial guided = some_trial("piping", 100);
+  guided.metrics.guided = true;
+  ASSERT_FALSE(store.add(session_of("P1"), guided));
+  ASSERT_FALSE(store.add(session_of("P1"), some_trial("piping", 60)));
+  EXPECT_EQ(*store.best_score("P1", "piping"), 60);
+  EXPECT_TRUE(store.trials({})->front().trial.metrics.guided);
+  EXPECT_EQ(store.trials({})->front().trial.metrics.time, 30);
+  EXPECT_FALSE(store.trials({})->back().trial.metrics.guided);
+  ASSERT_TRUE(*store.set_consent("P1", true));
+  ASSERT_EQ(store.unsent("https://a")->size(), 1U);
+  EXPECT_EQ(store.unsent("https://a")->front().trial.score, 60);
+  EXPECT_FALSE(*store.may_send(guided.uuid, "https://a"));
+}
+
+TEST(Store, TakesOneOfVersion2) {
+  const TemporaryFolder folder;
+  const auto file = folder / "r.sqlite";
+  std::ofstream(file).close();
+  {
+    sql::Database database(file);
+    migrate(database, 2);
+    ASSERT_EQ(schema_version(database), 2);
+  }
+  tell(file,
+       "INSERT INTO participant VALUES (1, 'P1', 1, '2026-01-01T00:00:00.000Z');"
+       "INSERT INTO session VALUES (1, 's', 1, '2026-01-01T00:00:00.000Z', '0.1.0');"
+       "INSERT INTO trial (id, session, scenario, title, began, ended, device, hand, left_handed, seed, "
+       "whole, "
+       "score, folder, trace_sha256, uuid) "
+       "VALUES (1, 1, 'piping', 't', 'b', 'e', 'simulated', '', 0, 1, 1, 55.5, '/f', 'h', 'u');"
+       "INSERT INTO sent VALUES (1, 'https://a', 'then');");
+  Store store = opened(file);
+  EXPECT_EQ(ask(file, "PRAGMA user_version"), kSchemaVersion);
+  const auto trials = store.trials({});
+  ASSERT_EQ(trials->size(), 1U);
+  EXPECT_EQ(trials->front().trial.uuid, "u");
+  EXPECT_FALSE(trials->front().trial.metrics.guided) << "none was, before there was such a thing";
+  EXPECT_EQ(*store.best_score("P1", "piping"), 55.5);
+  EXPECT_EQ(store.unsent("https://a")->size(), 0U);
+  EXPECT_EQ(store.unsent("https://b")->size(), 1U);
+}
+
 TEST(Store, TakesOneOfVersion1) {
   const TemporaryFolder folder;
   const auto file = folder / "r.sqlite";
@@ -281,11 +326,11 @@ TEST(Store, TakesOneOfVersion1) {
 TEST(Store, RefusesWhatItDoesNotKnow) {
   const TemporaryFolder folder;
   { const Store store = opened(folder / "newer.sqlite"); }
-  tell(folder / "newer.sqlite", "PRAGMA user_version = 3");
+  tell(folder / "newer.sqlite", "PRAGMA user_version = 4");
   const auto newer = Store::open(folder / "newer.sqlite");
   ASSERT_FALSE(newer);
-  EXPECT_NE(newer.error().sentence.find("version 3"), std::string::npos);
-  EXPECT_EQ(ask(folder / "newer.sqlite", "PRAGMA user_version"), 3);
+  EXPECT_NE(newer.error().sentence.find("version 4"), std::string::npos);
+  EXPECT_EQ(ask(folder / "newer.sqlite", "PRAGMA user_version"), 4);
   tell(folder / "newer.sqlite", "PRAGMA user_version = -1");
   EXPECT_FALSE(Store::open(folder / "newer.sqlite"));
 

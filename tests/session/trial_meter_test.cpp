@@ -27,7 +27,8 @@ struct Trial {
   explicit Trial(const scenario::TaskDesc& task) : judge(task, kTick), meter(task, kTick) {}
 
   // The touch point there, pushed by that force.
-  void tick(const Vec3& p_WC, double force, bool stopped = false, std::uint32_t faults = 0) {
+  void tick(const Vec3& p_WC, double force, bool stopped = false, std::uint32_t faults = 0,
+            std::optional<GuidanceRecord> guidance = std::nullopt) {
     TickRecord record;
     record.tick = ticks++;
     record.X_WT.p = p_WC - Vec3(0, 0, 0.05);
@@ -35,6 +36,7 @@ struct Trial {
     record.depth_max = force > 0 ? 1e-4 * force : 0;
     record.stopped = stopped;
     record.faults = faults;
+    record.guidance = guidance;
     judge.judge(record);
     meter.note(record, judge.state());
   }
@@ -117,6 +119,26 @@ TEST(TrialMeter, APauseIsNoPartOfTheTrial) {
   EXPECT_EQ(metrics.force_peak, 0);
   ASSERT_EQ(trial.meter.events().size(), 1U);
   EXPECT_EQ(trial.meter.events()[0].kind, TrialEvent::Kind::fault);
+}
+
+// Named and off it is no matter; asked for in a single tick, be it in a pause or while it only fades, it is.
+TEST(TrialMeter, KnowsWhetherThePersonWasLed) {
+  const auto guided_by = [](const GuidanceRecord& once, bool stopped) {
+    Trial trial(two_targets());
+    for (int i = 0; i < 100; ++i) trial.tick(Vec3::Zero(), 0, false, 0, GuidanceRecord());
+    EXPECT_FALSE(trial.metrics().guided);
+    trial.tick(Vec3::Zero(), 0, stopped, 0, once);
+    for (int i = 0; i < 100; ++i) trial.tick(Vec3::Zero(), 0, false, 0, GuidanceRecord());
+    return trial.metrics().guided;
+  };
+  for (const bool stopped : {false, true}) {
+    EXPECT_FALSE(guided_by({}, stopped));
+    GuidanceRecord asked, fading;
+    asked.gain = 0.01;
+    fading.level = 0.01;
+    EXPECT_TRUE(guided_by(asked, stopped));
+    EXPECT_TRUE(guided_by(fading, stopped));
+  }
 }
 
 TEST(TrialMeter, WhatIsNoNumberCountsForNothing) {

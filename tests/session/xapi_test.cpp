@@ -98,12 +98,32 @@ TEST(Xapi, TellsNoPlaceOnThisMachine) {
   statement.device = "../devices of anna/my arm.yaml";
   const std::string text = said_of(statement).dump();
   EXPECT_EQ(text.find("anna"), std::string::npos) << text;
-  EXPECT_NE(text.find("/xapi/scenarios/valves\""), std::string::npos) << text;
+  EXPECT_NE(text.find("/xapi/scenarios/own/valves\""), std::string::npos) << text;
   EXPECT_NE(text.find("\"my arm.yaml\""), std::string::npos) << text;
-  for (const char* const nameless : {"", "/", "..", "a/.", "///"}) {
-    statement.scenario = nameless;
-    EXPECT_EQ(said_of(statement)["object"]["id"], kHome + "/xapi/scenarios/unnamed") << nameless;
+  for (const std::string nameless : {"", "/", "..", "a/.", "///"}) {
+    statement.scenario = statement.scenario_title = nameless;  // a scenario without a title
+    const bool file = nameless.find('/') != std::string::npos;
+    EXPECT_EQ(said_of(statement)["object"]["id"],
+              kHome + "/xapi/scenarios/" + (file ? "own/" : "") + "unnamed")
+        << nameless;
   }
+}
+
+TEST(Xapi, TwoScenariosOfOneFolderNameAreTwoActivities) {
+  const auto id = [](const char* scenario, const char* title) {
+    Statement statement = example_statement();
+    statement.scenario = scenario;
+    statement.scenario_title = title;
+    return said_of(statement)["object"]["id"].get<std::string>();
+  };
+  const std::string shipped = id("piping", "A spanner behind the pipes");
+  const std::string hers = id("/home/anna/piping/scenario.yaml", "Her pipes");
+  const std::string his = id("../his/piping/scenario.yaml", "His pipes?");
+  EXPECT_NE(shipped, hers);
+  EXPECT_NE(hers, his);
+  EXPECT_EQ(hers, id("courses/piping/scenario.yaml", "Her pipes")) << "wherever its folder is moved to";
+  EXPECT_EQ(hers, id("courses/piping", "Her pipes"));
+  EXPECT_EQ(his, kHome + "/xapi/scenarios/own/piping/His%20pipes%3F");
 }
 
 // Each name in each place, and every statement keeps the rules.

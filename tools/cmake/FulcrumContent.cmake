@@ -28,6 +28,7 @@ function(fulcrum_models scenario)
   set(content_targets ${content_targets} content_${scenario} PARENT_SCOPE)
 endfunction()
 
+fulcrum_models(tutorial stations.glb bench.glb numbers.glb blade.glb)
 fulcrum_models(piping piping.glb spanner.glb)
 fulcrum_models(teeth jaw.glb explorer.glb)
 fulcrum_models(ear ear.glb ear_open.glb needle.glb)

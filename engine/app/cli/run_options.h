@@ -21,6 +21,9 @@ struct RunOptions {
   std::vector<std::string> overrides;  // KEY=VALUE
   render::Extent size;                 // pixels
   std::string view;           // where the window starts and the picture is drawn from; empty: the first
+  double volume = 1;          // of what is heard in a window: 0 silent, 1 as it is
+  bool muted = false;         // it begins silent; F4 changes that
+  bool wav = false;           // headless: what would be heard, as sound.wav
   bool circle = false;        // of confusion, about the tool after an impact
   std::string gpu;            // empty: the best one
   bool validate = false;      // Vulkan's validation layers watch; what they say is an error

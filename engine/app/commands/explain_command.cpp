@@ -143,6 +143,7 @@ int explain_command(const ExplainOptions& options) {
     return kError;
   }
   Inventory list = inventory(*world, *prepared, &*plan, false, options.device);
+  add_scene_sound(*prepared, world->desc(), true, list);
   for (InventoryItem& item : list.built) {
     const auto cost = costs->find(item.name);
     if (item.kind != "haptics") continue;

@@ -21,6 +21,9 @@ int list_command(bool json) {
           {{"name", s.name},
            {"title", s.title},
            {"about", s.about},
+           {"difficulty", s.difficulty ? nlohmann::ordered_json(name_of(*s.difficulty)) : nullptr},
+           {"checkpoints", s.checkpoints},
+           {"time_limit_s", s.time_limit},
            {"file", s.file.string()},
            {"fault", s.fault.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(s.fault)}});
     std::printf("%s\n", all.dump(2).c_str());
@@ -37,7 +40,8 @@ int list_command(bool json) {
   for (const scenario::ScenarioListing& s : scenarios) {
     const std::string padding(width - s.name.size(), ' ');
     const std::string line = s.fault.empty() ? s.title + ". " + dim(s.about) : "cannot be used: " + s.fault;
-    std::printf("%s%s  %s\n", bold(s.name).c_str(), padding.c_str(), line.c_str());
+    const std::string difficulty(s.difficulty ? name_of(*s.difficulty) : "");
+    std::printf("%s%s  %-6s  %s\n", bold(s.name).c_str(), padding.c_str(), difficulty.c_str(), line.c_str());
   }
   return kCompleted;
 }

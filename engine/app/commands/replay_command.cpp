@@ -74,7 +74,8 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
   outcome.summary.device = tape->header.device;
   outcome.summary.hand = tape->header.hand;
   outcome.summary.left_handed = prepared->scenario.left_handed;
-  const Inventory list = inventory(*world, *prepared, nullptr);
+  Inventory list = inventory(*world, *prepared, nullptr);
+  add_scene_sound(*prepared, world->desc(), false, list);
   const FinishedTrial trial{
       *prepared, sink, sink.metrics(), outcome.summary, results->folder, std::chrono::system_clock::now()};
   const bool written = write_results(results->folder, outcome, list) && write_trial_page(trial, "");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -8,9 +9,11 @@
 #include "engine/app/commands/commands.h"
 #include "engine/app/picture/picture.h"
 #include "engine/app/prepare/run_request.h"
+#include "engine/app/prepare/scene_sound.h"
 #include "engine/app/run/expert.h"
 #include "engine/app/run/headless_run.h"
 #include "engine/app/run/run_session.h"
+#include "engine/app/settings/settings.h"
 #include "engine/app/window/train.h"
 #include "engine/record/run_folder.h"
 #include "engine/session/identity.h"
@@ -49,9 +52,32 @@ std::string faults_text(const std::vector<InjectedFault>& faults) {
   return text;
 }
 
+// What --wav asks for; false: it cannot be had, and a sentence says why.
+bool write_sound(const Prepared& prepared, const RunOptions& options, RunSession& attempt) {
+  const std::optional<audio::SceneSound> scene = scene_sound(prepared, attempt.world().desc());
+  if (!scene) {
+    complain("--wav: the scenario '" + prepared.name +
+             "' does not name 'sound', and nothing of it is heard.");
+    return false;
+  }
+  const std::vector<scenario::View>& views = prepared.scenario.views;
+  const auto view = std::ranges::find(views, options.view, &scenario::View::name);
+  const render::Camera camera = view != views.end() ? view->camera
+                                : views.empty()     ? render::Camera()
+                                                    : views.front().camera;
+  Result<std::unique_ptr<SoundFile>> file = SoundFile::create(
+      attempt.folder() / record::kSoundName, *scene, listener_at(camera), options.muted ? 0 : options.volume);
+  if (!file) {
+    complain(file.error().sentence);
+    return false;
+  }
+  attempt.sink().write_sound(std::move(*file));
+  return true;
+}
+
 int run_headless(const Prepared& prepared, const RunOptions& options, Participation* participation) {
   // Before the trial: who ends it early has their figures all the same.
-  std::optional<session::TrialMetrics> expert;
+  std::optional<ExpertRun> expert;
   if (participation != nullptr) {
     ProgressBar bar;
     expert = watch_expert(prepared, [&](double fraction) {
@@ -64,14 +90,15 @@ int run_headless(const Prepared& prepared, const RunOptions& options, Participat
       return kNotCompleted;
     }
   }
-  const Trainee trainee{participation, expert ? &*expert : nullptr};
+  const Trainee trainee{participation, expert ? &expert->metrics : nullptr};
   const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, options, trainee);
   if (!attempt) return kError;
+  if (options.wav && !write_sound(prepared, options, *attempt)) return kError;
   const bool acknowledges = !options.no_ack && !options.faults.empty();
   if (options.realtime)
-    run_live(attempt->world(), *attempt->device().device, attempt->sink(), acknowledges);
+    run_live(attempt->world(), attempt->device(), attempt->sink(), acknowledges);
   else
-    run_offline(attempt->world(), *attempt->device().device, attempt->sink(), acknowledges);
+    run_offline(attempt->world(), attempt->device(), attempt->sink(), acknowledges);
 
   // The picture is the last moment. Without Vulkan the run counts all the same.
   render::RenderPlan plan;
@@ -105,7 +132,7 @@ std::string device_in_hand() {
 int run_in_window(const scenario::Scenario& scenario, const RunOptions& options,
                   Participation* participation) {
   const Result<std::unique_ptr<WindowStage>> stage =
-      WindowStage::create("Fulcrum: " + scenario.title, options);
+      WindowStage::create("Fulcrum: " + scenario.title, options, read_settings());
   if (!stage) {
     complain(stage.error().sentence);
     return kError;
@@ -118,6 +145,10 @@ int run_command(const RunOptions& given) {
   if (options.gpu == "list") {
     std::printf("%s\n", describe_gpus().c_str());
     return kCompleted;
+  }
+  if (options.wav && !options.headless) {
+    complain("--wav writes what a run without a window would sound like: add --headless.");
+    return kUsage;
   }
   if (options.device.empty()) options.device = options.headless ? "simulated" : device_in_hand();
   for (const InjectedFault& fault : options.faults) {
@@ -179,6 +210,8 @@ void add_run(Program& program) {
         arguments.flag("--no-ack",
                        "With --fault and --headless: a stop ends the run, and is not acknowledged",
                        options->no_ack);
+        arguments.flag("--mute", "Begin without sound; F4 brings it", options->muted);
+        arguments.flag("--wav", "With --headless: what would be heard, as sound.wav", options->wav);
         arguments.flag("--realtime", "Headless, but by the clock, in the haptic thread", options->realtime);
         arguments.positive({"--seconds", "S", "End after this much simulated time"}, options->seconds);
         arguments.integer(

@@ -63,7 +63,8 @@ std::string stop_reason(std::uint32_t faults) {
 FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenario& scenario,
                          const SceneDesc& scene)
     : markers_(desc.markers.size()), guide_(scenario.guide), X_TH_(scene.tool.X_HT.inverse()) {
-  if (desc.ghost) ghost_q_HT_ = scene.tool.X_HT.q;
+  if (shows_ghost(scene, scene)) ghost_q_HT_ = scene.tool.X_HT.q;
+  expert_shown_ = follows_expert(scene);
   if (const auto use = channel_use(scene, scene); use && use->axis_W) {
     left_ = scene.device.vibrotactile->find("left").value_or(0);
     right_ = scene.device.vibrotactile->find("right").value_or(0);
@@ -120,9 +121,15 @@ render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow&
   render::FrameState state;
   state.X_WM = X_WM_;
   state.markers = marker_states_;
+  ghosts_.clear();
   if (ghost_q_HT_)
-    state.ghost = {static_cast<float>(ghost_opacity(record)),
-                   scenario::to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})};
+    ghosts_.push_back({static_cast<float>(ghost_opacity(record)),
+                       scenario::to_glm({record.X_WH.q * *ghost_q_HT_, record.X_WT.p})});
+  if (expert_shown_) {
+    const ExpertAhead expert = expert_ahead(record).value_or(ExpertAhead());
+    ghosts_.push_back({static_cast<float>(expert.opacity), scenario::to_glm(expert.X_WT)});
+  }
+  state.ghosts = ghosts_;
   state.camera = camera;
   state.time_s = time;
   return state;
@@ -134,7 +141,11 @@ input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W) {
   axes.forward_W = (to_eigen(camera.target) - eye).normalized();
   axes.right_W = axes.forward_W.cross(Vec3::UnitY()).normalized();
   axes.up_W = axes.right_W.cross(axes.forward_W);
-  const double distance = std::max((p_W - eye).dot(axes.forward_W), 0.05);
+  // What is nearer than that is moved as if it were there, and straight ahead.
+  constexpr double nearest = 5e-3;  // m
+  const double depth = (p_W - eye).dot(axes.forward_W);
+  const double distance = std::max(depth, nearest);
+  axes.sight_W = depth > nearest ? Vec3((p_W - eye) / depth) : axes.forward_W;
   axes.height = 2 * distance * math::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
   return axes;
 }
@@ -144,6 +155,11 @@ SeenFrame seen_frame(const render::Camera& camera, const Vec3& p_W, bool rests) 
   Mat3 R_WV;
   R_WV << axes.right_W, axes.up_W, -axes.forward_W;
   return {Quat(R_WV), axes.height, rests};
+}
+
+double force_limit_W(const SceneDesc& scene) {
+  return scene.device.renders_force ? scene.device.max_force / scene.mapping.force_scale
+                                    : scene.coupling.max_force;
 }
 
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,

@@ -26,8 +26,8 @@ public:
   FrameBridge(const render::VisualDesc& desc, const scenario::Scenario& scenario, const SceneDesc& scene);
 
   // The tool as it was in that tick, the device's arms where the handle held them, the markers as the task
-  // stands. The ghost, if the scene has one, is put
-  // where the tool is and not where the handle is, so that what is seen between the two is pure rotation.
+  // stands. The hand's ghost, if the scene has one, is put where the tool is and not where the handle is, so
+  // that what is seen between the two is pure rotation; the expert's, where the expert's tool would be.
   render::FrameState frame(const TickRecord& record, const Afterglow& afterglow,
                            const scenario::TaskState& task, const render::Camera& camera, double time);
 
@@ -40,17 +40,22 @@ private:
   std::size_t left_ = 0, right_ = 0;            // channels
   double strongest_ = 0;                        // m/s^2, of their levels; 0: they are not drawn
   Quat q_WF_ = Quat::Identity();                // of the level bars
-  std::optional<Quat> ghost_q_HT_;              // where there is a ghost
+  std::optional<Quat> ghost_q_HT_;              // where the hand's ghost is shown
+  bool expert_shown_ = false;                   // the expert's tool
+  std::vector<render::GhostState> ghosts_;      // as VisualDesc has them: the hand's, then the expert's
   std::optional<scenario::DeviceLinks> links_;  // where something follows them
   std::vector<std::size_t> follows_;            // of each movable instance
   std::vector<glm::mat4> X_WM_;
   std::vector<render::MarkerState> marker_states_;
 };
 
-// The trainee's view of the picture plane at p_W.
+// The trainee's view of what is at p_W, and of the picture's plane there.
 input::ViewAxes view_axes(const render::Camera& camera, const Vec3& p_W);
 // The same for a device that moves as it is seen. rests: the tool stays where it is.
 SeenFrame seen_frame(const render::Camera& camera, const Vec3& p_W, bool rests);
+
+// N in the scene: the most that the device gives, or, where it has no motors, the coupling.
+double force_limit_W(const SceneDesc& scene);
 
 // Gauges, checkpoints and stop banner as of one tick; marks of those before it.
 ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene, const TickRecord& record,

@@ -1,6 +1,10 @@
 #include "engine/app/prepare/inventory.h"
 
+#include <algorithm>
+
 #include "drivers/registry.h"
+#include "engine/app/prepare/scene_sound.h"
+#include "haptics/math/number_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -123,6 +127,28 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
   for (const render::BuildItem& item : plan->left_out)
     result.left_out.push_back({item.name, item.kind, 0, 0, item.note});
   return result;
+}
+
+void add_scene_sound(const Prepared& prepared, const SceneDesc& scene, bool heard, Inventory& to) {
+  constexpr const char* kName = "scene sound";
+  const std::optional<audio::SceneSound> sound = scene_sound(prepared, scene);
+  if (!sound) {
+    to.left_out.push_back({kName, "sound", 0, 0, "the scenario does not name it"});
+    return;
+  }
+  if (!heard) {
+    to.left_out.push_back({kName, "sound", 0, 0, "nobody listens: a window plays it, --wav writes it"});
+    return;
+  }
+  std::string what = "blows as ";
+  std::vector<std::string> names;
+  for (const ImpactMaterial& material : sound->materials) {
+    std::string name = material.name + " " + number_text(sound->pitch * material.frequency_Hz) + " Hz";
+    if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) what += (i == 0 ? "" : ", ") + names[i];
+  what += sound->slide > 0 && sound->gain > 0 ? "; sliding; chimes of the task" : "; chimes of the task";
+  to.built.push_back({kName, "sound", 0, 0, what});
 }
 
 }  // namespace fulcrum::app

@@ -27,4 +27,7 @@ struct Inventory {
 Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
                     bool circle = false, const std::string& device = "simulated");
 
+// What is heard of the scene, to either list. heard: by somebody, or by a file.
+void add_scene_sound(const Prepared& prepared, const SceneDesc& scene, bool heard, Inventory& to);
+
 }  // namespace fulcrum::app

@@ -18,6 +18,7 @@ std::string outcome_of(const session::Trial& trial) {
 
 // A star where the task was not the scenario's own.
 std::string score_of_trial(const session::Trial& trial) {
+  if (trial.metrics.guided) return "guided";
   const std::string score = trial.score ? report::short_number(std::round(*trial.score)) : "";
   return trial.changes.empty() ? score : score + "*";
 }
@@ -38,9 +39,9 @@ report::Table results_table(const std::vector<session::StoredTrial>& trials) {
 }
 
 std::string results_csv(const std::vector<session::StoredTrial>& trials) {
-  std::vector<std::string_view> columns = {"participant", "session", "trial",  "scenario",
-                                           "began",       "ended",   "device", "hand",
-                                           "left_handed", "seed",    "whole",  "score"};
+  std::vector<std::string_view> columns = {"participant", "session", "trial", "scenario",    "began",
+                                           "ended",       "device",  "hand",  "left_handed", "seed",
+                                           "whole",       "guided",  "score"};
   const std::vector<std::string_view>& figures = session::metric_names();
   columns.insert(columns.end(), figures.begin(), figures.end());
   columns.insert(columns.end(), {"changes", "folder", "trace_sha256"});
@@ -56,7 +57,8 @@ std::string results_csv(const std::vector<session::StoredTrial>& trials) {
                                             trial.hand,
                                             trial.left_handed ? 1.0 : 0.0,
                                             static_cast<double>(trial.seed),
-                                            trial.whole ? 1.0 : 0.0};
+                                            trial.whole ? 1.0 : 0.0,
+                                            trial.metrics.guided ? 1.0 : 0.0};
     cells.push_back(trial.score ? report::Csv::Cell(*trial.score) : report::Csv::Cell(std::string_view()));
     const auto values = named_values(trial.metrics);
     for (const std::string_view name : figures) {
@@ -93,6 +95,7 @@ std::string results_json(const std::vector<session::StoredTrial>& trials) {
                    {"left_handed", trial.left_handed},
                    {"seed", trial.seed},
                    {"whole", trial.whole},
+                   {"guided", trial.metrics.guided},
                    {"score", trial.score ? Json(*trial.score) : Json()},
                    {"figures", figures},
                    {"events", events},

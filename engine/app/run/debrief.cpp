@@ -24,7 +24,7 @@ ui::Debrief::Row row_of(const session::Criterion& criterion) {
 }  // namespace
 
 ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const session::TrialMetrics* expert,
-                    bool has_start_page) {
+                    bool has_start_page, bool has_pad) {
   const scenario::TaskDesc& task = prepared.haptic.task;
   const scenario::TaskState& state = sink.task();
   const bool completed = sink.end() == RunSink::End::completed;
@@ -32,6 +32,7 @@ ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const session
   ui::Debrief debrief;
   debrief.title = completed ? with_value("Completed in %.1f s", sink.time())
                             : with_value("Time is up after %g s", sink.limit());
+  if (sink.guided()) debrief.title += ", guided: no points";
   if (score.total) debrief.title += with_value(": %.0f of 100 points", *score.total);
   for (const session::Criterion& criterion : score.criteria) debrief.rows.push_back(row_of(criterion));
   for (std::size_t i = 0; i < task.checkpoints.size(); ++i) {
@@ -41,8 +42,10 @@ ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const session
                             {},
                             reached ? "" : "not reached"});
   }
-  debrief.foot = has_start_page ? "R starts again, F10 goes back to the start page."
-                                : "R starts again; close the window to end.";
+  const std::string again = has_pad ? "R, or Y on the pad, starts again" : "R starts again";
+  const std::string back = has_pad ? "F10, or Back," : "F10";
+  debrief.foot =
+      again + (has_start_page ? ", " + back + " goes back to the start page." : "; close the window to end.");
   return debrief;
 }
 

@@ -7,8 +7,8 @@
 namespace fulcrum::app {
 
 // Of a trial that has ended: its score, then when each checkpoint counted. expert: what it is compared with;
-// null: nothing.
+// null: nothing. has_pad: its foot names a gamepad's buttons, too.
 ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const session::TrialMetrics* expert,
-                    bool has_start_page);
+                    bool has_start_page, bool has_pad = false);
 
 }  // namespace fulcrum::app

@@ -2,13 +2,12 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "engine/app/prepare/tape_header.h"
+#include "engine/app/run/button_commands.h"
+#include "engine/app/run/expert_file.h"
 #include "engine/app/run/run_sink.h"
 #include "engine/assets/bake_cache.h"
 #include "engine/assets/sha256.h"
@@ -21,7 +20,6 @@ namespace fulcrum::app {
 namespace {
 
 constexpr const char* kExpert = "expert";
-constexpr std::uint64_t kMostBytes = 1 << 16;
 constexpr std::int64_t kTicksBetweenQuestions = 256;
 
 // The program counts too: another build may move the tool in other ways. Empty: it cannot be told.
@@ -46,60 +44,54 @@ std::string key_of(const Prepared& prepared) {
   return sum.finish_hex();
 }
 
-std::optional<session::TrialMetrics> read_kept(const std::filesystem::path& file, const std::string& key) {
+std::optional<ExpertRun> read_kept(const std::filesystem::path& file, const std::string& key,
+                                   const Prepared& prepared) {
   Result<RegularFile> kept = RegularFile::open(file);
   if (!kept) return std::nullopt;
-  const Result<std::string> bytes = kept->first_bytes(kMostBytes);
-  if (!bytes) return std::nullopt;
-  const nlohmann::json document = nlohmann::json::parse(*bytes, nullptr, false);
-  if (!document.is_object() || document.value("key", nlohmann::json()) != key) return std::nullopt;
-  const auto figures = document.find("figures");
-  if (figures == document.end() || !figures->is_object()) return std::nullopt;
-  std::vector<std::pair<std::string, double>> values;
-  for (const auto& [name, value] : figures->items()) {
-    if (!value.is_number()) return std::nullopt;
-    values.emplace_back(name, value.get<double>());
-  }
-  return session::from_named_values(values);
+  const Result<std::string> text = kept->first_bytes(kMostExpertBytes);
+  if (!text) return std::nullopt;
+  // A run that its limit ended may be a tick longer.
+  const double longest = prepared.scenario.time_limit + prepared.haptic.scene.tick_s;
+  return read_expert(*text, key, prepared.haptic.task.checkpoints.size(), longest);
 }
 
-void keep(const std::filesystem::path& file, const std::string& key, const session::TrialMetrics& metrics) {
-  nlohmann::ordered_json figures = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : named_values(metrics)) figures[name] = value;
-  const nlohmann::ordered_json document = {{"key", key}, {"figures", figures}};
-  const std::string text = document.dump(1) + '\n';
+void keep(const std::filesystem::path& file, const std::string& key, const ExpertRun& run) {
+  const std::string text = expert_text(run, key);
   put_file(file, {std::as_bytes(std::span(text))});  // without it the expert is watched again
 }
 
-std::optional<session::TrialMetrics> watch(const Prepared& prepared,
-                                           const std::function<bool(double)>& goes_on) {
+std::optional<ExpertRun> watch(const Prepared& prepared, const std::function<bool(double)>& goes_on) {
   Result<World> world = World::build(prepared.haptic.scene);
   const Result<std::unique_ptr<SimulatedDevice>> device = simulated_device(prepared, kExpert);
   if (!world || !device) return std::nullopt;
   RunSink sink(prepared, std::nullopt, prepared.scenario.time_limit);
+  ButtonCommands buttons(kHandStopButton, kHandGoButton);
+  std::optional<Command> pressed;
+  ToolFilm film(world->desc().tick_s);
   for (std::int64_t tick = 0; sink.end() == RunSink::End::running && !sink.stopped_by_fault(); ++tick) {
     if (tick % kTicksBetweenQuestions == 0 && !goes_on(sink.time() / sink.limit())) return std::nullopt;
     TickEvent event;
-    run_tick(*world, **device, {}, event);
+    run_tick(*world, **device, {pressed ? &*pressed : nullptr, pressed ? 1U : 0U}, event);
     sink.take(event);
+    pressed = buttons.pressed(event.sample.buttons);
+    if (!event.record.stopped) film.add(event.record.X_WT, sink.time());
   }
-  return sink.metrics();
+  return ExpertRun{sink.metrics(), sink.task().reached, std::move(film).take()};
 }
 
 }  // namespace
 
-std::optional<session::TrialMetrics> watch_expert(const Prepared& prepared,
-                                                  const std::function<bool(double)>& goes_on) {
+std::optional<ExpertRun> watch_expert(const Prepared& prepared, const std::function<bool(double)>& goes_on) {
   if (refuse_hand(prepared.scenario, prepared.name, kExpert)) return std::nullopt;
   const std::string key = key_of(prepared);
   const std::filesystem::path cache = BakeCache().folder();
   const std::filesystem::path file =
       key.empty() || cache.empty() ? std::filesystem::path() : cache / "expert" / (key + ".json");
   if (!file.empty())
-    if (auto kept = read_kept(file, key)) return kept;
-  std::optional<session::TrialMetrics> metrics = watch(prepared, goes_on);
-  if (metrics && !file.empty()) keep(file, key, *metrics);
-  return metrics;
+    if (auto kept = read_kept(file, key, prepared)) return kept;
+  std::optional<ExpertRun> run = watch(prepared, goes_on);
+  if (run && !run->way.empty() && !file.empty()) keep(file, key, *run);
+  return run;
 }
 
 }  // namespace fulcrum::app

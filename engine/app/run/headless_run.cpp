@@ -3,9 +3,11 @@
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <vector>
 
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
+#include "engine/app/run/button_commands.h"
 #include "engine/app/run/stop_response.h"
 #include "haptics/loop/run_tick.h"
 
@@ -18,26 +20,30 @@ bool goes_on(const RunSink& sink) {
 
 }  // namespace
 
-void run_offline(World& world, Device& device, RunSink& sink, bool acknowledges) {
+void run_offline(World& world, OpenDevice& device, RunSink& sink, bool acknowledges) {
   ProgressBar bar;
   StopResponse response(acknowledges, world.desc().tick_s);
   StopResponse::Next next = StopResponse::Next::go_on;
-  constexpr Command kAcknowledge{Command::Kind::acknowledge};
+  ButtonCommands buttons(device.stop_buttons, device.go_buttons);
+  std::vector<Command> commands;
   while (goes_on(sink) && next != StopResponse::Next::end) {
     TickEvent event;
-    const std::size_t commands = next == StopResponse::Next::acknowledge ? 1 : 0;
-    run_tick(world, device, {&kAcknowledge, commands}, event);
+    run_tick(world, *device.device, commands, event);
     sink.take(event);
     next = response.after(sink.stopped_by_fault());
+    commands.clear();
+    if (next == StopResponse::Next::acknowledge) commands.push_back({Command::Kind::acknowledge});
+    if (const auto pressed = buttons.pressed(event.sample.buttons)) commands.push_back(*pressed);
     bar.show("Running", sink.time() / sink.limit());
   }
 }
 
-void run_live(World& world, Device& device, RunSink& sink, bool acknowledges) {
-  LiveLoop loop(world, device);
+void run_live(World& world, OpenDevice& device, RunSink& sink, bool acknowledges) {
+  LiveLoop loop(world, *device.device);
   ProgressBar bar;
   StopResponse response(acknowledges, world.desc().tick_s);
   StopResponse::Next next = StopResponse::Next::go_on;
+  ButtonCommands buttons(device.stop_buttons, device.go_buttons);
   loop.start();
   while (goes_on(sink) && next != StopResponse::Next::end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -46,6 +52,7 @@ void run_live(World& world, Device& device, RunSink& sink, bool acknowledges) {
       sink.take(event);
       next = response.after(sink.stopped_by_fault());
       if (next == StopResponse::Next::acknowledge) loop.send({Command::Kind::acknowledge});
+      if (const auto pressed = buttons.pressed(event.sample.buttons)) loop.send(*pressed);
     }
     sink.flush_if_due();
     bar.show("Running", sink.time() / sink.limit());

@@ -8,6 +8,7 @@
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/picture/bridge.h"
+#include "engine/app/prepare/scene_sound.h"
 #include "engine/app/prepare/tape_header.h"
 
 namespace fulcrum::app {
@@ -38,6 +39,14 @@ Result<OpenDevice> device_for(const Prepared& prepared, const SceneDesc& scene, 
     if (is_of_device(fault.kind))
       opened->device = std::make_unique<FaultyDevice>(std::move(opened->device), fault, scene.tick_s);
   return opened;
+}
+
+record::HeardScene heard_scene(const audio::PlayedCounts& counts, const std::string& device) {
+  record::HeardScene heard{device, counts.blows, counts.dropped, counts.late, counts.unplugged, std::nullopt};
+  if (counts.measured > 0)
+    heard.latency = {1e3 * counts.latency_sum / static_cast<double>(counts.measured),
+                     1e3 * counts.latency_most};
+  return heard;
 }
 
 std::unique_ptr<RunSession> refuse(const Error& error) {
@@ -78,6 +87,17 @@ RunSession::RunSession(const Prepared& prepared, const RunOptions& options, cons
   if (!options.faults.empty() || pushes_back(options.device)) sink_.watch_handle();
 }
 
+void RunSession::play_sound(bool says_why_not) {
+  std::optional<audio::SceneSound> scene = scene_sound(prepared_, world_.desc());
+  if (!scene) return;
+  Result<audio::Output> output = audio::Output::open();
+  if (output)
+    player_ = std::make_unique<audio::Player>(std::move(*output), std::move(*scene));
+  else if (says_why_not)
+    complain("the run goes on in silence: " + output.error().sentence +
+             ". Plug one in, or leave the sound out with --mute (docs/sound.md).");
+}
+
 int RunSession::finish(const render::RenderPlan* plan, bool person, std::optional<double> frames_per_s) {
   RunSink::Outcome outcome = sink_.finish();
   outcome.summary.device = device_in_results(prepared_, options_.device);
@@ -91,9 +111,13 @@ int RunSession::finish(const render::RenderPlan* plan, bool person, std::optiona
       outcome.summary.sound_latency = {1e3 * counts.latency_sum / static_cast<double>(counts.ticks),
                                        1e3 * counts.latency_most};
   }
-  bool written =
-      write_results(folder_, outcome, inventory(world_, prepared_, plan, options_.circle, options_.device)) &&
-      outcome.recorded;
+  if (player_ != nullptr) {
+    outcome.summary.heard = heard_scene(player_->counts(), player_->device());
+    std::fprintf(stderr, "Heard: %s.\n", record::heard_text(*outcome.summary.heard).c_str());
+  }
+  Inventory list = inventory(world_, prepared_, plan, options_.circle, options_.device);
+  add_scene_sound(prepared_, world_.desc(), player_ != nullptr || sink_.writes_sound(), list);
+  bool written = write_results(folder_, outcome, list) && outcome.recorded;
   const FinishedTrial trial{prepared_, sink_,  sink_.metrics(), outcome.summary,
                             folder_,   began_, trainee_.expert, outcome.recorded};
   // The row first: a page that names somebody is one that a deletion finds.

@@ -11,6 +11,7 @@
 #include "engine/app/run/results.h"
 #include "engine/app/run/run_sink.h"
 #include "engine/app/run/trial_results.h"
+#include "engine/audio/player.h"
 
 namespace fulcrum::app {
 
@@ -29,6 +30,10 @@ public:
   World& world() { return world_; }
   OpenDevice& device() { return device_; }
   RunSink& sink() { return sink_; }
+  // Before the run: it is heard, if the scenario names `sound` and there is a device for it. says_why_not: of
+  // a device that is not there, a sentence on stderr; the run goes on in silence.
+  void play_sound(bool says_why_not);
+  audio::Player* player() { return player_.get(); }  // null: silence
   const ProgramFaults& faults() const { return faults_; }
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -49,6 +54,7 @@ private:
   std::filesystem::path folder_;
   ProgramFaults faults_;
   RunSink sink_;
+  std::unique_ptr<audio::Player> player_;
 };
 
 }  // namespace fulcrum::app

@@ -7,6 +7,7 @@
 
 #include "engine/app/cli/terminal.h"
 #include "engine/app/run/nearest_part.h"
+#include "haptics/safety/faults.h"
 
 namespace fulcrum::app {
 
@@ -57,7 +58,10 @@ void RunSink::take(const TickEvent& event) {
   ++ticks_;
   if (still_handle_ && still_handle_->note(event.sample)) complain(StillHandle::kSentence);
   if (faults_ != nullptr) faults_->pass(static_cast<double>(ticks_) * tick_s_);
+  if (sound_) sound_->take(event.record, judge_.state());
   if (event.record.stopped) ++stopped_ticks_;
+  const std::uint32_t why = event.record.faults & kStoppingFaults & ~kStopRequested;
+  stopped_by_fault_ = event.record.stopped && (stopped_by_fault_ || why != 0);
 }
 
 std::optional<std::int64_t> RunSink::hard_touches() const {
@@ -94,6 +98,7 @@ RunSink::Outcome RunSink::finish() {
   summary.take(totals_);
   const scenario::TaskState& task = judge_.state();
   summary.completed = task.completed;
+  summary.guided = guided();
   if (prepared_.haptic.task.hard_touch) summary.hard_touches = {task.hard_touches, task.hard_touch_time};
   summary.completion_time_s = judge_.completion_time();
   for (std::size_t i = 0; i < prepared_.haptic.task.checkpoints.size(); ++i)
@@ -114,6 +119,10 @@ RunSink::Outcome RunSink::finish() {
     report_recorder();
     summary.trace_sha256 = recorded.trace_sha256;
     outcome.recorded = recorded.complete && !recorder_failed_;
+  }
+  if (const std::optional<Error> error = sound_ ? sound_->close() : std::nullopt) {
+    complain(error->sentence);
+    outcome.recorded = false;
   }
   return outcome;
 }

@@ -10,6 +10,7 @@
 #include "engine/app/prepare/prepare.h"
 #include "engine/app/run/penetration.h"
 #include "engine/app/run/program_faults.h"
+#include "engine/app/run/sound_file.h"
 #include "engine/app/run/still_handle.h"
 #include "engine/record/recorder.h"
 #include "engine/record/run_totals.h"
@@ -30,19 +31,24 @@ public:
   // From the first tick on: says so where the handle never moves.
   void watch_handle() { still_handle_.emplace(tick_s_); }
 
+  // From the first tick on: what would be heard of them.
+  void write_sound(std::unique_ptr<SoundFile> file) { sound_ = std::move(file); }
+  bool writes_sound() const { return sound_ != nullptr; }
+
   void take(const TickEvent& event);
   void flush_if_due();  // live: every few milliseconds
 
   enum class End { running, completed, limit };
   End end() const;
   bool handle_is_still() const { return still_handle_ && still_handle_->is_still(); }
-  // A fault stopped the force in the newest tick.
-  bool stopped_by_fault() const { return last_.stopped; }
+  // The force is stopped in the newest tick, and not, or not only, since somebody asked for it.
+  bool stopped_by_fault() const { return stopped_by_fault_; }
 
   const record::RunTotals& totals() const { return totals_; }  // so far
   const scenario::TaskState& task() const { return judge_.state(); }
   std::optional<std::int64_t> hard_touches() const;  // so far; none: the task does not count them
   const session::TrialMeter& meter() const { return meter_; }
+  bool guided() const { return meter_.guided(); }  // so far
   session::TrialMetrics metrics() const { return meter_.metrics(judge_.state()); }
   const TickRecord& last() const { return last_; }  // before the first: where all begins
   const Afterglow& afterglow() const { return afterglow_; }
@@ -66,6 +72,7 @@ private:
   double limit_s_;
   ProgramFaults* faults_;
   std::optional<StillHandle> still_handle_;
+  std::unique_ptr<SoundFile> sound_;  // null: none is written
   std::int64_t ticks_ = 0, stopped_ticks_ = 0;
   std::optional<record::Recorder> recorder_;
   bool recorder_failed_ = false;
@@ -76,6 +83,7 @@ private:
   std::vector<std::int64_t> cpu_ns_;
   std::int64_t late_ticks_ = 0, lost_ticks_ = 0;
   TickRecord last_;
+  bool stopped_by_fault_ = false;
   Afterglow afterglow_;
   bool has_brief_knobs_;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// What a run without a person does about a stop: it ends, or, where faults were injected, acknowledges it
-// after a second, and ends where that is of no avail.
+// What a run without a person does about a stop by a fault: it ends, or, where faults were injected,
+// acknowledges it after a second, and ends where that is of no avail.
 
 #include <cstdint>
 
@@ -11,7 +11,7 @@ public:
   enum class Next { go_on, acknowledge, end };
 
   StopResponse(bool acknowledges, double tick_s);
-  // After each tick. stopped: the force is.
+  // After each tick. stopped: the force is, by a fault.
   Next after(bool stopped);
 
 private:

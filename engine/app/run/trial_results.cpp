@@ -100,6 +100,7 @@ bool write_trial_page(const FinishedTrial& of, const std::string& participant) {
   if (of.expert != nullptr) page.expert_time = of.expert->time;
   for (const record::FaultCount& fault : of.summary.faults) page.faults.push_back(fault.sentence);
   for (const record::FaultCount& limit : of.summary.limits) page.limits.push_back(limit.sentence);
+  if (of.summary.heard) page.heard = record::heard_text(*of.summary.heard);
   page.replay_command = "fulcrum replay " + quoted(trial.folder + "/" + std::string(record::kTapeName));
   const std::optional<Error> failure =
       report::write_file(of.folder / record::kReportName, session::trial_html(page));

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "engine/app/start/ring.h"
 #include "engine/session/identity.h"
 
 namespace fulcrum::app {
@@ -48,10 +49,10 @@ void erase_letter(std::string& text) {
   if (!text.empty()) text.pop_back();
 }
 
-// On in a ring.
-std::size_t turned(std::size_t at, int by, std::size_t count) {
-  const auto n = static_cast<std::ptrdiff_t>(count);
-  return static_cast<std::size_t>((static_cast<std::ptrdiff_t>(at) + by + n) % n);
+// The button beside one, if there is one.
+Part beside(Part button, int by) {
+  const int to = static_cast<int>(button) + by;
+  return static_cast<Part>(std::clamp(to, static_cast<int>(Part::start), static_cast<int>(Part::end)));
 }
 
 std::size_t index_of(const auto& list, const auto& what, auto member) {
@@ -77,7 +78,7 @@ StartMenu::StartMenu(std::vector<StartScenario> scenarios, std::vector<StartDevi
 
 void StartMenu::move(int by) {
   // All that can be in focus, as one column.
-  const std::size_t count = scenarios_.size() + settings + 2;
+  const std::size_t count = scenarios_.size() + settings + 3;
   std::size_t at = 0;
   switch (focus_) {
     case Part::scenario:
@@ -88,6 +89,9 @@ void StartMenu::move(int by) {
       break;
     case Part::start:
       at = scenarios_.size() + settings;
+      break;
+    case Part::settings:
+      at = count - 2;
       break;
     case Part::end:
       at = count - 1;
@@ -101,7 +105,7 @@ void StartMenu::move(int by) {
     focus_ = Part::setting;
     setting_ = at - scenarios_.size();
   } else {
-    focus_ = at + 1 == count ? Part::end : Part::start;
+    focus_ = at + 1 == count ? Part::end : at + 2 == count ? Part::settings : Part::start;
   }
 }
 
@@ -114,11 +118,14 @@ void StartMenu::change(std::size_t setting, int by) {
 StartMenu::Wish StartMenu::accept() {
   switch (focus_) {
     case Part::setting:
+      if (setting_ == device) return accept_device();
       if (setting_ == who)
         written_ = "";
       else
         change(setting_, 1);
       return Wish::none;
+    case Part::settings:
+      return Wish::settings;
     case Part::end:
       return Wish::end;
     case Part::scenario:
@@ -131,6 +138,12 @@ StartMenu::Wish StartMenu::accept() {
     return Wish::none;
   }
   return Wish::start;
+}
+
+StartMenu::Wish StartMenu::accept_device() {
+  if (devices_[device_].name != kShown) return Wish::test;
+  note_ = "There is nothing to test: the expert's hand is simulated.";
+  return Wish::none;
 }
 
 void StartMenu::finish_name() {
@@ -164,10 +177,10 @@ StartMenu::Wish StartMenu::press(Key key) {
     case Key::left:
     case Key::right:
       if (focus_ == Part::setting) change(setting_, key == Key::left ? -1 : 1);
-      if (focus_ == Part::start || focus_ == Part::end)
-        focus_ = key == Key::left ? Part::start : Part::end;
-      else if (focus_ == Part::scenario && key == Key::right)
+      if (focus_ == Part::scenario && key == Key::right)
         focus_ = Part::start;
+      else if (focus_ >= Part::start)
+        focus_ = beside(focus_, key == Key::left ? -1 : 1);
       break;
     case Key::accept:
       return accept();
@@ -203,6 +216,7 @@ StartMenu::Wish StartMenu::click(const ui::StartHit& hit) {
       change(hit.index, hit.side);
       return Wish::none;
     case Part::start:
+    case Part::settings:
     case Part::end:
       focus_ = hit.part;
       return accept();
@@ -236,7 +250,7 @@ ui::StartPage StartMenu::page() const {
     page.about = "No scenarios were found: build them (tools/run --build), or set FULCRUM_CONTENT.";
   }
   const std::string& name = participants_[participant_];
-  std::string trainee = name.empty() ? "nobody: no result is kept" : name;
+  std::string trainee = name.empty() ? "nobody, not kept" : name;
   if (participant_ + 1 == participants_.size()) trainee += " (new)";
   page.settings = {{"Who trains", written_ ? *written_ : trainee, written_.has_value()},
                    {"Device", devices_[device_].label},
@@ -244,7 +258,10 @@ ui::StartPage StartMenu::page() const {
   page.focus = focus_;
   page.index = focus_ == Part::setting ? setting_ : scenario_;
   page.note = note_;
-  page.help = written_ ? "Type a pseudonym, then Enter" : "Arrows choose, Enter starts, Esc ends";
+  const bool at_device = focus_ == Part::setting && setting_ == device;
+  page.help = written_    ? "Type a pseudonym, then Enter"
+              : at_device ? "Left, right: another one; Enter tests it"
+                          : "Arrows choose, Enter starts, Esc ends";
   return page;
 }
 

@@ -41,7 +41,7 @@ public:
             std::vector<std::string> participants, const StartChoice& choice);
 
   enum class Key { up, down, left, right, accept, back, erase };
-  enum class Wish { none, start, end };
+  enum class Wish { none, start, settings, end, test };  // test: the device that is chosen
 
   Wish press(Key key);
   void type(char32_t letter);  // of a name that is being written
@@ -61,6 +61,7 @@ private:
   void move(int by);
   void change(std::size_t setting, int by);
   Wish accept();
+  Wish accept_device();
   void finish_name();
 
   std::vector<StartScenario> scenarios_;

@@ -15,13 +15,18 @@
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/prepare/run_request.h"
+#include "engine/app/settings/settings.h"
 #include "engine/app/start/backdrop.h"
+#include "engine/app/start/device_test_page.h"
+#include "engine/app/start/settings_panel.h"
 #include "engine/app/start/start_menu.h"
 #include "engine/app/start/start_settings.h"
+#include "engine/app/window/pad_device.h"
 #include "engine/app/window/train.h"
+#include "engine/input/pad_presses.h"
 #include "engine/report/axis.h"
 #include "engine/scenario/content.h"
-#include "engine/scenario/load.h"
+#include "engine/ui/pads.h"
 
 namespace fulcrum::app {
 namespace {
@@ -42,9 +47,9 @@ std::vector<StartScenario> scenarios() {
                       .fault = listed.fault};
     if (one.title.empty()) one.title = one.name;
     if (listed.fault.empty()) {
-      if (const auto loaded = scenario::load_scenario(listed.file); loaded)
-        one.facts = std::to_string(loaded->checkpoints.size()) + " checkpoints in " +
-                    report::short_number(loaded->time_limit) + " s";
+      if (listed.difficulty) one.facts.append(name_of(*listed.difficulty)).append(", ");
+      one.facts += std::to_string(listed.checkpoints) + " checkpoints in " +
+                   report::short_number(listed.time_limit) + " s";
     }
     all.push_back(std::move(one));
   }
@@ -124,27 +129,12 @@ std::optional<Key> key_of(int key) {
   }
 }
 
-// Buttons of a gamepad that have gone down since the last look.
-class PadKeys {
-public:
-  std::vector<Key> pressed(const ui::MenuButtons& now) {
-    std::vector<Key> keys;
-    const auto note = [&](bool is, bool was, Key key) {
-      if (is && !was) keys.push_back(key);
-    };
-    note(now.up, before_.up, Key::up);
-    note(now.down, before_.down, Key::down);
-    note(now.left, before_.left, Key::left);
-    note(now.right, before_.right, Key::right);
-    note(now.accept, before_.accept, Key::accept);
-    note(now.back, before_.back, Key::back);
-    before_ = now;
-    return keys;
-  }
-
-private:
-  ui::MenuButtons before_;
-};
+// What a gamepad's buttons ask of the menu.
+constexpr std::pair<std::uint32_t, Key> kPadKeys[] = {{ui::kPadUp, Key::up},     {ui::kPadDown, Key::down},
+                                                      {ui::kPadLeft, Key::left}, {ui::kPadRight, Key::right},
+                                                      {ui::kPadA, Key::accept},  {ui::kPadStart, Key::accept},
+                                                      {ui::kPadB, Key::back}};
+constexpr std::uint32_t kPadCross = ui::kPadUp | ui::kPadDown | ui::kPadLeft | ui::kPadRight;
 
 // Until something is wished for, or the window is closed.
 Result<Wish> ask(WindowStage& stage, StartMenu& menu, const std::optional<session::Store>& store,
@@ -152,10 +142,24 @@ Result<Wish> ask(WindowStage& stage, StartMenu& menu, const std::optional<sessio
   if (auto error = stage.clear_scene()) return *error;  // of what was trained
   Wish wish = Wish::none;
   double x = 0, y = 0;
+  SettingsPanel settings(stage);
+  const auto follow = [&](Wish wished) {
+    if (wished == Wish::settings)
+      settings.open();
+    else
+      wish = wished;
+  };
+  const auto press = [&](Key key) {
+    if (wish != Wish::none) return;
+    if (settings.is_open())
+      settings.press(key);
+    else
+      follow(menu.press(key));
+  };
   ui::WindowEvents events;
   events.key = [&](int key, int action, int) {
     if (action == GLFW_RELEASE) return;
-    if (const auto pressed = key_of(key); pressed && wish == Wish::none) wish = menu.press(*pressed);
+    if (const auto pressed = key_of(key)) press(*pressed);
   };
   events.text = [&](char32_t letter) { menu.type(letter); };
   events.cursor = [&](double to_x, double to_y) {
@@ -164,12 +168,14 @@ Result<Wish> ask(WindowStage& stage, StartMenu& menu, const std::optional<sessio
   };
   events.button = [&](int button, int action, int) {
     if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS || wish != Wish::none) return;
-    if (const auto hit = ui::start_hit(menu.page(), stage.window().pixels(), x, y)) wish = menu.click(*hit);
+    if (settings.is_open()) return settings.press_at(x, y);
+    if (const auto hit = ui::start_hit(menu.page(), stage.window().pixels(), stage.settings().look, x, y))
+      follow(menu.click(*hit));
   };
-  events.scroll = [&](double, double steps) { menu.press(steps > 0 ? Key::up : Key::down); };
-  stage.window().set_events(std::move(events));
-  PadKeys pad;
-  pad.pressed(stage.window().menu_buttons());  // what is still down was meant for what was before
+  events.scroll = [&](double, double steps) { press(steps > 0 ? Key::up : Key::down); };
+  stage.window().set_events(events);
+  ui::learn_pads(gamepad_mappings());
+  input::PadPresses pad(kPadCross);
   Backdrop backdrop(stage);
   std::optional<std::string> asked_about;
   while (wish == Wish::none && !interrupted()) {
@@ -180,12 +186,23 @@ Result<Wish> ask(WindowStage& stage, StartMenu& menu, const std::optional<sessio
     }
     backdrop.want(choice.scenario, choice.left_handed);
     ui::OverlayState state;
+    state.look = stage.settings().look;
     state.start = menu.page();
+    if (settings.is_open()) state.settings = settings.page();
     const Result<bool> open = stage.show(state, backdrop.frame());
     if (!open) return open.error();
     if (!*open) wish = Wish::end;
-    for (const Key key : pad.pressed(stage.window().menu_buttons()))
-      if (wish == Wish::none) wish = menu.press(key);
+    const std::uint32_t buttons = pad.pressed(ui::menu_buttons(ui::pad_states()), seconds_now());
+    for (const auto& [button, key] : kPadKeys)
+      if ((buttons & button) != 0) press(key);
+    if (wish == Wish::test) {
+      const Result<std::string> refused = test_device(stage, backdrop, menu.page(), menu.choice().device);
+      if (!refused) return refused.error();
+      menu.set_note(*refused);
+      stage.window().set_events(events);
+      pad = input::PadPresses(kPadCross);
+      wish = Wish::none;
+    }
     std::this_thread::sleep_for(kFramePause);
   }
   stage.window().set_events({});
@@ -207,7 +224,8 @@ RunOptions options_of(const StartChoice& choice) {
 
 int run_start_window() {
   KeptComplaints complaints;
-  const Result<std::unique_ptr<WindowStage>> stage = WindowStage::create("Fulcrum", RunOptions());
+  const Result<std::unique_ptr<WindowStage>> stage =
+      WindowStage::create("Fulcrum", RunOptions(), read_settings());
   if (!stage) {
     complain(stage.error().sentence);
     return kError;

@@ -24,8 +24,7 @@ std::optional<Command> CueSwitches::toggle(char key, const ui::OverlayState& sho
 
 std::optional<Command> CueSwitches::press(const ui::OverlayState& shown, render::Extent size, double x,
                                           double y) {
-  const ui::PanelPoint at = ui::panel_point(size, x, y);
-  const auto press = ui::pressed_cue(shown, switched_on_, at.width, at.x, at.y);
+  const auto press = ui::pressed_cue(shown, switched_on_, ui::panel_point(size, shown.look, x, y));
   if (!press) return std::nullopt;
   return set(press->cue, press->gain);
 }

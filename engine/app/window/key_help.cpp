@@ -50,10 +50,14 @@ std::vector<ui::KeyLine> key_lines(const ui::OverlayState& state, std::span<cons
     lines.push_back({"Left, Right", "look back at the trial; with Shift, by a second"});
     lines.push_back({"Page Up, Down", "the event before, the event after"});
     lines.push_back({"Space", "show or hide what came of it"});
+    if (state.timeline->has_expert) lines.push_back({"F5", "show or hide the expert's tool beside it"});
   }
   lines.push_back({"F1", "show or hide this list"});
   if (!state.checkpoints.empty()) lines.push_back({"F2", "show or hide the way to the next checkpoint"});
   lines.push_back({"F3", "show or hide the engineer's figures"});
+  if (state.muted) lines.push_back({"F4", *state.muted ? "sound on" : "sound off"});
+  lines.push_back({"F6", "show or hide where the tool is touched"});
+  lines.push_back({"F7", "show or hide a second view"});
   return lines;
 }
 

@@ -5,14 +5,14 @@
 #include <string>
 
 #include "engine/app/prepare/prepare.h"
+#include "engine/app/run/expert_run.h"
 #include "engine/app/window/window_stage.h"
-#include "engine/session/trial_metrics.h"
 
 namespace fulcrum::app {
 
 struct PreparedInWindow {
-  std::optional<Prepared> prepared;             // none: what is wrong is on stderr, or the window was closed
-  std::optional<session::TrialMetrics> expert;  // none: the scenario has none to compare with
+  std::optional<Prepared> prepared;  // none: what is wrong is on stderr, or the window was closed
+  std::optional<ExpertRun> expert;   // none: the scenario has none to compare with
   bool closed = false;
   bool cancelled = false;  // by Esc
 };

@@ -33,9 +33,9 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
     complain(visual.error().sentence);
     return {kError, Leave::start_page};
   }
-  const Trainee trainee{participation, ready.expert ? &*ready.expert : nullptr};
-  const Result<std::unique_ptr<TrainingWindow>> window =
-      TrainingWindow::create(stage, prepared, *visual, options, trainee.expert, has_start_page);
+  const Trainee trainee{participation, ready.expert ? &ready.expert->metrics : nullptr};
+  const Result<std::unique_ptr<TrainingWindow>> window = TrainingWindow::create(
+      stage, prepared, *visual, options, ready.expert ? &*ready.expert : nullptr, has_start_page);
   if (!window) {
     complain(window.error().sentence);
     return {kError, Leave::start_page};
@@ -46,8 +46,9 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
       attempt_options.out = options.out / ("attempt-" + std::to_string(number));
     const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, attempt_options, trainee);
     if (!attempt) return {kError, Leave::start_page};
-    const Leave leave =
-        (*window)->run(attempt->world(), attempt->device(), attempt->sink(), attempt->faults());
+    attempt->play_sound(number == 1 && !options.muted);
+    const Leave leave = (*window)->run(attempt->world(), attempt->device(), attempt->sink(),
+                                       attempt->faults(), attempt->player());
     const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
     if (!picture) complain("there is no picture: " + picture.error().sentence);
     const int code = attempt->finish(&(*window)->plan(), true, (*window)->frames_per_s());

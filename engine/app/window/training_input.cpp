@@ -1,4 +1,4 @@
-// The window's keys, mouse and the device's buttons.
+// The window's keys and mouse.
 
 #include <GLFW/glfw3.h>
 
@@ -53,19 +53,13 @@ void TrainingWindow::listen() {
   stage_.window().set_events(std::move(events));
 }
 
-void TrainingWindow::on_buttons(std::uint32_t down) {
-  const std::uint32_t pressed = down & ~std::exchange(buttons_, down);
-  if ((pressed & stop_buttons_) != 0) loop_->send({Command::Kind::stop});
-  if ((pressed & go_buttons_) != 0) loop_->send({Command::Kind::acknowledge});
-}
-
 void TrainingWindow::on_press() {
   scrub(false);
   if (scrubs_) return;
   const std::optional<Command> pressed = cues_.press(shown_, stage_.window().pixels(), cursor_x_, cursor_y_);
   send(pressed);
-  const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
-  const auto held = ui::pressed_holding(shown_, at.width, at.x, at.y);
+  const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), shown_.look, cursor_x_, cursor_y_);
+  const auto held = ui::pressed_holding(shown_, at);
   if (held) send(holding_commands(*shown_.holding, *held));
   slides_ = held && held->part == ui::HoldingPress::Part::place;
   if (pressed || held) button_ = -1;  // a press on a panel drags nothing in the scene
@@ -129,13 +123,30 @@ void TrainingWindow::on_key(int key, int action) {
       circle_shown_ = !circle_shown_;
       break;
     case GLFW_KEY_F1:
-      keys_visible_ = !keys_visible_;
+      // Through its pages, where it has some, and away.
+      keys_page_ = keys_visible_ && keys_page_ + 1 < stage_.overlay().keys_pages() ? keys_page_ + 1 : 0;
+      keys_visible_ = keys_page_ > 0 || !keys_visible_;
       break;
     case GLFW_KEY_F2:
       guides_ = !guides_;
       break;
     case GLFW_KEY_F3:
       figures_visible_ = !figures_visible_;
+      break;
+    case GLFW_KEY_F4:
+      sound_.toggle();
+      break;
+    case GLFW_KEY_F5:
+      expert_shown_ = !expert_shown_;
+      break;
+    case GLFW_KEY_F6:
+      touches_shown_ = !touches_shown_;
+      break;
+    case GLFW_KEY_F7:
+      if (second_view_)
+        second_view_.reset();
+      else
+        choose_second_view();
       break;
     case GLFW_KEY_HOME:
       camera_.reset();
@@ -145,14 +156,15 @@ void TrainingWindow::on_key(int key, int action) {
         send(cues_.toggle(static_cast<char>('A' + (key - GLFW_KEY_A)), shown_));
       if (const auto holding = holding_key(key); holding && shown_.holding)
         send(holding_commands(*shown_.holding, *holding));
-      if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
-        const auto view = static_cast<std::size_t>(key - GLFW_KEY_1);
-        if (view < visual_.views.size()) {
-          camera_ = render::OrbitCamera(visual_.views[view].camera);
-          view_ = view;
-        }
-      }
+      if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) go_to_view(static_cast<std::size_t>(key - GLFW_KEY_1));
   }
+}
+
+void TrainingWindow::go_to_view(std::size_t view) {
+  if (view >= visual_.views.size()) return;
+  camera_ = render::OrbitCamera(visual_.views[view].camera);
+  view_ = view;
+  if (second_view_) choose_second_view();
 }
 
 void TrainingWindow::send(const std::optional<Command>& command) {
@@ -163,20 +175,25 @@ void TrainingWindow::send(const std::vector<Command>& commands) {
   for (const Command& command : commands) loop_->send(command);
 }
 
+Vec3 TrainingWindow::touch_W() const {
+  return tool_mouse_.X_WH() * (scene_->tool.X_HT * prepared_.haptic.task.touch_point);
+}
+
 void TrainingWindow::on_cursor(double x, double y) {
   const double dx = x - std::exchange(cursor_x_, x), dy = y - std::exchange(cursor_y_, y);
   if (slides_ && shown_.holding) {
-    const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), cursor_x_, cursor_y_);
-    send(holding_commands(*shown_.holding,
-                          {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at.width, at.x)}));
+    const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), shown_.look, cursor_x_, cursor_y_);
+    send(holding_commands(*shown_.holding, {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at)}));
   }
   if (scrubs_) scrub(true);
   if (button_ < 0 || scrubs_) return;
   const bool moves_tool = mouse_ != nullptr && button_ != GLFW_MOUSE_BUTTON_MIDDLE && !resting_;
   if (moves_tool && tool_rests()) return;
   if (moves_tool) {
-    const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
-    if (button_ == GLFW_MOUSE_BUTTON_LEFT)
+    const input::ViewAxes view = view_axes(camera_.camera(), touch_W());
+    if (button_ == GLFW_MOUSE_BUTTON_LEFT && shift_)
+      tool_mouse_.push(view, dx, -dy);
+    else if (button_ == GLFW_MOUSE_BUTTON_LEFT)
       tool_mouse_.slide(view, dx, dy);
     else if (shift_)
       tool_mouse_.roll(view, dx);
@@ -196,7 +213,7 @@ void TrainingWindow::on_scroll(double steps) {
     return;
   }
   if (tool_rests()) return;
-  const input::ViewAxes view = view_axes(camera_.camera(), tool_mouse_.X_WH().p);
+  const input::ViewAxes view = view_axes(camera_.camera(), touch_W());
   tool_mouse_.reach(view, steps, shift_ ? input::Step::fine : input::Step::whole);
   mouse_->aim(tool_mouse_.X_WH());
 }

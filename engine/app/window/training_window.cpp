@@ -11,12 +11,15 @@
 #include "engine/app/run/headless_run.h"
 #include "engine/app/window/key_help.h"
 #include "engine/record/percentiles.h"
+#include "engine/scenario/to_glm.h"
 
 namespace fulcrum::app {
 namespace {
 
-constexpr std::size_t kCostWindow = 1000;  // ticks that the shown percentiles are of
-constexpr double kAboutShown = 20;         // s of the trial, at the most
+constexpr std::size_t kCostWindow = 1000;               // ticks that the shown percentiles are of
+constexpr double kAboutShown = 20;                      // s of the trial, at the most
+constexpr glm::vec3 kExpertColour{1.0F, 0.52F, 0.04F};  // linear, of lines: no scene's ghost has it
+constexpr render::Extent kSecondView{1600, 1000};       // px, that marks in it are placed in
 
 // m: what the trainee has to hit most exactly; where there is no task, a twentieth of the tool.
 double finest_detail(const Prepared& prepared) {
@@ -29,27 +32,29 @@ double finest_detail(const Prepared& prepared) {
 }  // namespace
 
 TrainingWindow::TrainingWindow(WindowStage& stage, const Prepared& prepared,
-                               const scenario::VisualAssembly& visual, const session::TrialMetrics* expert,
-                               bool has_start_page)
+                               const scenario::VisualAssembly& visual, const RunOptions& options,
+                               const ExpertRun* expert, bool has_start_page)
     : stage_(stage),
       prepared_(prepared),
       visual_(visual),
       camera_(visual.desc.camera),
       bridge_(visual.desc, prepared.scenario, prepared.haptic.scene),
       tool_mouse_(input::mouse_steps(finest_detail(prepared))),
+      sound_(options, static_cast<double>(stage.settings().volume)),
       expert_(expert),
       has_start_page_(has_start_page) {}
 
 Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(WindowStage& stage, const Prepared& prepared,
                                                                const scenario::VisualAssembly& visual,
                                                                const RunOptions& options,
-                                                               const session::TrialMetrics* expert,
-                                                               bool has_start_page) {
-  std::unique_ptr<TrainingWindow> self(new TrainingWindow(stage, prepared, visual, expert, has_start_page));
+                                                               const ExpertRun* expert, bool has_start_page) {
+  std::unique_ptr<TrainingWindow> self(
+      new TrainingWindow(stage, prepared, visual, options, expert, has_start_page));
   self->circle_ = options.circle;
+  self->words_ = device_words(options.device);
   const auto named = std::ranges::find(visual.views, options.view, &scenario::View::name);
   if (named != visual.views.end()) self->view_ = static_cast<std::size_t>(named - visual.views.begin());
-  if (auto error = stage.set_scene(visual.desc, self->quality_.quality())) return *error;
+  if (auto error = stage.set_scene(visual.desc, stage.settings().first_quality())) return *error;
   return self;
 }
 
@@ -59,10 +64,10 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   mouse_ = device.mouse;
   rate_ = device.rate;
   keys_ = device.keys.get();
+  gamepad_ = device.gamepad.get();
+  pad_device_ = {};
   tool_keys_.let_go();
-  stop_buttons_ = device.stop_buttons;
-  go_buttons_ = device.go_buttons;
-  buttons_ = 0;
+  buttons_ = ButtonCommands(device.stop_buttons, device.go_buttons);
   leave_.reset();
   slides_ = scrubs_ = false;
   button_ = -1;  // a release while no window listened is not told
@@ -74,33 +79,45 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   trouble_ = TickTrouble(scene_->tick_s);
   frame_rate_ = {};
   resting_ = false;
+  touches_.clear();
+  touch_finder_.reset();  // it was of the world before
   review_ = Review(scene_->tick_s);
   debrief_.reset();
   tool_mouse_.reset(scene_->tool.X_WT_start * scene_->tool.X_HT.inverse());
+  ui::learn_pads(gamepad_mappings());
+  pad_presses_ = input::PadPresses(repeating_pad_buttons());
+  take_pads();
 }
 
 TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink,
-                                          const ProgramFaults& faults) {
+                                          const ProgramFaults& faults, audio::Player* player) {
   LiveLoop loop(world, *device.device);
   loop_ = &loop;
+  if (player != nullptr) loop.also_tell(player->ticks());
   begin(world, device, sink);
+  sound_.begin(player);
   listen();
   draw(sink, loop);  // the first frame takes long, and its picture is where all begins: before the clock runs
   loop.start();
   while (!stage_.window().closing() && !leave_ && !interrupted() && error_.empty()) {
     stage_.window().poll();
+    take_pads();
     TickEvent event;
     while (loop.next(event)) {
-      on_buttons(event.sample.buttons);
+      send(buttons_.pressed(event.sample.buttons));
       if (sink.end() != RunSink::End::running) continue;
       note_cost(event);
       sink.take(event);
+      sound_.note(sink.task());
       review_.add(event.record, sink.time());
     }
     sink.flush_if_due();
     if (faults.gpu_lost()) stage_.gpu().lose();
     if (sink.end() != RunSink::End::running) {
-      if (!debrief_) debrief_ = debrief(prepared_, sink, expert_, has_start_page_);
+      sound_.rest();
+      if (!debrief_)
+        debrief_ =
+            debrief(prepared_, sink, expert_ ? &expert_->metrics : nullptr, has_start_page_, pad_is_there_);
       come_to_rest(loop);
     } else {
       late_ = loop.late_ticks();
@@ -112,6 +129,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   loop.stop();
   if (review_.is_shown()) {  // the attempt's picture is of its last moment
     review_.press(Review::Key::card, sink, false);
+    look_for_touches(sink.last());
     shown_ = overlay_of(sink.last(), sink, stage_.window().pixels());
   }
   stage_.window().hold_pointer(false);
@@ -143,8 +161,11 @@ void TrainingWindow::note_cost(const TickEvent& event) {
 std::string TrainingWindow::message(const RunSink& sink) const {
   if (sink.end() != RunSink::End::running) return {};
   if (sink.handle_is_still()) return StillHandle::kSentence;
+  if (sink.guided()) return "Guided: this trial will have no points.";
   const bool begins = sink.task().step == 0 && sink.time() < kAboutShown;
-  return begins ? prepared_.scenario.about : std::string();
+  const std::string what = advice(prepared_.haptic.task, sink.task(), words_);
+  if (!begins) return what;
+  return what.empty() ? prepared_.scenario.about : prepared_.scenario.about + '\n' + what;
 }
 
 scenario::TaskState TrainingWindow::task_shown(const RunSink& sink) const {
@@ -155,23 +176,41 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
                                             render::Extent size) const {
   ui::OverlayState state = overlay_state(prepared_, *scene_, record, sink.afterglow(), task_shown(sink));
   if (state.trial) state.trial->limit_s = sink.limit();
+  state.tool = lost_tool(camera_.camera(), size, record, prepared_.haptic.task);
+  const double limit = force_limit_W(*scene_);
+  state.touches = touch_marks(camera_.camera(), size, touches_, limit);
+  if (second_view_)
+    state.second_view = {
+        second_view_->name,
+        in_fractions(touch_marks(second_view_->camera, kSecondView, touches_, limit), kSecondView)};
   if (sink.end() != RunSink::End::running) {
-    state.timeline = review_.timeline(sink);
+    state.timeline = review_.timeline(sink, plot_limits(*scene_, prepared_.haptic.task),
+                                      shows_expert() ? expert_ : nullptr);
+    state.timeline->has_expert = expert_ != nullptr && !expert_->way.empty();
     if (!review_.is_shown()) state.debrief = debrief_;
   } else if (guides_)
     state.target = target_view(camera_.camera(), size, record, prepared_.haptic.task, sink.task());
+  state.look = stage_.settings().look;
   state.figures_visible = figures_visible_;
   state.ticks = tick_health();
-  state.hint = "F1: keys";
+  if (sound_.is_there()) state.muted = sound_.is_muted();
+  state.hint = state.muted.value_or(false) ? "F1: keys, F4: sound on" : "F1: keys";
   if (view_ < visual_.views.size()) state.view = view_name(visual_.views[view_]);
   state.message = message(sink);
   state.keys_visible = keys_visible_;
+  state.keys_page = keys_page_;
   state.keys = key_lines(state, visual_.views, circle_, has_start_page_);
+  state.pad = pad_is_there_;
+  if (pad_is_there_) {
+    const std::vector<ui::KeyLine> pad = pad_lines(pad_phase(), visual_.views.size() > 1, has_start_page_);
+    state.keys.insert(state.keys.end(), pad.begin(), pad.end());
+  }
   if (mouse_ != nullptr) {
     for (const char* line : input::mouse_help()) state.mapping.emplace_back(line);
     return state;
   }
   if (keys_ != nullptr) state.mapping = ToolKeys::help();
+  if (gamepad_ != nullptr) state.mapping = pad_device_help();
   for (const char* line : {"Drag: look around", "Shift + drag: move the view", "Wheel: zoom"})
     state.mapping.emplace_back(line);
   return state;
@@ -199,8 +238,44 @@ void TrainingWindow::show_to_device(const TickRecord& record) {
 render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {
   render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
                                            task_shown(sink), camera_.camera(), shown_.time_s);
+  frame.marker_colours = ui::marker_colours(stage_.settings().look);
   frame.overlay = &stage_.overlay();
+  if (has_expert_ghost_) {
+    ghosts_.assign(frame.ghosts.begin(), frame.ghosts.end());
+    ghosts_.emplace_back();
+    if (shows_expert())
+      ghosts_.back() = {1.0F, scenario::to_glm(tool_at(*expert_, review_.same_part_s(sink, *expert_))),
+                        kExpertColour};
+    frame.ghosts = ghosts_;
+  }
+  if (const auto& place = stage_.overlay().second_view(); place && second_view_)
+    frame.inset = {second_view_->camera, place->x, place->y, place->width, place->height};
   return frame;
+}
+
+void TrainingWindow::look_for_touches(const TickRecord& record) {
+  touches_.clear();
+  if (!touches_shown_) return;
+  if (!touch_finder_) touch_finder_.emplace(*scene_);
+  touches_ = touch_finder_->find(record);
+}
+
+bool TrainingWindow::shows_expert() const {
+  return expert_shown_ && review_.is_shown() && expert_ != nullptr && !expert_->way.empty();
+}
+
+void TrainingWindow::choose_second_view() {
+  second_view_ = second_view(camera_.camera(), visual_.views);
+}
+
+// The scene gets one ghost more, the last, when the expert's tool is first to be seen.
+std::optional<Error> TrainingWindow::make_room_for_expert() {
+  if (!shows_expert() || has_expert_ghost_) return std::nullopt;
+  render::VisualDesc desc = visual_.desc;
+  desc.ghosts.emplace_back();
+  std::optional<Error> error = stage_.renderer().set_ghosts(desc);
+  has_expert_ghost_ = !error;
+  return error;
 }
 
 Result<std::filesystem::path> TrainingWindow::save_picture(const RunSink& sink,
@@ -222,9 +297,15 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   const TickRecord& record = review_.is_shown()                          ? review_.record()
                              : running && newest.tick > sink.last().tick ? newest
                                                                          : sink.last();
+  look_for_touches(record);
   shown_ = overlay_of(record, sink, size);
   show_to_device(record);
+  sound_.hear_from(camera_.camera());
   if (const auto error = stage_.overlay().prepare(shown_, size)) {
+    error_ = error->sentence;
+    return;
+  }
+  if (const auto error = make_room_for_expert()) {
     error_ = error->sentence;
     return;
   }
@@ -236,7 +317,7 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   if (*drawn && running)
     frame_rate_.note(
         std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count());
-  if (*drawn && quality_.add(stage_.renderer().last_frame_s())) {
+  if (*drawn && !stage_.settings().picture && quality_.add(stage_.renderer().last_frame_s())) {
     if (const auto error = stage_.renderer().set_quality(quality_.quality())) error_ = error->sentence;
   }
 }

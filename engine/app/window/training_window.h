@@ -10,13 +10,19 @@
 #include "drivers/registry.h"
 #include "engine/app/cli/run_options.h"
 #include "engine/app/picture/bridge.h"
+#include "engine/app/picture/second_view.h"
+#include "engine/app/run/button_commands.h"
 #include "engine/app/run/run_sink.h"
 #include "engine/app/window/cue_switches.h"
 #include "engine/app/window/frame_rate.h"
+#include "engine/app/window/pad_controls.h"
+#include "engine/app/window/pad_device.h"
 #include "engine/app/window/review.h"
 #include "engine/app/window/tick_trouble.h"
 #include "engine/app/window/tool_keys.h"
+#include "engine/app/window/window_sound.h"
 #include "engine/app/window/window_stage.h"
+#include "engine/input/pad_presses.h"
 #include "engine/input/tool_mouse.h"
 #include "engine/render/orbit_camera.h"
 #include "engine/render/quality.h"
@@ -26,17 +32,17 @@ namespace fulcrum::app {
 
 class TrainingWindow {
 public:
-  // All must outlive it. expert: what the trial is compared with at its end; null: nothing. has_start_page:
-  // F10 goes back to it. Errors: the scene cannot be drawn.
+  // All must outlive it. expert: what the trial is compared with, and shown beside; null: nothing.
+  // has_start_page: F10 goes back to it. Errors: the scene cannot be drawn.
   static Result<std::unique_ptr<TrainingWindow>> create(WindowStage& stage, const Prepared& prepared,
                                                         const scenario::VisualAssembly& visual,
-                                                        const RunOptions& options,
-                                                        const session::TrialMetrics* expert,
+                                                        const RunOptions& options, const ExpertRun* expert,
                                                         bool has_start_page);
 
   enum class Leave { closed, restart, start_page };
-  // One attempt.
-  Leave run(World& world, OpenDevice& device, RunSink& sink, const ProgramFaults& faults);
+  // One attempt. player: of its sound; null: silence.
+  Leave run(World& world, OpenDevice& device, RunSink& sink, const ProgramFaults& faults,
+            audio::Player* player);
   // The attempt's last moment, as it was seen, into a PNG. After run().
   Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 
@@ -45,20 +51,25 @@ public:
 
 private:
   TrainingWindow(WindowStage& stage, const Prepared& prepared, const scenario::VisualAssembly& visual,
-                 const session::TrialMetrics* expert, bool has_start_page);
+                 const RunOptions& options, const ExpertRun* expert, bool has_start_page);
 
   // All that belonged to the attempt before is gone.
   void begin(const World& world, OpenDevice& device, const RunSink& sink);
   void listen();  // to the window's events
   void on_key(int key, int action);
-  // Of the device, that are down.
-  void on_buttons(std::uint32_t down);
   void on_press();
+  // Of gamepads, whatever is the device; and where one is, what it pushes.
+  void take_pads();
+  void act(PadAction action);
+  PadPhase pad_phase() const;
+  void go_to_view(std::size_t view);
   // After the end: what a key does to the moment that is shown; false: nothing.
   bool look_back(int key);
   void scrub(bool dragged);
   void on_cursor(double x, double y);
   void on_scroll(double steps);
+  // (3) m, what of the tool has to reach the checkpoints, where the mouse wants it.
+  Vec3 touch_W() const;
   void send(const std::optional<Command>& command);
   void send(const std::vector<Command>& commands);
   void note_cost(const TickEvent& event);
@@ -76,6 +87,12 @@ private:
   std::string message(const RunSink& sink) const;
   void draw(const RunSink& sink, LiveLoop& loop);
   render::FrameState frame_of(const TickRecord& record, const RunSink& sink);
+  // Where the tool is touched in that tick, if that is to be shown.
+  void look_for_touches(const TickRecord& record);
+  // Whether the expert's tool is to be seen beside the trainee's.
+  bool shows_expert() const;
+  std::optional<Error> make_room_for_expert();
+  void choose_second_view();
 
   WindowStage& stage_;
   const Prepared& prepared_;
@@ -91,10 +108,14 @@ private:
   MouseDevice* mouse_ = nullptr;
   RateDevice* rate_ = nullptr;
   KeyAxes* keys_ = nullptr;
+  GamepadAxes* gamepad_ = nullptr;
+  PadDevice pad_device_;
+  input::PadPresses pad_presses_{repeating_pad_buttons()};
+  bool pad_is_there_ = false;
   input::ToolMouse tool_mouse_;
   ToolKeys tool_keys_;
-  std::uint32_t stop_buttons_ = 0, go_buttons_ = 0, buttons_ = 0;  // of the device
-  std::vector<std::int64_t> cpu_ns_;                               // of the newest ticks, a ring
+  ButtonCommands buttons_;            // of the device
+  std::vector<std::int64_t> cpu_ns_;  // of the newest ticks, a ring
   std::size_t cpu_at_ = 0;
   std::uint64_t late_ = 0, lost_ = 0;  // ticks
   TickTrouble trouble_;
@@ -111,13 +132,23 @@ private:
   double cursor_x_ = 0, cursor_y_ = 0;
   std::size_t view_ = 0;  // that was gone to last
   bool keys_visible_ = false;
+  std::size_t keys_page_ = 0;
+  bool expert_shown_ = true;                // while looking back
+  bool has_expert_ghost_ = false;           // the renderer has a ghost for it, the last
+  std::vector<render::GhostState> ghosts_;  // of the newest frame
+  bool touches_shown_ = false;
+  std::optional<TouchFinder> touch_finder_;  // once they were to be shown
+  std::vector<Touch> touches_;
+  std::optional<ChosenView> second_view_;
   bool guides_ = true;  // the way to the next checkpoint is shown
   bool figures_visible_ = false;
   bool circle_ = false;       // of confusion: it is there
   bool circle_shown_ = true;  // where it is
   ui::OverlayState shown_;    // what the panels showed last
   CueSwitches cues_;
-  const session::TrialMetrics* expert_;
+  DeviceWords words_;  // how the device does what hints speak of
+  WindowSound sound_;
+  const ExpertRun* expert_;
   bool has_start_page_;
   std::optional<Leave> leave_;  // asked for by a key
   std::string error_;           // why drawing stopped

@@ -6,9 +6,10 @@
 
 namespace fulcrum::app {
 
-Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& title,
-                                                         const RunOptions& options) {
+Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& title, const RunOptions& options,
+                                                         const Settings& settings) {
   std::unique_ptr<WindowStage> self(new WindowStage);
+  self->settings_ = settings;
   auto window = ui::Window::create(title, options.size);
   if (!window) return window.error();
   self->window_ = std::move(*window);
@@ -39,6 +40,7 @@ Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& titl
   self->renderer_ = std::move(*renderer);
   // Once unseen: a driver compiles at the first frame, and an empty window is black until then.
   ui::OverlayState reading;
+  reading.look = settings.look;
   reading.busy = {title, "Reading the scenario", 0, ""};
   if (auto error = self->overlay_->prepare(reading, options.size)) return *error;
   render::FrameState card;
@@ -52,6 +54,7 @@ Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& titl
 
 Result<bool> WindowStage::show(const ui::Busy& busy) {
   ui::OverlayState state;
+  state.look = settings_.look;
   state.busy = busy;
   return show(state, {});
 }

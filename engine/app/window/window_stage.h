@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/app/cli/run_options.h"
+#include "engine/app/settings/settings.h"
 #include "engine/render/renderer.h"
 #include "engine/ui/overlay.h"
 #include "engine/ui/window.h"
@@ -17,7 +18,8 @@ namespace fulcrum::app {
 class WindowStage {
 public:
   // It is seen once there is something in it. Errors: no display, no Vulkan.
-  static Result<std::unique_ptr<WindowStage>> create(const std::string& title, const RunOptions& options);
+  static Result<std::unique_ptr<WindowStage>> create(const std::string& title, const RunOptions& options,
+                                                     const Settings& settings);
 
   // Delivers events, too. False: the window is to be closed. The first while there is no scene; frame: of the
   // scene there is, or of none.
@@ -28,6 +30,9 @@ public:
 
   // Back to none.
   std::optional<Error> clear_scene() { return set_scene({}, kCardQuality); }
+
+  const Settings& settings() const { return settings_; }
+  void set_settings(const Settings& settings) { settings_ = settings; }
 
   ui::Window& window() { return *window_; }
   ui::Overlay& overlay() { return *overlay_; }
@@ -41,6 +46,8 @@ private:
   static constexpr render::Quality kCardQuality{1, 0, 1.0F};
 
   WindowStage() = default;
+
+  Settings settings_;
 
   // In the order in which they need each other; destroyed backwards.
   std::unique_ptr<ui::Window> window_;

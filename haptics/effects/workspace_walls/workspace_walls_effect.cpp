@@ -28,7 +28,7 @@ std::optional<Error> WorkspaceWallsEffect::refuse(const Desc& walls, const Plain
     return Error{"device.workspace_walls.margin is " + number_text(margin * 1e3) +
                  " mm, and the workspace of the device '" + device.name + "' reaches " +
                  number_text(reach * 1e3) + " mm from its middle: make it smaller."};
-  const double limit = WorkspaceWalls::kMostShare * WorkspaceWalls::stiffness_limit(device, scene.tick_s);
+  const double limit = DampedSpring::kMostShare * DampedSpring::limit(device, scene.tick_s);
   if (!walls.stiffness || *walls.stiffness <= limit) return std::nullopt;
   return Error{"device.workspace_walls.stiffness is " + number_text(*walls.stiffness) +
                " N/m, and beside a coupling the device '" + device.name + "' holds at most " +
@@ -39,7 +39,7 @@ std::optional<Error> WorkspaceWallsEffect::refuse(const Desc& walls, const Plain
 WorkspaceWallsEffect::WorkspaceWallsEffect(const Desc& desc, const PlainScene& scene)
     : effect_(desc, scene.device, scene.tick_s),
       margin_(WorkspaceWalls::margin(desc, scene.device)),
-      limit_(WorkspaceWalls::stiffness_limit(scene.device, scene.tick_s)) {}
+      limit_(DampedSpring::limit(scene.device, scene.tick_s)) {}
 
 Wrench WorkspaceWallsEffect::shape(const EffectTick& tick) noexcept {
   return {effect_.process(tick.handle.X_DH.p, tick.handle.per_tick_D.head<3>()), Vec3::Zero()};

@@ -167,5 +167,33 @@ TEST(Tremor, HasTheStatedRmsAndTheSeedDecides) {
   EXPECT_NE(tremor.at(1.0), Tremor(desc).at(1.0));
 }
 
+// A hand that stops the force where its path says so: the one button from its arrival on, then the other
+// until it leaves.
+TEST(SimulatedDevice, ItsHandStopsWhereItsPathSaysSo) {
+  const Pose there{Quat::Identity(), Vec3(0.1, 0, 0)};
+  HandTask task{
+      .path = HandPath(std::vector<Waypoint>{{.X_WT = {}, .dwell = 0.2},
+                                             {.X_WT = there, .travel = 0.3, .dwell = 0.5, .stop = 0.1},
+                                             {.X_WT = {}, .travel = 0.3}}),
+      .hand = {},
+      .X_HT = {},
+      .mapping = {}};
+  SimulatedDevice device({}, std::move(task));
+  std::vector<std::uint32_t> buttons;
+  for (int tick = 0; tick < 1500; ++tick) {
+    buttons.push_back(device.read().buttons);
+    device.write({});
+  }
+  // A tick is added up to its time, so that an edge may fall a tick beside.
+  const auto expect = [&](int from, int to, std::uint32_t down) {
+    for (int tick = from + 1; tick < to - 1; ++tick)
+      ASSERT_EQ(buttons[static_cast<std::size_t>(tick)], down) << tick;
+  };
+  expect(-1, 500, 0);
+  expect(500, 600, kHandStopButton);
+  expect(600, 1000, kHandGoButton);
+  expect(1000, 1500, 0);
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -155,7 +155,7 @@ TEST(WorkspaceWalls, AreStableUpToTheLimitAndNoFurther) {
       DeviceDesc device = round_device();
       device.handle_mass = mass;
       if (late) device.sample_rate_Hz = 1000;
-      const double limit = WorkspaceWalls::stiffness_limit(device, kTick);
+      const double limit = DampedSpring::limit(device, kTick);
       ASSERT_GT(limit, 300) << mass;
       EXPECT_LT(late_swing(device, 0.9 * limit, late ? 1 : 0), 0.5e-6) << mass << late;
       EXPECT_GT(late_swing(device, 1.1 * limit, late ? 1 : 0), 2e-6) << mass << late;
@@ -169,7 +169,7 @@ TEST(WorkspaceWalls, TheStiffnessSuitsTheDevice) {
   };
   const DeviceDesc device = round_device();
   EXPECT_NEAR(chosen(device, 0.02), 4 / 0.02, 1e-9);  // the whole 4 N at the workspace's end
-  const double limit = WorkspaceWalls::stiffness_limit(device, kTick);
+  const double limit = DampedSpring::limit(device, kTick);
   EXPECT_NEAR(chosen(device, 1e-4), 0.25 * limit, 1e-9 * limit);
   DeviceDesc coarse = device;
   coarse.friction = 0.01;
@@ -351,7 +351,7 @@ TEST(WorkspaceWallsInAWorld, WhatCannotStandIsRefused) {
             "device.workspace_walls.margin is 50 mm, and the workspace of the device 'simulated' reaches 50 "
             "mm from its middle: make it smaller.");
   desc = walled_scene();
-  const double limit = WorkspaceWalls::stiffness_limit(desc.device, desc.tick_s) / 2;
+  const double limit = DampedSpring::limit(desc.device, desc.tick_s) / 2;
   desc.workspace_walls->stiffness = 1.01 * limit;
   EXPECT_NE(refusal(desc).find("N/m at a tick of 1 ms: lower it"), std::string::npos) << refusal(desc);
   desc.workspace_walls->stiffness = 0.99 * limit;

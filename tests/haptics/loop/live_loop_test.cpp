@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <vector>
 
 #include "haptics/device/simulated_device.h"
+#include "haptics/loop/age_clock.h"
 #include "tests/haptics/scenes.h"
 
 namespace fulcrum::test {
@@ -59,6 +61,37 @@ TEST(LiveLoop, TicksArriveInOrderAndCommandsAct) {
   while (loop.next(event)) in_order(event);
   EXPECT_EQ(loop.unrecorded(), 0u);
   EXPECT_EQ(loop.lost_ticks(), static_cast<std::uint64_t>(lost));
+}
+
+// The second listener hears every tick as the first does; and where nobody takes them, the loop goes on.
+TEST(LiveLoop, TellsOneMoreThreadOfEveryTick) {
+  SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
+  World world = expect(World::build(desc));
+  SimulatedDeviceDesc device_desc;
+  device_desc.device = desc.device;
+  SimulatedDevice device(device_desc, Pose{Quat::Identity(), Vec3(0, 0.02, 0)});
+  LiveLoop loop(world, device);
+  TimedTicks told(200);
+  loop.also_tell(told);
+  const std::int64_t before = AgeClock::now_ns();
+  loop.start();
+  std::vector<TickRecord> seen;
+  drain(loop, [&](const TickEvent& event) {
+    seen.push_back(event.record);
+    return event.record.tick == 400;
+  });
+  loop.stop();
+  EXPECT_EQ(loop.unrecorded(), 0u);
+  std::int64_t last_ns = before;
+  TimedTick tick;
+  for (std::size_t i = 0; i < 200; ++i) {
+    ASSERT_TRUE(told.pop(tick)) << i;
+    EXPECT_EQ(tick.record.tick, seen[i].tick);
+    EXPECT_EQ(tick.record.X_WT.p, seen[i].X_WT.p);
+    EXPECT_GT(tick.at_ns, last_ns);
+    last_ns = tick.at_ns;
+  }
+  EXPECT_FALSE(told.pop(tick));  // what found no place was left out
 }
 
 // A device whose driver hangs once for a while.

@@ -35,6 +35,7 @@ std::string route_yaml(const std::string& how, const std::string& program,
     if (pose.travel > 0.0) text += "    travel: " + number("%.2f", pose.travel) + "\n";
     if (pose.dwell > 0.0) text += "    dwell: " + number("%.1f", pose.dwell) + "\n";
     if (pose.hold) text += "    hold: " + number("%.3f", *pose.hold) + "\n";
+    if (pose.stop) text += "    stop: " + number("%.1f", *pose.stop) + "\n";
     if (pose.press) text += "    press: " + number("%.1f", *pose.press) + "\n";
   }
   return text;

@@ -17,6 +17,7 @@ struct RoutePose {
   bool presses = false;           // it aims a little into what it touches
   std::optional<double> hold{};   // m, where along the tool the hand holds it; none: as before
   std::optional<double> press{};  // N, how firmly; none: as before
+  std::optional<double> stop{};   // s, of the dwell, for which the hand stops the force; none: it does not
 };
 
 // The hand's file as YAML. `how`: what someone who knows how does; `program` is named as its author.

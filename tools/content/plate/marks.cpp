@@ -1,12 +1,11 @@
 #include "tools/content/plate/marks.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "haptics/math/functions.h"
-#include "tools/content/mesh/loft.h"
+#include "tools/content/mesh/painted_line.h"
 #include "tools/content/plate/faces.h"
 #include "tools/content/plate/stand.h"
 
@@ -15,30 +14,13 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using Line = PaintedLine;
 
 // Strokes in the unit of a figure's height, x to the right and y up.
 constexpr double letter_height = 6.5 * mm;
 constexpr double stroke = 0.55 * mm;  // half its width
 constexpr double advance = 0.78;      // from figure to figure
 constexpr double figure_width = 0.56;
-
-using Line = std::vector<Vector2d>;
-
-Line arc(const Vector2d& centre, const Vector2d& radii, double from_deg, double to_deg) {
-  constexpr int pieces = 36;
-  Line line;
-  for (int k = 0; k <= pieces; ++k) {
-    const double angle = degree * (from_deg + (to_deg - from_deg) * k / pieces);
-    line.emplace_back(centre + radii.cwiseProduct(Vector2d(math::cos(angle), math::sin(angle))));
-  }
-  return line;
-}
-
-Line ring(const Vector2d& centre, const Vector2d& radii) {
-  Line line = arc(centre, radii, 0.0, 360.0);
-  line.back() = line.front();
-  return line;
-}
 
 std::vector<Line> six() {
   return {ring({0.28, 0.28}, {0.27, 0.28}), arc({0.61, 0.32}, {0.6, 0.68}, 105.0, 176.0)};
@@ -61,28 +43,6 @@ std::vector<Line> strokes(char figure) {
     default:  // the sign for degrees
       return {ring({0.13, 0.87}, {0.12, 0.13})};
   }
-}
-
-// A round stroke that is sunk into its face as deep as it can be and still be seen. A line that ends where it
-// begins is a ring.
-Solid drawn(const Line& line, const Eigen::Isometry3d& X_WF) {
-  constexpr int corners = 10;
-  const std::size_t last = line.size() - 1;
-  const bool closed = (line.front() - line.back()).norm() < 1e-9;
-  std::vector<Section> sections;
-  for (std::size_t i = 0; i < line.size() - (closed ? 1 : 0); ++i) {
-    const Vector2d& before = i > 0 ? line[i - 1] : closed ? line[last - 1] : line[0];
-    const Vector2d along = (line[std::min(i + 1, last)] - before).normalized();
-    const Vector3d across(along.y(), -along.x(), 0.0);
-    const Vector3d middle(letter_height * line[i].x(), letter_height * line[i].y(), -0.7 * stroke);
-    Section& section = sections.emplace_back();
-    for (int k = 0; k < corners; ++k) {
-      const double angle = 2.0 * pi * (k + 0.5) / corners;
-      section.push_back(
-          X_WF * (middle + stroke * (math::cos(angle) * across + math::sin(angle) * Vector3d::UnitZ())));
-    }
-  }
-  return closed ? closed_loft(sections) : loft(sections);
 }
 
 }  // namespace
@@ -108,7 +68,7 @@ Model make_marks() {
         for (Vector2d& p : line) p.x() += x;
         model.parts.push_back({.name = "mark/" + std::to_string(model.parts.size() + 1),
                                .material = 0,
-                               .solid = drawn(line, X_WF)});
+                               .solid = painted(line, letter_height, stroke, X_WF)});
       }
       x += advance;
     }

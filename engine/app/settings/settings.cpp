@@ -1,0 +1,140 @@
+#include "engine/app/settings/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "engine/app/cli/terminal.h"
+#include "engine/files/put_file.h"
+#include "engine/files/regular_file.h"
+#include "engine/files/user_folders.h"
+#include "engine/scenario/words.h"
+
+namespace fulcrum::app {
+namespace {
+
+using SettingsJson = nlohmann::ordered_json;
+
+// So few bytes cannot nest deeper than the stack allows.
+constexpr std::uint64_t kMostSettings = 1 << 12;
+
+constexpr std::string_view kTextKey = "text_size", kPaletteKey = "palette", kPictureKey = "picture",
+                           kVolumeKey = "volume";
+constexpr std::array<std::string_view, 4> kSettingKeys = {kTextKey, kPaletteKey, kPictureKey, kVolumeKey};
+constexpr std::array<std::string_view, 2> kPaletteWords = {"standard",
+                                                           "colour_blind"};  // as of ui::PaletteName
+constexpr std::string_view kAutomaticPicture = "automatic";
+constexpr std::array<std::string_view, render::kQualityLevels.size() + 1> kPictureNames = {
+    kAutomaticPicture, "best", "high", "medium", "low", "lowest"};
+
+std::filesystem::path settings_file() {
+  const std::filesystem::path folder = config_folder();
+  return folder.empty() ? folder : folder / "settings.json";
+}
+
+// An object, empty where there is no file. Errors: clauses.
+Result<SettingsJson> read_settings_document(const std::filesystem::path& path) {
+  std::error_code unknown;
+  if (path.empty() || !std::filesystem::exists(path, unknown)) return SettingsJson::object();
+  const Result<RegularFile> file = RegularFile::open(path);
+  if (!file) return file.error();
+  const Result<std::string> bytes = file->first_bytes(kMostSettings + 1);
+  if (!bytes) return bytes.error();
+  if (bytes->size() > kMostSettings)
+    return Error{"it has more than " + std::to_string(kMostSettings) + " bytes"};
+  SettingsJson document = SettingsJson::parse(*bytes, nullptr, false);
+  if (!document.is_object()) return Error{"it is no JSON object"};
+  return document;
+}
+
+// Reads fields of a document, and says what it cannot use.
+class SettingsFields {
+public:
+  SettingsFields(const std::filesystem::path& path, const SettingsJson& document)
+      : path_(path), document_(document) {
+    for (const auto& [key, value] : document.items()) {
+      if (std::ranges::find(kSettingKeys, key) != kSettingKeys.end()) continue;
+      ignore(key, "there is no such setting" + scenario::did_you_mean(key, kSettingKeys, "it may go."));
+    }
+  }
+
+  // The index of what it names; none: it is not there, or named none, which is told of.
+  std::optional<std::size_t> word(std::string_view key, std::span<const std::string_view> words) const {
+    const auto found = document_.find(key);
+    if (found == document_.end()) return std::nullopt;
+    if (found->is_string()) {
+      const auto named = std::ranges::find(words, found->get_ref<const std::string&>());
+      if (named != words.end()) return static_cast<std::size_t>(named - words.begin());
+    }
+    ignore(key, "it has to be one of " + scenario::joined(words) + ".");
+    return std::nullopt;
+  }
+
+  // The nearest of the values; none: it is not there, or not between the first and the last, which is told
+  // of.
+  std::optional<float> size(std::string_view key, std::span<const float> values) const {
+    const auto found = document_.find(key);
+    if (found == document_.end()) return std::nullopt;
+    if (found->is_number()) {
+      const auto given = found->get<double>();
+      if (given >= values.front() && given <= values.back())
+        return *std::ranges::min_element(
+            values, {}, [&](float value) { return std::abs(static_cast<double>(value) - given); });
+    }
+    char range[64];
+    std::snprintf(range, sizeof range, "it has to be a number from %g to %g.",
+                  static_cast<double>(values.front()), static_cast<double>(values.back()));
+    ignore(key, range);
+    return std::nullopt;
+  }
+
+private:
+  void ignore(std::string_view key, const std::string& why) const {
+    complain(path_.string() + ": '" + std::string(key) + "' is left out: " + why);
+  }
+
+  const std::filesystem::path& path_;
+  const SettingsJson& document_;
+};
+
+}  // namespace
+
+Settings read_settings() {
+  const std::filesystem::path path = settings_file();
+  const Result<SettingsJson> document = read_settings_document(path);
+  if (!document) {
+    complain(path.string() + ": " + document.error().sentence +
+             ", so that the settings are as at the first start.");
+    return {};
+  }
+  const SettingsFields fields(path, *document);
+  Settings settings;
+  settings.look.text = fields.size(kTextKey, kTextSizes).value_or(settings.look.text);
+  if (const auto palette = fields.word(kPaletteKey, kPaletteWords))
+    settings.look.palette = static_cast<ui::PaletteName>(*palette);
+  if (const auto picture = fields.word(kPictureKey, kPictureNames); picture && *picture > 0)
+    settings.picture = *picture - 1;
+  settings.volume = fields.size(kVolumeKey, kVolumes).value_or(settings.volume);
+  return settings;
+}
+
+bool write_settings(const Settings& settings) {
+  const std::filesystem::path path = settings_file();
+  if (path.empty()) return false;
+  const Result<SettingsJson> before = read_settings_document(path);
+  SettingsJson document = before ? *before : SettingsJson::object();
+  document[std::string(kTextKey)] = settings.look.text;
+  document[std::string(kPaletteKey)] = kPaletteWords[static_cast<std::size_t>(settings.look.palette)];
+  document[std::string(kPictureKey)] = kPictureNames[settings.picture ? *settings.picture + 1 : 0];
+  document[std::string(kVolumeKey)] = settings.volume;
+  const std::string text = document.dump(1, ' ', false, SettingsJson::error_handler_t::replace) + '\n';
+  return put_file(path, {std::as_bytes(std::span(text))});
+}
+
+}  // namespace fulcrum::app

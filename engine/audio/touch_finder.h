@@ -1,0 +1,36 @@
+#pragma once
+// Where a tool touches: the point of its shell that lies nearest to the scene, or deepest in it. For who has
+// no tick's contacts, and asks seldom.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "haptics/geometry/distance_field.h"
+#include "haptics/geometry/pointshell.h"
+#include "haptics/math/pose.h"
+
+namespace fulcrum::audio {
+
+struct Touch {
+  Vec3 p_T = Vec3::Zero();     // (3) m, of the tool
+  Vec3 nhat_W = Vec3::Zero();  // (3) unit, out of the scene
+};
+
+class TouchFinder {
+public:
+  // Every n-th point of a larger shell: a shell is sorted by place, and so what is left covers it all.
+  static constexpr std::size_t kProbes = 4096;
+
+  // Either may be null: then nothing touches.
+  TouchFinder(const Pointshell* tool_shell, std::shared_ptr<const DistanceField> scene_field);
+
+  // None: the pose is no number, or no direction is known there.
+  std::optional<Touch> find(const Pose& X_WT) const;
+
+private:
+  std::shared_ptr<const DistanceField> field_;
+  std::vector<Vec3> probes_T_;
+};
+
+}  // namespace fulcrum::audio

@@ -1,0 +1,58 @@
+#include "engine/render/view.h"
+
+#include <cstring>
+
+#include "engine/render/pipelines.h"
+#include "shaders/shared/frame.h"
+
+namespace fulcrum::render {
+namespace {
+
+vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& plan,
+                                     const SharedParts& shared, VkBuffer frame) {
+  constexpr VkShaderStageFlags both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+  std::vector<vulkan::Binding> bindings = {{kFrameBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, both, frame}};
+  if (plan.surfaces) {
+    bindings.push_back(
+        {kInstancesBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT, shared.instances});
+  }
+  if (plan.markers) {
+    bindings.push_back(
+        {kMarkersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT, shared.markers});
+  }
+  if (plan.shadow_size > 0) {
+    bindings.push_back({kShadowBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                        VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, shared.shadow_map,
+                        shared.shadow_sampler});
+  }
+  return {device, bindings};
+}
+
+}  // namespace
+
+View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedParts& shared)
+    : plan(view_plan),
+      targets(make_targets(device, plan)),
+      frame_buffer(device, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload),
+      scene_set(make_scene_set(device, plan, shared, frame_buffer.get())),
+      tone_set(device, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT,
+                         VK_NULL_HANDLE, targets.scene.view(), shared.scene_sampler}}) {
+  for (const SharedGhost& ghost : shared.ghosts)
+    ghosts.push_back(
+        std::make_unique<GhostPass>(device, ghost.look, ghost.edges, plan, targets.depth.view()));
+}
+
+void View::update(const gpu::FrameData& data, const FrameState& state) {
+  std::memcpy(frame_buffer.mapped(), &data, sizeof(data));
+  layers = state.camera.layers;
+  for (std::size_t i = 0; i < ghosts.size(); ++i)
+    ghosts[i]->update(state.ghosts.empty() ? GhostState() : state.ghosts[i], state.camera, plan);
+}
+
+RenderPlan inset_plan(const RenderPlan& plan) {
+  RenderPlan inset = plan;
+  inset.picture = inset.scene = *plan.inset;
+  return inset;
+}
+
+}  // namespace fulcrum::render

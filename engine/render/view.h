@@ -1,0 +1,50 @@
+#pragma once
+// One camera's way from the scene to the picture: its images, its figures, its ghosts. The whole picture is
+// one, and a second view another.
+
+#include <memory>
+#include <vector>
+
+#include "engine/render/ghost_pass.h"
+#include "engine/render/targets.h"
+#include "engine/vulkan/buffer.h"
+#include "engine/vulkan/descriptors.h"
+
+namespace fulcrum::render {
+
+struct SharedGhost {
+  Ghost look;
+  std::shared_ptr<GhostEdges> edges;
+};
+
+// What all views have in common. Null: the plan has no such thing.
+struct SharedParts {
+  VkBuffer instances = VK_NULL_HANDLE;
+  VkBuffer markers = VK_NULL_HANDLE;
+  VkImageView shadow_map = VK_NULL_HANDLE;
+  VkSampler shadow_sampler = VK_NULL_HANDLE;
+  VkSampler scene_sampler = VK_NULL_HANDLE;
+  std::vector<SharedGhost> ghosts;
+};
+
+struct View {
+  View() = default;
+  // Throws vulkan::Failure.
+  View(vulkan::Device& device, const RenderPlan& plan, const SharedParts& shared);
+
+  // Of what the next frame shows; state: with this view's camera.
+  void update(const gpu::FrameData& data, const FrameState& state);
+
+  RenderPlan plan;  // its picture is the part of the picture that the view fills
+  Targets targets;
+  vulkan::Buffer frame_buffer;
+  vulkan::DescriptorSet scene_set;
+  vulkan::DescriptorSet tone_set;
+  std::vector<std::unique_ptr<GhostPass>> ghosts;
+  std::uint32_t layers = 1;  // that its camera sees
+};
+
+// The plan of the second view that a plan has.
+RenderPlan inset_plan(const RenderPlan& plan);
+
+}  // namespace fulcrum::render

@@ -1,0 +1,33 @@
+// What of a task is heard.
+
+#include "engine/app/run/task_chimes.h"
+
+#include <gtest/gtest.h>
+
+namespace fulcrum::test {
+namespace {
+
+using audio::Chime;
+
+TEST(TaskChimes, TellEachThingOnce) {
+  app::TaskChimes chimes;
+  scenario::TaskState task;
+  EXPECT_EQ(chimes.next(task), std::nullopt);
+  task.step = 1;
+  EXPECT_EQ(chimes.next(task), Chime::checkpoint);
+  EXPECT_EQ(chimes.next(task), std::nullopt);
+  task.hard_touches = 1;
+  EXPECT_EQ(chimes.next(task), Chime::hard_touch);
+  EXPECT_EQ(chimes.next(task), std::nullopt);
+  task.hard_touches = 2;
+  task.step = 2;
+  EXPECT_EQ(chimes.next(task), Chime::checkpoint);
+  EXPECT_EQ(chimes.next(task), std::nullopt);
+  task.step = 3;
+  task.completed = true;
+  EXPECT_EQ(chimes.next(task), Chime::completed);
+  EXPECT_EQ(chimes.next(task), std::nullopt);
+}
+
+}  // namespace
+}  // namespace fulcrum::test

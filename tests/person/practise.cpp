@@ -1,0 +1,108 @@
+#include "tests/person/practise.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include "tests/person/clock.h"
+
+namespace fulcrum::person {
+namespace {
+
+constexpr double kPatience = 30;  // s, for one checkpoint
+
+class Practice {
+public:
+  Practice(Trainee& trainee, const Plan& plan, const Sight& seen)
+      : trainee_(trainee), clearance_(plan.clearance * trainee.height()), seen_(seen) {}
+
+  // false: the trial is over, and nothing is left to see of it.
+  bool come_to(std::size_t number, const Place& detour) {
+    const auto began = Clock::now();
+    if (length(detour) > 0 && seen_.ring && seen_.touch) {
+      const Place side = detour * trainee_.height();
+      trainee_.slide(side);
+      seen_.touch = *seen_.touch + side;
+      go(side);
+    }
+    while (static_cast<std::size_t>(seen_.done) <= number) {
+      if (since(began) > kPatience)
+        throw GaveUp("checkpoint " + std::to_string(number + 1) + " was not reached");
+      if (seen_.ring && seen_.ring->filling)
+        stay();
+      else if (seen_.ring && seen_.touch)
+        go({});
+      else if (is_over())
+        return false;
+    }
+    return true;
+  }
+
+private:
+  // To the ring, or that far from it. Nearer first and farther last: what is seen can be reached from where
+  // it is seen.
+  void go(const Place& beside) {
+    const Place way = seen_.ring->middle + beside - *seen_.touch;
+    std::printf("  %5.1f s: %.0f, %.0f px to the right and down, %.0f px farther\n", since(began_), way.x,
+                way.y, seen_.farther);
+    const bool is_near = length(way) < kNear && std::abs(seen_.farther) < kNear;
+    const double clearance = is_near ? 0 : clearance_;
+    trainee_.push(std::min(seen_.farther, 0.0) - clearance);
+    trainee_.slide(way);
+    trainee_.push(std::max(seen_.farther, 0.0) + clearance);
+    const Sight before = seen_;
+    const Place expected = *before.touch + way;
+    seen_ = trainee_.settled(before, expected, 0);
+    // Held up by something: back to where nothing is, and from there anew.
+    const bool held_up = seen_.done == before.done && seen_.touch && !(seen_.ring && seen_.ring->filling) &&
+                         length(*seen_.touch - expected) > kNear;
+    if (!held_up) return;
+    std::printf("  %5.1f s: held up\n", since(began_));
+    const Sight held = seen_;
+    const double back = kBack * trainee_.height();
+    trainee_.push(-back);
+    seen_ = trainee_.settled(held, expected, back);
+  }
+
+  void stay() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    seen_ = trainee_.look();
+  }
+
+  // A card hides the list once the trial is over, and nothing shows the way any more.
+  bool is_over() {
+    const auto began = Clock::now();
+    while (since(began) < 1) {
+      stay();
+      if (seen_.ring || seen_.touch) return false;
+    }
+    return true;
+  }
+
+  static constexpr double kNear = 6;     // px
+  static constexpr double kBack = 0.08;  // heights of the picture
+
+  Trainee& trainee_;
+  double clearance_;  // px
+  Sight seen_;
+  Clock::time_point began_ = Clock::now();
+};
+
+}  // namespace
+
+void practise(Trainee& trainee, const Plan& plan) {
+  Sight seen = trainee.wait_for_scene();
+  if (plan.view != 0) seen = trainee.go_to_view(plan.view);
+  Practice practice(trainee, plan, seen);
+  const auto began = Clock::now();
+  for (std::size_t i = 0; i < plan.detours.size(); ++i) {
+    if (!practice.come_to(i, plan.detours[i])) return;
+    std::printf("checkpoint %zu after %.1f s\n", i + 1, since(began));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace fulcrum::person
