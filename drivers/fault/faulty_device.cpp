@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "haptics/device/hand.h"
+
 namespace fulcrum {
 namespace {
 
@@ -120,7 +122,8 @@ DeviceSample FaultyDevice::nonsense(DeviceSample sample) noexcept {
   for (int i = 0; i < 3; ++i) sample.X_DH.p[i] = kReach * any();
   const double w = any(), x = any(), y = any(), z = any();
   sample.X_DH.q = Quat(w, x, y, z).normalized();
-  sample.buttons = static_cast<std::uint32_t>(noise_ >> 32);
+  // All but the stop and go of a simulated hand, which would end what is tried.
+  sample.buttons = static_cast<std::uint32_t>(noise_ >> 32) & ~(kHandStopButton | kHandGoButton);
   return sample;
 }
 
