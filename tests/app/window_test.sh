@@ -81,10 +81,13 @@ ghost() { [ "$(newest torque_substitution/ghost_gain)" = "$1" ]; }
 xdotool key --window "$window" F1
 xdotool key --window "$window" g
 until_seen ghost 0 || fail "G does not switch the ghost off"
-# The list of keys takes all presses while it is there, and F1 turns its pages; the switch listens once the panel is back
-# and shows that it is off.
-switched() { xdotool key --window "$window" F1 && xdotool mousemove --window "$window" 488 113 click 1 && runs "$work/W" 300 && ghost 1; }
-until_seen switched || fail "the ghost's switch does not switch it on"
+# The list of keys takes all presses while it is there, and F1 turns its pages; the switch listens once the panel is back,
+# and so is the ring.
+until_seen no_accent $ring || fail "F1 shows no list of keys"
+xdotool key --window "$window" F1
+until_seen accent $ring || fail "F1 does not close the list of keys"
+xdotool mousemove --window "$window" 488 113 click 1
+until_seen ghost 1 || fail "the ghost's switch does not switch it on"
 
 # size_is W H: the window's, as its manager has it.
 size_is() { xdotool getwindowgeometry "$window" | grep -q "Geometry: $1x$2"; }
