@@ -89,8 +89,8 @@ void Player::hear(Stage& stage, bool rests) {
   std::int64_t blows = 0, late = 0;
   std::optional<Slide> slide;
   bool told = false;
-  // No more than lie there now: a storm of blows that are told faster than they are played must not keep this thread from
-  // its other work.
+  // No more than lie there now: a storm of blows that are told faster than they are played must not keep this
+  // thread from its other work.
   std::size_t left = ticks_.size();
   for (TimedTick tick; left > 0 && ticks_.pop(tick); --left, told = true) {
     const Heard heard = listener_.next(tick.record);

@@ -7,8 +7,7 @@ support=$(dirname "$(readlink -f "$0")")/../support
 . "$support/display.sh"
 start_display
 export XDG_DATA_HOME=$work/data XDG_CONFIG_HOME=$work/config
-# The stick, with time for a busy machine; not more, since its expert, who has to feel the ball, takes all of it on a device
-# that does not push.
+# The stick, with time for a busy machine.
 mkdir -p "$work/content/scenarios"
 cp -rL "$(dirname "$FULCRUM")/content/scenarios/stick" "$work/content/scenarios/"
 scenario=$work/content/scenarios/stick/scenario.yaml

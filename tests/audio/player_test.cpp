@@ -86,7 +86,8 @@ TEST_F(PlayerTest, AfterTheEndNothingBegins) {
   EXPECT_EQ(player_->counts().blows, 0);
 }
 
-// A player whose thread gets no turn for long hears only what is long past: the storm lasts until some of it was played.
+// A player whose thread gets no turn for long hears only what is long past: the storm lasts until some of it
+// was played.
 TEST_F(PlayerTest, AStormOfBlowsFromOneThreadAndOfWordsFromAnother) {
   std::atomic<bool> calm{false};
   std::thread haptic([&] {

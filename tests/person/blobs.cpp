@@ -56,9 +56,6 @@ public:
 
 private:
   static std::uint8_t which(const Colour& seen, std::span<const Colour> colours, int tolerance) {
-    // Most of a picture is grey, and no colour of the overlay is.
-    const auto [least, most] = std::minmax({seen.red, seen.green, seen.blue});
-    if (most - least < 2 * tolerance) return 0;
     for (std::size_t i = 0; i < colours.size(); ++i)
       if (std::abs(seen.red - colours[i].red) <= tolerance &&
           std::abs(seen.green - colours[i].green) <= tolerance &&

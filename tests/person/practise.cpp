@@ -35,6 +35,8 @@ public:
         stay();
       else if (seen_.ring && seen_.touch)
         go({});
+      else if (seen_.ring && seen_.lost)
+        fetch(*seen_.lost);
       else if (is_over())
         return false;
     }
@@ -67,6 +69,16 @@ private:
     seen_ = trainee_.settled(held, expected, back);
   }
 
+  // A tool that is out of the picture, into it.
+  void fetch(const Place& lost) {
+    std::printf("  %5.1f s: out of the picture\n", since(began_));
+    trainee_.slide(lost * (-kFetch * trainee_.height()));
+    // A picture is older than the hand.
+    const auto asked = Clock::now();
+    do stay();
+    while (since(asked) < 0.4);
+  }
+
   void stay() {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     seen_ = trainee_.look();
@@ -82,8 +94,9 @@ private:
     return true;
   }
 
-  static constexpr double kNear = 6;     // px
-  static constexpr double kBack = 0.08;  // heights of the picture
+  static constexpr double kNear = 6;      // px
+  static constexpr double kBack = 0.08;   // heights of the picture
+  static constexpr double kFetch = 0.25;  // heights of the picture
 
   Trainee& trainee_;
   double clearance_;  // px

@@ -12,8 +12,9 @@ namespace fulcrum::person {
 namespace {
 
 // The colours of the overlay, engine/ui/theme.h.
-constexpr std::array<Colour, 4> kColours{
-    {{84, 164, 255}, {255, 178, 54}, {66, 206, 138}, {226, 130, 255}}};  // blue, orange, green, violet
+constexpr std::array<Colour, 5> kColours{
+    // blue, orange, green, violet, white
+    {{84, 164, 255}, {255, 178, 54}, {66, 206, 138}, {226, 130, 255}, {236, 240, 245}}};
 constexpr int kTolerance = 26;
 
 // px, of the unit in which the overlay is drawn.
@@ -78,29 +79,36 @@ double part_round(const Circle& circle, const std::vector<Place>& pixels) {
   return static_cast<double>(std::ranges::count_if(pixels, on_it)) / 48;
 }
 
-// The gauges at the lower left, whose scales are arcs of a size of their own.
-bool is_gauge(const Picture& picture, const Circle& circle, double unit) {
-  return circle.middle.x < 330 * unit && circle.middle.y > picture.height - 190 * unit &&
-         std::abs(circle.radius - 52 * unit) < 8 * unit;
+// The gauges at the lower left, whose scales are arcs of a size of their own and whose needles are blue and
+// white.
+bool is_in_gauges(const Picture& picture, const Place& at, double unit) {
+  return at.x < 330 * unit && at.y > picture.height - 190 * unit;
 }
 
-// The largest of a colour that is a ring: whatever is drawn over a part of it.
+// The column of panels at the right, whose sliders have knobs that look like the mark, and whose switches are
+// wide and round.
+bool is_in_panels(const Picture& picture, const Place& at, double unit) {
+  return at.x > picture.width - 240 * unit && at.y < 420 * unit;
+}
+
+// Of a colour that which is most like a ring, whatever is drawn over a part of it. A gauge is none.
 std::optional<Ring> find_ring(const Picture& picture, const std::vector<Blob>& found, double unit,
                               bool filling) {
   std::optional<Ring> ring;
+  double best = 0.5;  // of the directions
   for (const Blob& blob : found) {
     const std::vector<Place> pixels = outline(blob);
     const std::optional<Circle> circle = circle_through(pixels);
-    if (!circle || circle->radius < 9 * unit || part_round(*circle, pixels) < 0.5) continue;
-    if (is_gauge(picture, *circle, unit)) continue;
-    if (!ring || circle->radius > ring->radius) ring = Ring{circle->middle, circle->radius, filling};
+    if (!circle || circle->radius < 9 * unit) continue;
+    const bool is_wide = blob.width() > 1.3 * blob.height();
+    if (is_wide && is_in_panels(picture, circle->middle, unit)) continue;
+    if (is_in_gauges(picture, circle->middle, unit) && circle->radius > 30 * unit) continue;
+    const double round = part_round(*circle, pixels);
+    if (round < best) continue;
+    best = round;
+    ring = Ring{circle->middle, circle->radius, filling};
   }
   return ring;
-}
-
-// The column of panels at the right, whose sliders have knobs that look like the mark.
-bool is_in_panels(const Picture& picture, const Blob& blob, double unit) {
-  return blob.middle().x > picture.width - 240 * unit && blob.middle().y < 420 * unit;
 }
 
 // A small blue disc in a white one.
@@ -114,8 +122,9 @@ std::optional<Place> find_touch(const Picture& picture, const std::vector<Blob>&
   std::optional<Place> best;
   int most = 9;  // of 16
   for (const Blob& blob : blue) {
-    if (std::max(blob.width(), blob.height()) > 8 * unit || is_in_panels(picture, blob, unit)) continue;
+    if (std::max(blob.width(), blob.height()) > 8 * unit) continue;
     const Place middle = blob.middle();
+    if (is_in_panels(picture, middle, unit) || is_in_gauges(picture, middle, unit)) continue;
     int around = 0;
     for (int i = 0; i < 16; ++i) {
       const double angle = i * std::numbers::pi / 8;
@@ -142,6 +151,22 @@ double find_farther(const std::vector<Blob>& violet, const Place& touch, double 
   return up ? touch.y - arrow->top + unseen : touch.y - arrow->bottom - unseen;
 }
 
+// A white arrow head near the picture's edge: its tip is the pixel that is farthest from the mean of all.
+std::optional<Place> find_lost(const std::vector<Blob>& white, double unit) {
+  for (const Blob& blob : white) {
+    const auto count = static_cast<double>(blob.pixels.size());
+    const double filled = count / (blob.width() * blob.height());
+    const double size = std::sqrt(count);
+    if (size < 12 * unit || size > 24 * unit || filled < 0.4 || filled > 0.65) continue;
+    Place mean;
+    for (const Place& at : blob.pixels) mean = mean + at * (1 / count);
+    const auto from_mean = [&](const Place& at) { return length(at - mean); };
+    const Place way = *std::ranges::max_element(blob.pixels, {}, from_mean) - mean;
+    return way * (1 / length(way));
+  }
+  return std::nullopt;
+}
+
 // In the column of the list, at the left.
 int count_done(const std::vector<Blob>& green, double unit) {
   return static_cast<int>(std::ranges::count_if(
@@ -157,12 +182,14 @@ int count_done(const std::vector<Blob>& green, double unit) {
 Sight look_at(const Picture& picture) {
   const double unit = unit_of(picture);
   const std::vector<std::vector<Blob>> found = find_blobs(picture, kColours, kTolerance);
-  const std::vector<Blob>&blue = found[0], &orange = found[1], &green = found[2], &violet = found[3];
+  const std::vector<Blob>&blue = found[0], &orange = found[1], &green = found[2], &violet = found[3],
+        &white = found[4];
   Sight sight;
   sight.ring = find_ring(picture, blue, unit, false);
   if (!sight.ring) sight.ring = find_ring(picture, orange, unit, true);
   sight.touch = find_touch(picture, blue, unit);
   if (sight.touch) sight.farther = find_farther(violet, *sight.touch, unit);
+  if (!sight.touch) sight.lost = find_lost(white, unit);
   sight.done = count_done(green, unit);
   return sight;
 }

@@ -17,6 +17,7 @@ struct Ring {
 struct Sight {
   std::optional<Ring> ring;
   std::optional<Place> touch;  // px
+  std::optional<Place> lost;   // unit, the way to a tool that is out of the picture
   double farther = 0;          // px that a drag with Shift has to go up; below 0: down; 0: no arrow
   int done = 0;                // ticks in the list of checkpoints
 };

@@ -73,6 +73,18 @@ TEST_F(PersonSightTest, MeasuresTheDrag) {
   }
 }
 
+TEST_F(PersonSightTest, SeesTheWayToALostTool) {
+  OverlayState state = on_the_way();
+  EXPECT_FALSE(seen(state).lost);
+  state.target->at.touch.reset();
+  for (const glm::vec2 way : {glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(-0.6, 0.8)}) {
+    state.tool = EdgePlace{glm::vec2(320, 180) + 150.0F * way, way, "the tip"};
+    const person::Sight sight = seen(state);
+    ASSERT_TRUE(sight.lost && sight.ring && !sight.touch) << way.x;
+    EXPECT_GT(sight.lost->x * way.x + sight.lost->y * way.y, 0.95) << way.x;
+  }
+}
+
 TEST_F(PersonSightTest, SeesThatTheToolIsInAndThatNothingIsLeft) {
   OverlayState state = on_the_way();
   state.target->dwelling = true;

@@ -11,8 +11,9 @@ constexpr double above = 28.0 * mm;  // over the ball, between touches
 constexpr double at_middle = 100.0 * mm;
 constexpr double grip = 2.5;                                     // N, on the strip
 constexpr double down = 0.6, up = 0.5, aside = 0.6, rest = 0.4;  // s
-constexpr double sphere = 3.0 * mm;  // radius of a checkpoint: 1 mm deep in the ball is in it
-constexpr double wanted = 4.0 * mm;  // depth of its middle
+constexpr double sphere = 5.0 * mm;      // radius of a checkpoint: a stick that lies on the ball is in it
+constexpr double end_sphere = 6.0 * mm;  // of one in the air
+constexpr double wanted = 4.0 * mm;      // depth of its middle
 
 // The stage, where the ball is touched at `place` along the stick and the stick is `height` over it.
 Vector3d stage(double place, double height) {
@@ -60,9 +61,9 @@ std::string touches_yaml() {
     return Vector3d(stage(place, height) + at_middle * Vector3d::UnitX());
   };
   for (const double place : touches) text += checkpoint_yaml(at_mm(place), at(place, -wanted), sphere);
-  text += checkpoint_yaml("up", at(touches[0], above), 2 * sphere);
+  text += checkpoint_yaml("up", at(touches[0], above), end_sphere);
   text += checkpoint_yaml("hold elsewhere", at(touches[0], -wanted), sphere);
-  return text + checkpoint_yaml("off again", at(touches[0], above), 2 * sphere);
+  return text + checkpoint_yaml("off again", at(touches[0], above), end_sphere);
 }
 
 }  // namespace fulcrum::content
