@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <string>
 #include <system_error>
 
 #include "engine/files/descriptor.h"
@@ -53,17 +54,23 @@ TrialEvent::Kind kind_named(std::string_view name) {
   return Kind::fault;
 }
 
-// Made for nobody but its owner: SQLite gives its other files the same rights.
+// Made for nobody but its owner: SQLite gives its other files the same rights. A file that is there is looked
+// at by its place alone (O_PATH): once this process closes a descriptor of it, POSIX takes all its locks,
+// SQLite's own included, and another program that ends would remove the log that a store of this process
+// still writes.
 std::optional<Error> make_file(const std::filesystem::path& file) {
-  const Descriptor made(
-      ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, S_IRUSR | S_IWUSR));
-  if (!made) return file_error("open", file, errno);
+  const int fresh = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
+  if (!Descriptor(::open(file.c_str(), fresh, S_IRUSR | S_IWUSR)) && errno != EEXIST)
+    return file_error("open", file, errno);
+  const Descriptor place(::open(file.c_str(), O_PATH | O_CLOEXEC | O_NOFOLLOW));
+  if (!place) return file_error("open", file, errno);
   struct stat status {};
-  if (::fstat(made.number(), &status) != 0) return file_error("open", file, errno);
+  if (::fstat(place.number(), &status) != 0) return file_error("open", file, errno);
   if (!S_ISREG(status.st_mode))
     return Error{"The results in " + file.string() + " cannot be used: it is no file. Move it away."};
   // One that was copied here may be open to others. Whose it is not says so itself when it is written.
-  if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) ::fchmod(made.number(), S_IRUSR | S_IWUSR);
+  const std::string itself = "/proc/self/fd/" + std::to_string(place.number());
+  if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) ::chmod(itself.c_str(), S_IRUSR | S_IWUSR);
   return std::nullopt;
 }
 

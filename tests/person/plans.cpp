@@ -5,14 +5,18 @@
 namespace fulcrum::person {
 namespace {
 
-constexpr Place kFree{}, kOver{0, -0.075};
+const Leg kFree{}, kOver{.detour = {0, -0.075}}, kTouch{.detour = {}, .touches = true};
 
 const std::vector<Plan> kPlans = {
-    {"plate", '2', 0.05, std::vector<Place>(7, kFree)},
+    {"tutorial",
+     '2',
+     0.2,
+     {kFree, {.detour = {}, .roll = 0.42}, kTouch, kTouch, kTouch, {.detour = {}, .stops = true}}},
+    {"plate", '2', 0.05, std::vector<Leg>(7, kFree)},
     // From above: from tooth to tooth well over the cusps, and down at the place.
-    {"teeth", '2', 0.15, std::vector<Place>(6, kFree)},
-    {"stick", 0, 0, std::vector<Place>(6, kFree)},
-    {"sweep", 0, 0, std::vector<Place>(7, kFree)},
+    {"teeth", '2', 0.15, std::vector<Leg>(6, kFree)},
+    {"stick", 0, 0, std::vector<Leg>(6, kFree)},
+    {"sweep", 0, 0, std::vector<Leg>(7, kFree)},
     // The row is outside the corridor: over the pegs at its side.
     {"knock", 0, 0, {kFree, kFree, kFree, kFree, kFree, kFree, kOver, kFree}},
 };

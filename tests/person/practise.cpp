@@ -20,21 +20,24 @@ public:
       : trainee_(trainee), clearance_(plan.clearance * trainee.height()), seen_(seen) {}
 
   // false: the trial is over, and nothing is left to see of it.
-  bool come_to(std::size_t number, const Place& detour) {
+  bool come_to(std::size_t number, const Leg& leg) {
     const auto began = Clock::now();
-    if (length(detour) > 0 && seen_.ring && seen_.touch) {
-      const Place side = detour * trainee_.height();
+    const bool sees_way = seen_.ring && seen_.touch;
+    if (length(leg.detour) > 0 && sees_way) {
+      const Place side = leg.detour * trainee_.height();
       trainee_.slide(side);
       seen_.touch = *seen_.touch + side;
-      go(side);
+      go(side, 0);
+    } else if (leg.roll != 0 && sees_way) {
+      go({}, leg.roll * trainee_.height());
     }
     while (static_cast<std::size_t>(seen_.done) <= number) {
       if (since(began) > kPatience)
         throw GaveUp("checkpoint " + std::to_string(number + 1) + " was not reached");
       if (seen_.ring && seen_.ring->filling)
-        stay();
+        stay_for(leg);
       else if (seen_.ring && seen_.touch)
-        go({});
+        go({}, 0);
       else if (seen_.ring && seen_.lost)
         fetch(*seen_.lost);
       else if (is_over())
@@ -44,9 +47,9 @@ public:
   }
 
 private:
-  // To the ring, or that far from it. Nearer first and farther last: what is seen can be reached from where
-  // it is seen.
-  void go(const Place& beside) {
+  // To the ring, or that far from it, rolled by so long a drag before it goes in. Nearer first and farther
+  // last: what is seen can be reached from where it is seen.
+  void go(const Place& beside, double roll) {
     const Place way = seen_.ring->middle + beside - *seen_.touch;
     std::printf("  %5.1f s: %.0f, %.0f px to the right and down, %.0f px farther\n", since(began_), way.x,
                 way.y, seen_.farther);
@@ -54,6 +57,7 @@ private:
     const double clearance = is_near ? 0 : clearance_;
     trainee_.push(std::min(seen_.farther, 0.0) - clearance);
     trainee_.slide(way);
+    trainee_.roll(roll);
     trainee_.push(std::max(seen_.farther, 0.0) + clearance);
     const Sight before = seen_;
     const Place expected = *before.touch + way;
@@ -79,6 +83,14 @@ private:
     while (since(asked) < 0.4);
   }
 
+  void stay_for(const Leg& leg) {
+    if (leg.stops) trainee_.stop_for_a_moment();
+    if (leg.touches) trainee_.push(kOnwards);
+    const auto asked = Clock::now();
+    do stay();
+    while ((leg.stops || leg.touches) && since(asked) < 0.6);
+  }
+
   void stay() {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     seen_ = trainee_.look();
@@ -95,6 +107,7 @@ private:
   }
 
   static constexpr double kNear = 6;      // px
+  static constexpr double kOnwards = 6;   // px, from one look to the next
   static constexpr double kBack = 0.08;   // heights of the picture
   static constexpr double kFetch = 0.25;  // heights of the picture
 
@@ -111,8 +124,8 @@ void practise(Trainee& trainee, const Plan& plan) {
   if (plan.view != 0) seen = trainee.go_to_view(plan.view);
   Practice practice(trainee, plan, seen);
   const auto began = Clock::now();
-  for (std::size_t i = 0; i < plan.detours.size(); ++i) {
-    if (!practice.come_to(i, plan.detours[i])) return;
+  for (std::size_t i = 0; i < plan.legs.size(); ++i) {
+    if (!practice.come_to(i, plan.legs[i])) return;
     std::printf("checkpoint %zu after %.1f s\n", i + 1, since(began));
     std::fflush(stdout);
   }

@@ -82,7 +82,7 @@ double part_round(const Circle& circle, const std::vector<Place>& pixels) {
 // The gauges at the lower left, whose scales are arcs of a size of their own and whose needles are blue and
 // white.
 bool is_in_gauges(const Picture& picture, const Place& at, double unit) {
-  return at.x < 330 * unit && at.y > picture.height - 190 * unit;
+  return at.x < 312 * unit && at.y > picture.height - 150 * unit;
 }
 
 // The column of panels at the right, whose sliders have knobs that look like the mark, and whose switches are

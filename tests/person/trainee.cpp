@@ -16,6 +16,7 @@ namespace {
 constexpr double kSpeed = 1000;     // px/s, of a hand that is sure of its way
 constexpr double kLeast = 0.08;     // s, of the shortest drag
 constexpr double kReport = 0.008;   // s, from one of a mouse's reports to the next
+constexpr double kPause = 0.8;      // s
 constexpr double kReaction = 0.05;  // s, from what is seen to a press
 
 void rest(double seconds) {
@@ -40,7 +41,7 @@ Sight Trainee::wait_for_scene() {
   const auto began = Clock::now();
   while (since(began) < 120) {
     const Sight seen = look();
-    if (seen.ring && seen.touch) return seen;
+    if (seen.ring && (seen.touch || seen.lost)) return seen;
     rest(0.05);
   }
   throw GaveUp("neither ring nor tool came into the picture");
@@ -49,9 +50,7 @@ Sight Trainee::wait_for_scene() {
 Sight Trainee::go_to_view(char number) {
   const Sight before = look();
   const auto symbol = static_cast<unsigned long>(number);
-  window_.press_key(symbol);
-  rest(0.04);
-  window_.release_key(symbol);
+  press(symbol);
   // The ring goes elsewhere, if only by a pixel: where this view is shown already, nothing does.
   const auto pressed = Clock::now();
   Sight seen = before;
@@ -63,20 +62,26 @@ Sight Trainee::go_to_view(char number) {
   return seen;
 }
 
+void Trainee::press(unsigned long key) {
+  window_.press_key(key);
+  rest(0.04);
+  window_.release_key(key);
+}
+
 void Trainee::watch() {
   Picture now = window_.picture();
   if (now.rgb != last_.rgb) ++frames_;
   last_ = std::move(now);
 }
 
-void Trainee::drag(const Place& way, bool shift) {
+void Trainee::drag(const Place& way, Button button, bool shift) {
   if (length(way) < 0.5) return;
   rest(kReaction);
   // From the middle, which no panel is in, and so that a long way stays on the screen.
   const Place from{width_ / 2, height_ / 2};
   window_.point_at(from);
   if (shift) window_.press_key(XK_Shift_L);
-  window_.press(Button::left);
+  window_.press(button);
   const double duration = std::max(kLeast, length(way) / kSpeed);
   const auto began = Clock::now();
   double seen_at = 0;
@@ -90,16 +95,27 @@ void Trainee::drag(const Place& way, bool shift) {
   }
   window_.point_at(from + way);
   moved_s_ += since(began);
-  window_.release(Button::left);
+  window_.release(button);
   if (shift) window_.release_key(XK_Shift_L);
 }
 
 void Trainee::slide(const Place& way) {
-  drag(way, false);
+  drag(way, Button::left, false);
 }
 
 void Trainee::push(double farther) {
-  drag({0, -farther}, true);
+  drag({0, -farther}, Button::left, true);
+}
+
+void Trainee::roll(double clockwise) {
+  drag({clockwise, 0}, Button::right, true);
+}
+
+void Trainee::stop_for_a_moment() {
+  rest(kReaction);
+  press(XK_Escape);
+  rest(kPause);
+  press(XK_Return);
 }
 
 Sight Trainee::settled(const Sight& before, const Place& expected, double farther) {

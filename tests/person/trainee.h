@@ -17,7 +17,7 @@ class Trainee {
 public:
   explicit Trainee(WindowLink& window) : window_(window) {}
 
-  // Until ring and mark are in the picture.
+  // Until the ring is in the picture, and the mark or the way to the tool.
   Sight wait_for_scene();
   // By the key of that number.
   Sight go_to_view(char number);
@@ -25,6 +25,9 @@ public:
   // Drags of so many pixels. The tool follows one to one.
   void slide(const Place& way);
   void push(double farther);
+  void roll(double clockwise);
+  // By Esc, and on again by Enter.
+  void stop_for_a_moment();
 
   // After a drag: looks until the mark is where it is expected, and as deep, or rests elsewhere. A picture is
   // older than the hand: a mark that has not moved from `before` does not rest yet.
@@ -36,7 +39,8 @@ public:
   double height() const { return height_; }  // px, of the picture
 
 private:
-  void drag(const Place& way, bool shift);
+  void press(unsigned long key);
+  void drag(const Place& way, Button button, bool shift);
   void watch();
 
   WindowLink& window_;

@@ -7,7 +7,7 @@
 
 namespace fulcrum::person {
 
-enum class Button : unsigned { left = 1 };  // X's numbers
+enum class Button : unsigned { left = 1, right = 3 };  // X's numbers
 
 class WindowLink {
 public:

@@ -420,6 +420,34 @@ void kill_while_keeping(int times) {
   }
 }
 
+// Another program that looks at the results and ends while this one has two stores open, as a start page has.
+TEST(Store, LosesNothingToAReaderThatEnds) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "r.sqlite";
+  // Forked before any store is open here: it must know nothing of this process's.
+  int go[2];
+  ASSERT_EQ(::pipe(go), 0);
+  const pid_t reader = ::fork();
+  if (reader == 0) {
+    char told = 0;
+    const bool goes = ::read(go[0], &told, 1) == 1;
+    ::_exit(goes && ask(file, "SELECT COUNT(*) FROM trial") == 1 ? 0 : 1);
+  }
+  Store store = opened(file);
+  ASSERT_FALSE(store.add(session_of("P1"), some_trial("piping", 40)));
+  const Store page = opened(file);
+  ASSERT_EQ(page.trials({})->size(), 1U);
+  ASSERT_EQ(::write(go[1], "g", 1), 1);
+  int status = -1;
+  ::waitpid(reader, &status, 0);
+  EXPECT_EQ(status, 0);
+  ::close(go[0]);
+  ::close(go[1]);
+  ASSERT_FALSE(store.add(session_of("P1"), some_trial("piping", 50)));
+  EXPECT_TRUE(std::filesystem::exists(folder / "r.sqlite-wal"));
+  EXPECT_EQ(opened(file).trials({})->size(), 2U);
+}
+
 TEST(Store, LosesNothingToAKill) {
   kill_while_keeping(20);
 }

@@ -1,6 +1,7 @@
 #include "engine/app/window/train.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/app/cli/exit_code.h"
@@ -47,14 +48,19 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
     const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, attempt_options, trainee);
     if (!attempt) return {kError, Leave::start_page};
     attempt->play_sound(number == 1 && !options.muted);
+    // As soon as the trial is over: whoever looks back at it, and for how long, nothing of it is lost then.
+    std::optional<int> code;
+    const auto write_all = [&] {
+      const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
+      if (!picture) complain("there is no picture: " + picture.error().sentence);
+      code = attempt->finish(&(*window)->plan(), true, (*window)->frames_per_s());
+    };
     const Leave leave = (*window)->run(attempt->world(), attempt->device(), attempt->sink(),
-                                       attempt->faults(), attempt->player());
-    const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
-    if (!picture) complain("there is no picture: " + picture.error().sentence);
-    const int code = attempt->finish(&(*window)->plan(), true, (*window)->frames_per_s());
+                                       attempt->faults(), attempt->player(), write_all);
+    if (!code) write_all();
     if (leave == Leave::restart) continue;
     for (const std::string& message : stage.validation_messages()) complain(message);
-    return {stage.validation_messages().empty() ? code : static_cast<int>(kError), leave};
+    return {stage.validation_messages().empty() ? *code : static_cast<int>(kError), leave};
   }
 }
 

@@ -66,7 +66,7 @@ void TrainingWindow::on_press() {
 }
 
 bool TrainingWindow::look_back(int key) {
-  if (!resting_) return false;
+  if (!ended_) return false;
   const auto pressed = [&]() -> std::optional<Review::Key> {
     switch (key) {
       case GLFW_KEY_LEFT:
@@ -88,6 +88,7 @@ bool TrainingWindow::look_back(int key) {
 }
 
 void TrainingWindow::scrub(bool dragged) {
+  if (!ended_) return;
   const auto time =
       ui::timeline_time(shown_, stage_.window().pixels(), cursor_x_, cursor_y_, dragged && scrubs_);
   scrubs_ = time.has_value();

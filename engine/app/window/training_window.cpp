@@ -78,7 +78,7 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   late_ = lost_ = 0;
   trouble_ = TickTrouble(scene_->tick_s);
   frame_rate_ = {};
-  resting_ = false;
+  resting_ = ended_ = false;
   touches_.clear();
   touch_finder_.reset();  // it was of the world before
   review_ = Review(scene_->tick_s);
@@ -90,7 +90,8 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
 }
 
 TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink,
-                                          const ProgramFaults& faults, audio::Player* player) {
+                                          const ProgramFaults& faults, audio::Player* player,
+                                          const std::function<void()>& ended) {
   LiveLoop loop(world, *device.device);
   loop_ = &loop;
   if (player != nullptr) loop.also_tell(player->ticks());
@@ -111,27 +112,27 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
       sound_.note(sink.task());
       review_.add(event.record, sink.time());
     }
-    sink.flush_if_due();
+    if (!ended_) sink.flush_if_due();
     if (faults.gpu_lost()) stage_.gpu().lose();
+    bool rests = false;
     if (sink.end() != RunSink::End::running) {
       sound_.rest();
       if (!debrief_)
         debrief_ =
             debrief(prepared_, sink, expert_ ? &expert_->metrics : nullptr, has_start_page_, pad_is_there_);
-      come_to_rest(loop);
+      rests = come_to_rest(loop);
     } else {
       late_ = loop.late_ticks();
       lost_ = loop.lost_ticks();
       trouble_.note(static_cast<std::uint64_t>(loop.newest().tick), late_, lost_);
     }
     draw(sink, loop);
+    if (rests && !ended_ && error_.empty()) {
+      ended();
+      ended_ = true;
+    }
   }
   loop.stop();
-  if (review_.is_shown()) {  // the attempt's picture is of its last moment
-    review_.press(Review::Key::card, sink, false);
-    look_for_touches(sink.last());
-    shown_ = overlay_of(sink.last(), sink, stage_.window().pixels());
-  }
   stage_.window().hold_pointer(false);
   stage_.window().set_events({});
   if (stage_.window().lost())
@@ -144,10 +145,12 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   return leave_.value_or(Leave::closed);
 }
 
-void TrainingWindow::come_to_rest(LiveLoop& loop) {
+bool TrainingWindow::come_to_rest(LiveLoop& loop) {
   if (!resting_) resting_ = loop.send({Command::Kind::stop});
   const TickRecord& newest = loop.newest();
-  if (newest.stopped && newest.device_F_H_D.is_zero()) loop.stop();
+  const bool rests = newest.stopped && newest.device_F_H_D.is_zero();
+  if (rests) loop.stop();
+  return rests;
 }
 
 void TrainingWindow::note_cost(const TickEvent& event) {

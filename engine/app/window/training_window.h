@@ -2,6 +2,7 @@
 // The window a trainee works in: the scene, the overlay, the keys, and the mouse as a device.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,10 +41,12 @@ public:
                                                         bool has_start_page);
 
   enum class Leave { closed, restart, start_page };
-  // One attempt. player: of its sound; null: silence.
+  // One attempt. player: of its sound; null: silence. ended: called once the trial is over, the force gone
+  // and the haptic thread with it, while the window still shows what came of it; not where the window closes
+  // first.
   Leave run(World& world, OpenDevice& device, RunSink& sink, const ProgramFaults& faults,
-            audio::Player* player);
-  // The attempt's last moment, as it was seen, into a PNG. After run().
+            audio::Player* player, const std::function<void()>& ended);
+  // The attempt's last moment, as it was seen, into a PNG. From ended() or after run().
   Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 
   const render::RenderPlan& plan() const { return stage_.renderer().plan(); }
@@ -75,8 +78,8 @@ private:
   void note_cost(const TickEvent& event);
   // Tells a device that moves as it is seen what is seen.
   void show_to_device(const TickRecord& record);
-  // After the end: the force goes as after a stop, then ticks, counters and tool rest.
-  void come_to_rest(LiveLoop& loop);
+  // After the end: the force goes as after a stop, then ticks, counters and tool rest. True: they do.
+  bool come_to_rest(LiveLoop& loop);
   // Whether the tool stays where it is, whatever the mouse does: a stop is a pause.
   bool tool_rests() const { return shown_.force == ui::Force::stopped; }
   // size: of the picture.
@@ -120,7 +123,8 @@ private:
   std::uint64_t late_ = 0, lost_ = 0;  // ticks
   TickTrouble trouble_;
   FrameRate frame_rate_;
-  bool resting_ = false;
+  bool resting_ = false;  // the trial has ended, and the force is told to go
+  bool ended_ = false;    // ended() was called
   const RunSink* sink_ = nullptr;
   Review review_{1};                    // of the attempt that runs, to be looked back at
   std::optional<ui::Debrief> debrief_;  // once the trial has ended
