@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace fulcrum::app {
 namespace {
@@ -20,6 +22,7 @@ protected:
     event.record.X_WT.p =
         stick_->haptic.task.checkpoints[checkpoint].position - stick_->haptic.task.touch_point;
     event.record.contact_F_T_W.force = Vec3(0, force, 0);
+    event.record.regions = force > 0 ? 1 : 0;
     sink.take(event);
   }
 
@@ -39,7 +42,7 @@ TEST_F(DebriefTest, TellsWhatWasReachedAndWhen) {
   for (int i = 0; i < 150; ++i) tick_at(sink, 0, 1.25);
   for (int i = 0; i < 250; ++i) tick_at(sink, 3, 0.5);
   ASSERT_EQ(sink.end(), RunSink::End::limit);
-  const ui::Debrief shown = debrief(*stick_, sink, nullptr, false);
+  const ui::Debrief shown = debrief(*stick_, sink, {}, false);
   EXPECT_EQ(shown.title, "Time is up after 0.5 s");
   EXPECT_EQ(row(shown, "Time").value, "0.5 s");
   EXPECT_EQ(row(shown, "Checkpoints").value, "1 of 6");
@@ -60,7 +63,7 @@ TEST_F(DebriefTest, SaysThatATrialWasGuided) {
   EXPECT_TRUE(sink.guided());
   for (int i = 1; i < 200; ++i) tick_at(sink, 0, 0);
   const session::TrialMetrics best = sink.metrics();
-  const ui::Debrief shown = debrief(*stick_, sink, &best, false);
+  const ui::Debrief shown = debrief(*stick_, sink, {&best}, false);
   EXPECT_EQ(shown.title, "Time is up after 0.2 s, guided: no points");
   for (const ui::Debrief::Row& each : shown.rows) EXPECT_FALSE(each.points) << each.name;
 }
@@ -69,10 +72,10 @@ TEST_F(DebriefTest, OfACompletedTrialSaysInWhichTime) {
   RunSink sink(*stick_, std::nullopt, 30);
   for (std::size_t checkpoint = 0; checkpoint < stick_->haptic.task.checkpoints.size(); ++checkpoint)
     for (int i = 0; i < 200; ++i)
-      if (sink.end() == RunSink::End::running) tick_at(sink, checkpoint, 0);
+      if (sink.end() == RunSink::End::running) tick_at(sink, checkpoint, 0.5);
   ASSERT_EQ(sink.end(), RunSink::End::completed);
-  EXPECT_EQ(debrief(*stick_, sink, nullptr, true).title, "Completed in 1.0 s");
-  EXPECT_NE(debrief(*stick_, sink, nullptr, true).foot.find("F10"), std::string::npos);
+  EXPECT_EQ(debrief(*stick_, sink, {}, true).title, "Completed in 1.0 s");
+  EXPECT_NE(debrief(*stick_, sink, {}, true).foot.find("F10"), std::string::npos);
 }
 
 TEST_F(DebriefTest, ComparesWithAnExpert) {
@@ -80,9 +83,29 @@ TEST_F(DebriefTest, ComparesWithAnExpert) {
   for (int i = 0; i < 500; ++i) tick_at(sink, 0, 0.5);
   session::TrialMetrics expert = sink.metrics();
   expert.completed = true;
-  const ui::Debrief shown = debrief(*stick_, sink, &expert, false);
+  const ui::Debrief shown = debrief(*stick_, sink, {&expert}, false);
   EXPECT_NE(shown.title.find("of 100 points"), std::string::npos) << shown.title;
   EXPECT_EQ(row(shown, "Time").points, "0 of 15") << "it was not completed";
+}
+
+TEST_F(DebriefTest, ComparesWithTrialsBefore) {
+  RunSink sink(*stick_, std::nullopt, 0.5);
+  for (int i = 0; i < 500; ++i) tick_at(sink, 0, 0.5);
+  session::TrialMetrics expert = sink.metrics();
+  expert.completed = true;
+  const double points = session::score(sink.metrics(), &expert).total.value_or(0);
+  ASSERT_GT(points, 5);
+  EXPECT_NE(debrief(*stick_, sink, {&expert}, false).rows.front().name, "Trial");
+  const auto reason = [&](double best, double last) {
+    const ui::Debrief::Row trial =
+        row(debrief(*stick_, sink, {&expert, EarlierTrials{2, best, last}}, false), "Trial");
+    EXPECT_EQ(trial.value, "3");
+    return trial.reason;
+  };
+  EXPECT_EQ(reason(points - 4, 1), "Your best yet, by 4 points; the last one 1.");
+  EXPECT_EQ(reason(points, points),
+            "As good as your best; the last one " + std::to_string(std::lround(points)) + ".");
+  EXPECT_EQ(reason(99, 98), "Your best had 99 points; the last one 98.");
 }
 
 }  // namespace

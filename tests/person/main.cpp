@@ -1,6 +1,7 @@
-// fulcrum_person SCENE WINDOW: carries the task out that `fulcrum run SCENE` shows in that window, by mouse
-// and keys alone. It sees the window's pixels and nothing else. Exit codes: 0 it did what the picture asked
-// for, 1 it gave up, 2 wrong command line. Its last words are how many pictures a second it was shown.
+// fulcrum_person SCENE WINDOW [PAD]: carries the task out that `fulcrum run SCENE` shows in that window, by
+// mouse and keys alone, or by the gamepad that the stand-in plays from the FIFO PAD. It sees the window's
+// pixels and nothing else. Exit codes: 0 it did what the picture asked for, 1 it gave up, 2 wrong command
+// line. Its last words are how many pictures a second it was shown.
 
 #include <cstdio>
 #include <cstdlib>
@@ -8,12 +9,14 @@
 
 #include "tests/person/plans.h"
 #include "tests/person/practise.h"
+#include "tests/person/practise_by_pad.h"
 
 int main(int argc, char** argv) {
   using namespace fulcrum::person;
-  const Plan* plan = argc == 3 ? find_plan(argv[1]) : nullptr;
+  const Plan* plan = argc == 3 || argc == 4 ? find_plan(argv[1]) : nullptr;
   if (plan == nullptr) {
-    std::fprintf(stderr, "usage: fulcrum_person SCENE WINDOW, with a scene that it knows how to go about\n");
+    std::fprintf(stderr,
+                 "usage: fulcrum_person SCENE WINDOW [PAD], with a scene that it knows how to go about\n");
     return 2;
   }
   try {
@@ -21,7 +24,12 @@ int main(int argc, char** argv) {
     Trainee trainee(window);
     std::string gave_up;
     try {
-      practise(trainee, *plan);
+      if (argc == 4) {
+        Pad pad(argv[3]);
+        practise_by_pad(trainee, pad, plan->legs.size());
+      } else {
+        practise(trainee, *plan);
+      }
     } catch (const GaveUp& why) {
       gave_up = why.what();
     }

@@ -37,6 +37,16 @@ Sight Trainee::look() {
   return look_at(last_);
 }
 
+Sight Trainee::look_on(double seconds) {
+  const auto began = Clock::now();
+  rest(seconds);
+  const Picture before = last_;
+  const Sight seen = look();
+  if (last_.rgb != before.rgb) ++frames_;
+  moved_s_ += since(began);
+  return seen;
+}
+
 Sight Trainee::wait_for_scene() {
   const auto began = Clock::now();
   while (since(began) < 120) {

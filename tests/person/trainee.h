@@ -33,6 +33,8 @@ public:
   // older than the hand: a mark that has not moved from `before` does not rest yet.
   Sight settled(const Sight& before, const Place& expected, double farther);
   Sight look();
+  // After a moment in which something moves.
+  Sight look_on(double seconds);
 
   // Of those seen while something moved; 0: nothing did.
   double frames_per_second() const { return moved_s_ > 0 ? frames_ / moved_s_ : 0; }

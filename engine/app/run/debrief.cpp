@@ -1,6 +1,8 @@
 #include "engine/app/run/debrief.h"
 
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "engine/report/axis.h"
 #include "engine/session/score.h"
@@ -21,19 +23,30 @@ ui::Debrief::Row row_of(const session::Criterion& criterion) {
   return row;
 }
 
+// What was done before: "Trial", "3", "Your best yet, by 4 points; 66 the last time."
+ui::Debrief::Row row_of(const EarlierTrials& earlier, double points) {
+  const double gained = std::round(points) - std::round(earlier.best);
+  std::string reason = gained > 0 ? with_value("Your best yet, by %.0f points; ", gained)
+                                  : with_value("Your best had %.0f points; ", earlier.best);
+  if (gained == 0) reason = "As good as your best; ";
+  reason += with_value("the last one %.0f.", earlier.last);
+  return {"Trial", std::to_string(earlier.count + 1), {}, reason};
+}
+
 }  // namespace
 
-ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const session::TrialMetrics* expert,
+ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const Comparison& with,
                     bool has_start_page, bool has_pad) {
   const scenario::TaskDesc& task = prepared.haptic.task;
   const scenario::TaskState& state = sink.task();
   const bool completed = sink.end() == RunSink::End::completed;
-  const session::Score score = session::score(sink.metrics(), expert);
+  const session::Score score = session::score(sink.metrics(), with.expert);
   ui::Debrief debrief;
   debrief.title = completed ? with_value("Completed in %.1f s", sink.time())
                             : with_value("Time is up after %g s", sink.limit());
   if (sink.guided()) debrief.title += ", guided: no points";
   if (score.total) debrief.title += with_value(": %.0f of 100 points", *score.total);
+  if (with.earlier && score.total) debrief.rows.push_back(row_of(*with.earlier, *score.total));
   for (const session::Criterion& criterion : score.criteria) debrief.rows.push_back(row_of(criterion));
   for (std::size_t i = 0; i < task.checkpoints.size(); ++i) {
     const std::optional<double>& reached = state.reached[i];

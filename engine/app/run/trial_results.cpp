@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -82,6 +83,21 @@ Result<Participation> Participation::begin(const std::string& pseudonym) {
   return Participation{
       std::move(*store),
       {session::random_uuid(), pseudonym, session::utc_text(std::chrono::system_clock::now()), kVersion}};
+}
+
+std::optional<EarlierTrials> earlier_trials(const Participation& participation, const Prepared& prepared) {
+  if (!changes_of(prepared.scenario).empty()) return std::nullopt;
+  const auto all = participation.store.trials({participation.session.participant, prepared.name});
+  if (!all) return std::nullopt;
+  EarlierTrials earlier;
+  for (const session::StoredTrial& stored : *all) {
+    const session::Trial& trial = stored.trial;
+    if (!trial.whole || !trial.changes.empty() || trial.metrics.guided || !trial.score) continue;
+    ++earlier.count;
+    earlier.last = *trial.score;
+    earlier.best = std::max(earlier.best, *trial.score);
+  }
+  return earlier.count > 0 ? std::optional(earlier) : std::nullopt;
 }
 
 session::Score score_of(const FinishedTrial& trial) {

@@ -22,6 +22,14 @@ struct Participation {
   static Result<Participation> begin(const std::string& pseudonym);
 };
 
+// A participant's trials of a scenario before: whole ones without guidance and changes, which alone compare.
+struct EarlierTrials {
+  std::size_t count = 0;
+  double best = 0, last = 0;  // points
+};
+// None where there are none, or the results cannot be read.
+std::optional<EarlierTrials> earlier_trials(const Participation& participation, const Prepared& prepared);
+
 struct FinishedTrial {
   const Prepared& prepared;
   const RunSink& sink;

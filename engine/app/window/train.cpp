@@ -48,6 +48,7 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
     const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, attempt_options, trainee);
     if (!attempt) return {kError, Leave::start_page};
     attempt->play_sound(number == 1 && !options.muted);
+    if (participation != nullptr) (*window)->compare_with(earlier_trials(*participation, prepared));
     // As soon as the trial is over: whoever looks back at it, and for how long, nothing of it is lost then.
     std::optional<int> code;
     const auto write_all = [&] {

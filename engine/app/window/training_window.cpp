@@ -118,8 +118,8 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
     if (sink.end() != RunSink::End::running) {
       sound_.rest();
       if (!debrief_)
-        debrief_ =
-            debrief(prepared_, sink, expert_ ? &expert_->metrics : nullptr, has_start_page_, pad_is_there_);
+        debrief_ = debrief(prepared_, sink, {expert_ ? &expert_->metrics : nullptr, earlier_},
+                           has_start_page_, pad_is_there_);
       rests = come_to_rest(loop);
     } else {
       late_ = loop.late_ticks();

@@ -14,6 +14,7 @@
 #include "engine/app/picture/second_view.h"
 #include "engine/app/run/button_commands.h"
 #include "engine/app/run/run_sink.h"
+#include "engine/app/run/trial_results.h"
 #include "engine/app/window/cue_switches.h"
 #include "engine/app/window/frame_rate.h"
 #include "engine/app/window/pad_controls.h"
@@ -39,6 +40,9 @@ public:
                                                         const scenario::VisualAssembly& visual,
                                                         const RunOptions& options, const ExpertRun* expert,
                                                         bool has_start_page);
+
+  // What the attempts from now on are compared with, beside the expert's.
+  void compare_with(const std::optional<EarlierTrials>& earlier) { earlier_ = earlier; }
 
   enum class Leave { closed, restart, start_page };
   // One attempt. player: of its sound; null: silence. ended: called once the trial is over, the force gone
@@ -153,6 +157,7 @@ private:
   DeviceWords words_;  // how the device does what hints speak of
   WindowSound sound_;
   const ExpertRun* expert_;
+  std::optional<EarlierTrials> earlier_;
   bool has_start_page_;
   std::optional<Leave> leave_;  // asked for by a key
   std::string error_;           // why drawing stopped
