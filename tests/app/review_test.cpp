@@ -42,12 +42,14 @@ class ReviewTest : public testing::Test {
 protected:
   void SetUp() override {
     ASSERT_TRUE(stick_);
-    // Elsewhere, at the first checkpoint from 0.1 s to 0.15 s, and pushed from 0.3 s on.
+    // Elsewhere, in touch at the first checkpoint from 0.1 s to 0.15 s, and pushed from 0.3 s on.
     for (std::int64_t tick = 0; tick < 500; ++tick) {
+      const bool there = tick >= 100 && tick < 150;
       TickEvent event;
       event.record.tick = tick;
-      event.record.X_WT.p = stick_->haptic.task.checkpoints[tick >= 100 && tick < 150 ? 0 : 3].position -
-                            stick_->haptic.task.touch_point;
+      event.record.X_WT.p =
+          stick_->haptic.task.checkpoints[there ? 0 : 3].position - stick_->haptic.task.touch_point;
+      event.record.regions = there ? 1 : 0;
       event.record.contact_F_T_W.force = Vec3(0, tick >= 300 ? 1 : 0, 0);
       sink_.take(event);
       review_.add(event.record, sink_.time());
@@ -150,6 +152,7 @@ TEST_F(ReviewTest, SaysAtWhichMomentTheExpertIsSeen) {
   expert.reached.assign(stick_->haptic.task.checkpoints.size(), std::nullopt);
   expert.reached[0] = 1.0;
   expert.way = {{0.0, {}}, {2.0, {}}};
+  ASSERT_TRUE(sink_.task().reached[0]);
   const double reached = *sink_.task().reached[0];
   review_.go_to(reached / 2, sink_);
   EXPECT_NEAR(review_.same_part_s(sink_, expert), 0.5, 1e-9);
