@@ -75,7 +75,8 @@ Area second_view_area(const Canvas& canvas, const OverlayState& state) {
 }
 
 void draw_second_view(const Canvas& canvas, const OverlayState& state) {
-  const auto [at, size] = second_view_area(canvas, state);
+  const Area area = second_view_area(canvas, state);
+  const ImVec2 at = area.at, size = area.size;
   if (!(size.x > 0.0F)) return;
   for (const TouchMark& touch : state.second_view->touches) {
     const auto inside = [](const glm::vec2& place) {
@@ -87,7 +88,7 @@ void draw_second_view(const Canvas& canvas, const OverlayState& state) {
     };
     draw_touch(canvas, place(touch.place), place(touch.tip), touch.load, 0.6F);
   }
-  draw_edge(canvas, {at, size});
+  draw_edge(canvas, area);
   ImFont* font = canvas.fonts().small;
   const std::string name = canvas.fitted(font, state.second_view->name, size.x - 24.0F);
   const ImVec2 words = canvas.measure(font, name);
