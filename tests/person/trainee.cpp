@@ -59,7 +59,7 @@ Sight Trainee::wait_for_scene() {
 
 Sight Trainee::go_to_view(char number) {
   const Sight before = look();
-  const auto symbol = static_cast<unsigned long>(number);
+  const auto symbol = static_cast<unsigned long>(static_cast<unsigned char>(number));
   press(symbol);
   // The ring goes elsewhere, if only by a pixel: where this view is shown already, nothing does.
   const auto pressed = Clock::now();

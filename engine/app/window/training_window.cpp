@@ -166,7 +166,7 @@ std::string TrainingWindow::message(const RunSink& sink) const {
   if (sink.handle_is_still()) return StillHandle::kSentence;
   if (sink.guided()) return "Guided: this trial will have no points.";
   const bool begins = sink.task().step == 0 && sink.time() < kAboutShown;
-  const std::string what = advice(prepared_.haptic.task, sink.task(), words_);
+  std::string what = advice(prepared_.haptic.task, sink.task(), words_);
   if (!begins) return what;
   return what.empty() ? prepared_.scenario.about : prepared_.scenario.about + '\n' + what;
 }

@@ -1,5 +1,8 @@
 #include "tools/content/stick/route.h"
 
+#include <cmath>
+#include <string>
+
 #include "tools/content/stick/stick.h"
 
 namespace fulcrum::content {
@@ -21,7 +24,7 @@ Vector3d stage(double place, double height) {
 }
 
 std::string at_mm(double place) {
-  return "touch at " + std::to_string(static_cast<int>(place / mm + 0.5)) + " mm";
+  return "touch at " + std::to_string(std::lround(place / mm)) + " mm";
 }
 
 constexpr double touches[] = {80.0 * mm, 60.0 * mm, 100.0 * mm};
