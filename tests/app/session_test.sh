@@ -2,7 +2,7 @@
 # A whole session under a display without a screen, by mouse and keys alone: the start page, a name, the tutorial, the
 # teeth, what came of it, a look back, the report, and a second trial, which stands beside the first. Who trains is the
 # pointer that sees only the window's pixels. $FULCRUM is the program, $PERSON the pointer. Where the pointer did not complete
-# a scene and saw too few pictures a second for any person, the test is skipped: a busy machine decides nothing.
+# a scene and saw fewer pictures a second than it needs, the test is skipped: a busy machine decides nothing.
 set -uo pipefail
 support=$(dirname "$(readlink -f "$0")")/../support
 . "$support/display.sh"
@@ -60,7 +60,6 @@ picture 5-event
 key space
 until_seen card_is_there || fail "Space does not show what came of it"
 until_seen [ -s "$first/report.html" ] || fail "there is no report"
-grep -q 'class="curve"' "$first/report.html" && fail "a first trial has a curve"
 
 # --- a second trial, which stands beside the first
 key r

@@ -23,7 +23,7 @@ ui::Debrief::Row row_of(const session::Criterion& criterion) {
   return row;
 }
 
-// What was done before: "Trial", "3", "Your best yet, by 4 points; 66 the last time."
+// What was done before: "Trial", "3", "Your best yet, by 4 points; the last one 66."
 ui::Debrief::Row row_of(const EarlierTrials& earlier, double points) {
   const double gained = std::round(points) - std::round(earlier.best);
   std::string reason = gained > 0 ? with_value("Your best yet, by %.0f points; ", gained)
