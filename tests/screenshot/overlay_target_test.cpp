@@ -9,6 +9,7 @@
 
 #include "image_compare.h"
 #include "overlay_fixture.h"
+#include "overlay_parts.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -29,14 +30,7 @@ protected:
   static OverlayState in_sight() {
     OverlayState state = full_state();
     state.message.clear();
-    Target target;
-    target.name = "at the nut";
-    target.at.in_sight = true;
-    target.at.place = {350, 180};
-    target.at.radius = 40;
-    target.at.distance = 0.012;
-    target.dwell_s = 3;
-    state.target = target;
+    state.target = nut_in_sight(0.012, 40);
     return state;
   }
   static constexpr float kRing = 40.0F + 3.0F * 0.75F;  // px

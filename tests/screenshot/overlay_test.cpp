@@ -11,6 +11,7 @@
 #include "engine/ui/peak_hold.h"
 #include "image_compare.h"
 #include "overlay_fixture.h"
+#include "overlay_parts.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -121,24 +122,10 @@ TEST_F(OverlayTest, APressMeansWhatIsDrawnThere) {
   EXPECT_EQ(off, blue);
 }
 
-HoldingPanel holding() {
-  HoldingPanel panel;
-  panel.place = 0.1;
-  panel.low = 0.03;
-  panel.high = 0.17;
-  panel.measured = true;
-  panel.sensed = "the strip feels it at 100 mm";
-  panel.stiffness = 300;
-  panel.structure_known = true;
-  panel.levels = {100, 200, 300, 400, 500, 600};
-  panel.methods = {"none", "arm", "acceleration"};
-  return panel;
-}
-
 // Over the panel: what a press there means is what is drawn there.
 TEST_F(OverlayTest, TheSliderIsTakenWhereItIsDrawn) {
   OverlayState state = full_state();
-  state.holding = holding();
+  state.holding = held_stick();
   state.holding->measured = false;  // else its switch is blue too
   state.holding->methods.clear();
   state.holding->stiffness.reset();
@@ -164,7 +151,7 @@ TEST_F(OverlayTest, TheSliderIsTakenWhereItIsDrawn) {
 TEST_F(OverlayTest, AStiffnessNearTheLeversLimitIsWarnedOf) {
   const auto drawn = [&](double limit) {
     OverlayState state = full_state();
-    state.holding = holding();
+    state.holding = held_stick();
     state.holding->limit = limit;
     const render::Picture picture = draw(state);
     const float unit = overlay_scale(picture.height);
@@ -192,7 +179,7 @@ TEST_F(OverlayTest, AStiffnessNearTheLeversLimitIsWarnedOf) {
 // Where nothing is drawn of a stiffness nothing sets one, and the methods are taken where they moved up to.
 TEST(HoldingPanel, WithoutAStiffnessTheMethodsMoveUp) {
   OverlayState state;
-  state.holding = holding();
+  state.holding = held_stick();
   const auto methods_from = [&state] {
     for (float y = 0; y < 500.0F; y += 1.0F) {
       const auto press = pressed_holding(state, {1280.0F, 720.0F, 1155.0F, y});

@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "overlay_fixture.h"
+#include "overlay_parts.h"
 #include "tests/person/sight.h"
 
 namespace fulcrum::ui {
@@ -25,14 +26,8 @@ protected:
   static OverlayState on_the_way() {
     OverlayState state = full_state();
     state.message.clear();
-    Target target;
-    target.name = "at the nut";
-    target.at.in_sight = true;
-    target.at.place = {350, 180};
-    target.at.radius = 20;
+    Target target = nut_in_sight(0.05, 20);
     target.at.touch = glm::vec2(250, 220);
-    target.at.distance = 0.05;
-    target.dwell_s = 3;
     state.target = target;
     return state;
   }

@@ -14,6 +14,7 @@
 
 #include "haptics/math/rotation.h"
 #include "haptics/safety/faults.h"
+#include "tests/haptics/effects/handle_springs.h"
 #include "tests/haptics/extremes/closed_loop.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/tick_length.h"
@@ -23,15 +24,9 @@ namespace {
 
 const Vec3 kStill = Vec3::Zero();
 
-// Of round figures, and linear: 4 N for the walls, which begin at 70, 50 and 40 mm with a margin of 10 mm.
+// 4 N for the walls, which begin at 70, 50 and 40 mm with a margin of 10 mm.
 DeviceDesc round_device() {
-  DeviceDesc device;
-  device.max_force = 8;
-  device.handle_mass = 0.1;
-  device.handle_weight = 0;
-  device.damping = 0.5;
-  device.friction = device.angular_friction = 0;
-  device.encoder_step = device.encoder_step_rad = 0;
+  DeviceDesc device = frictionless_device();
   device.workspace = Vec3(0.08, 0.06, 0.05);
   return device;
 }
@@ -129,24 +124,12 @@ TEST(WorkspaceWalls, ARoundTripCostsWhateverItsSpeed) {
   }
 }
 
-// m, how far a handle still swings that was 1 um from rest while a force of 1 N presses it on a wall.
-// Exactly, over each tick in which the wall's force is held, `late` ticks after it was found.
+// m, pressed on a wall by 1 N.
 double late_swing(const DeviceDesc& device, double stiffness, std::size_t late) {
   WorkspaceWalls walls = walls_of(stiffness, device);
-  const double rest = 0.07 + 1 / stiffness, m = device.handle_mass, b = device.damping;
-  const double e = std::exp(-b / m * kTick);
-  double x = rest + 1e-6, v = 0, swing = 0, before = x;
-  std::vector<double> waiting(late, -1.0);
-  for (int i = 0; i < 8000; ++i) {
-    waiting.push_back(walls.process({x, 0, 0}, {x - before, 0, 0}).x());
-    before = x;
-    const double settled = (1 + waiting.front()) / b;  // m/s
-    waiting.erase(waiting.begin());
-    x += settled * kTick + (v - settled) * m / b * (1 - e);
-    v = settled + (v - settled) * e;
-    if (i >= 7500) swing = std::max(swing, std::abs(x - rest));
-  }
-  return swing;
+  return swing_left(device, {.rest = 0.07 + 1 / stiffness, .press = 1}, late, [&](double x, double per_tick) {
+    return walls.process({x, 0, 0}, {per_tick, 0, 0}).x();
+  });
 }
 
 TEST(WorkspaceWalls, AreStableUpToTheLimitAndNoFurther) {
