@@ -73,6 +73,15 @@ std::optional<Error> BlockFile::close() {
   return std::nullopt;
 }
 
+std::optional<Error> write_new_file(const std::filesystem::path& path, std::string_view content) {
+  Result<BlockFile> file = BlockFile::create(path);
+  if (!file) return file.error();
+  std::optional<Error> failure = file->append(content);
+  if (!failure) failure = file->close();
+  if (failure) ::unlink(path.c_str());
+  return failure;
+}
+
 void BlockFile::cut(std::uint64_t size) const {
   const auto end = static_cast<off_t>(size);
   // Shortening needs no space. Where it fails nevertheless (a device), readers still drop an unfinished end.

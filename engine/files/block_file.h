@@ -39,4 +39,7 @@ private:
   std::uint64_t previous_size_ = 0;  // bytes, before the last block
 };
 
+// A new file of this content; where it cannot be written to its end, none.
+std::optional<Error> write_new_file(const std::filesystem::path& path, std::string_view content);
+
 }  // namespace fulcrum

@@ -48,14 +48,18 @@ void remove_abandoned(const fs::path& folder) {
   }
 }
 
-// Gives a file without a name this one.
+// Gives a file without a name this one. A link does not replace what is there, so that it comes by way of a
+// part, which does.
 bool name_file(int descriptor, const fs::path& path) {
-  ::unlink(path.c_str());  // a link does not replace what is there
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return false;
+  fs::path part = path;
+  part += "." + std::to_string(::getpid()) + "-" + std::to_string(descriptor);
+  part += kPart;
   const std::string unnamed = "/proc/self/fd/" + std::to_string(descriptor);
-  if (::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
-  // Another process has put the same file there meanwhile.
-  std::error_code fault;
-  return errno == EEXIST && fs::is_regular_file(fs::symlink_status(path, fault));
+  if (::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, part.c_str(), AT_SYMLINK_FOLLOW) != 0) return false;
+  if (::rename(part.c_str(), path.c_str()) == 0) return true;
+  ::unlink(part.c_str());
+  return false;
 }
 
 }  // namespace

@@ -17,8 +17,10 @@ void RunTotals::WrenchTotals::add(const Wrench& wrench, double tick_s) {
 
 void RunTotals::add(const TickRecord& record) {
   ++ticks_;
-  if (record.coupling_F_T_W.is_finite()) torque_error_ += record.coupling_F_T_W.torque.norm() * tick_s_;
-  contact_.add(record.contact_F_T_W, tick_s_);
+  if (!record.stopped) {
+    if (record.coupling_F_T_W.is_finite()) torque_error_ += record.coupling_F_T_W.torque.norm() * tick_s_;
+    contact_.add(record.contact_F_T_W, tick_s_);
+  }
   rendered_.add(record.device_F_H_D, tick_s_);
   for (std::uint32_t left = record.faults; left != 0; left &= left - 1) {
     BitCount& count = bits_[static_cast<std::size_t>(std::countr_zero(left))];

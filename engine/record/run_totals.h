@@ -25,7 +25,8 @@ public:
 
   std::int64_t ticks() const { return ticks_; }
   // Integrals over time; a tick in which the wrench is not a number adds nothing, and the fault that came
-  // with it tells of it.
+  // with it tells of it. Of the coupling and of contact, a tick in which the force is stopped adds nothing
+  // either: the trial's time rests then.
   double torque_error_Nms() const { return torque_error_; }  // of the coupling's torque on the tool
   // Of contact: what the scene does to the tool, about T; the tool's weight is no part of it.
   double force_error_Ns() const { return contact_.force_over_time; }

@@ -135,10 +135,7 @@ std::string summary_json(const Summary& summary) {
 
 Result<std::filesystem::path> write_summary(const std::filesystem::path& folder, const Summary& summary) {
   const std::filesystem::path path = folder / kSummaryName;
-  Result<BlockFile> file = BlockFile::create(path);
-  if (!file) return file.error();
-  if (std::optional<Error> error = file->append(summary_json(summary))) return *std::move(error);
-  if (std::optional<Error> error = file->close()) return *std::move(error);
+  if (std::optional<Error> error = write_new_file(path, summary_json(summary))) return *std::move(error);
   return path;
 }
 

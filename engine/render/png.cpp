@@ -1,7 +1,9 @@
 #include <png.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "engine/render/picture.h"
 
@@ -12,9 +14,15 @@ struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
+// What is wrong is said by who called, and nothing of it printed.
+[[noreturn]] void leave(png_structp png, png_const_charp) {
+  png_longjmp(png, 1);
+}
+void hush(png_structp, png_const_charp) {}
+
 // libpng leaves by longjmp: this function holds nothing that would have to be destroyed.
 bool write_rows(std::FILE* file, const Picture& picture) {
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, hush);
   if (png == nullptr) return false;
   png_infop info = png_create_info_struct(png);
   if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {
@@ -46,6 +54,8 @@ std::optional<vulkan::Error> write_png(const std::filesystem::path& path, const 
   }
   const bool written = write_rows(file.get(), picture);
   if (std::fclose(file.release()) != 0 || !written) {
+    std::error_code gone;
+    std::filesystem::remove(path, gone);
     return vulkan::Error{"The picture " + path.string() +
                          " could not be written to its end; is the disk full?"};
   }

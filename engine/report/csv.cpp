@@ -2,7 +2,6 @@
 
 #include <cassert>
 
-#include "engine/files/block_file.h"
 #include "engine/files/number_text.h"
 
 namespace fulcrum::report {
@@ -40,13 +39,6 @@ void Csv::row(std::span<const Cell> cells) {
       append_text(text_, std::get<std::string_view>(cell));
   }
   text_ += '\n';
-}
-
-std::optional<Error> write_file(const std::filesystem::path& path, std::string_view content) {
-  Result<BlockFile> file = BlockFile::create(path);
-  if (!file) return file.error();
-  if (std::optional<Error> error = file->append(content)) return error;
-  return file->close();
 }
 
 }  // namespace fulcrum::report

@@ -1,15 +1,11 @@
 #pragma once
 // A table as CSV (RFC 4180, lines end in \n): one header line, numbers that read back to the same bits.
 
-#include <filesystem>
 #include <initializer_list>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
-
-#include "haptics/math/result.h"
 
 namespace fulcrum::report {
 
@@ -29,8 +25,5 @@ private:
   std::size_t columns_;
   std::string text_;
 };
-
-// A new file of that content; fails, with a sentence, if something of this name is there.
-std::optional<Error> write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace fulcrum::report

@@ -26,10 +26,11 @@ TaskJudge::TaskJudge(TaskDesc desc, double tick_s)
 void TaskJudge::judge_touch(const TickRecord& record) {
   const double limit = *desc_.hard_touch;
   // Not a number is no touch: the comparison fails.
-  const bool hard = record.contact_F_T_W.force.norm() > (touches_hard_ ? kReleased * limit : limit);
-  if (hard && !touches_hard_) ++state_.hard_touches;
-  if (hard) ++hard_ticks_;
-  touches_hard_ = hard;
+  const double force = record.contact_F_T_W.force.norm();
+  const bool above = force > limit;
+  if (above && !touches_hard_) ++state_.hard_touches;
+  if (above) ++hard_ticks_;
+  touches_hard_ = above || (touches_hard_ && force > kReleased * limit);
   state_.hard_touch_time = static_cast<double>(hard_ticks_) * tick_s_;
 }
 

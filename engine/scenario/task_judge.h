@@ -20,7 +20,7 @@ struct TaskState {
   std::vector<std::optional<double>> reached;  // (checkpoints) s of the trial at which each one counted
   bool completed = false;
   std::int64_t hard_touches = 0;  // so far, with one that lasts
-  double hard_touch_time = 0;     // s that they lasted
+  double hard_touch_time = 0;     // s above the limit
 };
 
 // Checkpoints count in order. One is reached when the touch point has been within its radius in every record

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "engine/files/file_error.h"
+#include "engine/files/plain_text.h"
 #include "engine/files/regular_file.h"
 #include "engine/files/utf8.h"
-#include "engine/session/plain_text.h"
 
 namespace fulcrum::session {
 namespace {
@@ -24,7 +24,8 @@ std::optional<Error> why_no_secret(const RegularFile& file, const std::string& n
                  " belongs to another user. Write one of your own, and make it yours alone: chmod 600 FILE."};
   if ((status.st_mode & 07777 & ~0600u) != 0)
     return Error{"The file of credentials " + name +
-                 " is open to others than you. Make it yours alone: chmod 600 " + name + "."};
+                 " has other rights than to be read and written by you. Make it yours alone: chmod 600 " +
+                 name + "."};
   return std::nullopt;
 }
 

@@ -30,12 +30,21 @@ bool is_unseen(char32_t c) {
   return c < 0x20 || (c >= 0x7f && c <= 0xa0) || c == 0xad || c == 0x34f || c == 0x61c || c == 0x1680 ||
          (c >= 0x115f && c <= 0x1160) || (c >= 0x17b4 && c <= 0x17b5) || (c >= 0x180b && c <= 0x180f) ||
          (c >= 0x2000 && c <= 0x200f) || (c >= 0x2028 && c <= 0x202f) || (c >= 0x205f && c <= 0x206f) ||
-         c == 0x3000 || c == 0x3164 || (c >= 0xe000 && c <= 0xf8ff) || (c >= 0xfe00 && c <= 0xfe0f) ||
-         c == 0xfeff || c == 0xffa0 || (c >= 0xfff0 && c <= 0xffff) || c >= 0xe0000;
+         c == 0x2800 || c == 0x3000 || c == 0x3164 || (c >= 0xe000 && c <= 0xf8ff) ||
+         (c >= 0xfe00 && c <= 0xfe0f) || c == 0xfeff || c == 0xffa0 || (c >= 0xfff0 && c <= 0xffff) ||
+         c >= 0xe0000;
+}
+
+// On top of the letter before: one letter may be written with such a mark, or as one.
+bool is_mark(char32_t c) {
+  return (c >= 0x300 && c <= 0x36f) || (c >= 0x1ab0 && c <= 0x1aff) || (c >= 0x1dc0 && c <= 0x1dff) ||
+         (c >= 0x20d0 && c <= 0x20ff) || (c >= 0xfe20 && c <= 0xfe2f);
 }
 
 bool may_begin(char32_t c) {
-  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c > 0xbf;
+  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+         (c > 0xbf && c != 0xd7 && c != 0xf7 && !(c >= 0xff01 && c <= 0xff0f) &&
+          !(c >= 0xff1a && c <= 0xff20));
 }
 
 }  // namespace
@@ -51,6 +60,10 @@ std::optional<Error> refuse_pseudonym(std::string_view name) {
     if (is_unseen(letter))
       return Error{
           "A participant's name holds a character that nobody sees: give a plain pseudonym, such as P07."};
+    if (is_mark(letter))
+      return Error{
+          "A participant's name writes a letter and its accent as two characters: type it as one, or give a "
+          "plain pseudonym, such as P07."};
     if (first && !may_begin(letter))
       return Error{"A participant's name begins with a letter or a digit: give a pseudonym, such as P07."};
   }

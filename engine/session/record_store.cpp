@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "engine/files/file_error.h"
+#include "engine/files/plain_text.h"
 #include "engine/files/regular_file.h"
-#include "engine/session/plain_text.h"
 
 namespace fulcrum::session {
 namespace {

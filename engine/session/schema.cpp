@@ -54,6 +54,17 @@ std::int64_t schema_version(sql::Database& database) {
   return database.integer("PRAGMA user_version");
 }
 
+// A store has the tables of version 1, and names no program in application_id.
+bool is_store(sql::Database& database) {
+  const std::int64_t tables = database.integer("SELECT count(*) FROM sqlite_master WHERE type = 'table'");
+  const std::int64_t own = database.integer(
+      "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name IN "
+      "('participant', 'session', 'trial', 'metric', 'event')");
+  const std::int64_t application = database.integer("PRAGMA application_id");
+  if (application != 0) return false;
+  return schema_version(database) == 0 ? tables == 0 : own == 5;
+}
+
 void migrate(sql::Database& database, std::int64_t to) {
   if (schema_version(database) == to) return;
   sql::Transaction all(database);

@@ -130,6 +130,9 @@ Score score(const TrialMetrics& trial, const TrialMetrics* expert) {
                                    ? Reference(static_cast<double>(best->touches_on_the_way) + kLeastTouches)
                                    : std::nullopt,
                                best != nullptr ? count_text(best->touches_on_the_way) : "", trial.completed));
+  // Counts that may be none have no ratio to tell.
+  if (best != nullptr && trial.completed)
+    list.back().reason = "The expert: " + count_text(best->touches_on_the_way) + ".";
   list.push_back(told("Mean force", in_newtons(trial.force_mean),
                       "Over " + in_seconds(trial.contact_time) + " of contact."));
   list.push_back(told("Peak force", in_newtons(trial.force_peak), "Of the scene on the tool."));

@@ -49,7 +49,7 @@ StoredTrial read_trial(const sql::Statement& row) {
 
 TrialEvent::Kind kind_named(std::string_view name) {
   using Kind = TrialEvent::Kind;
-  for (const Kind kind : {Kind::checkpoint, Kind::hard_touch, Kind::touch_on_the_way})
+  for (const Kind kind : {Kind::checkpoint, Kind::hard_touch, Kind::touch_on_the_way, Kind::pause})
     if (name_of(kind) == name) return kind;
   return Kind::fault;
 }
@@ -68,10 +68,15 @@ std::optional<Error> make_file(const std::filesystem::path& file) {
   if (::fstat(place.number(), &status) != 0) return file_error("open", file, errno);
   if (!S_ISREG(status.st_mode))
     return Error{"The results in " + file.string() + " cannot be used: it is no file. Move it away."};
-  // One that was copied here may be open to others. Whose it is not says so itself when it is written.
-  const std::string itself = "/proc/self/fd/" + std::to_string(place.number());
-  if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) ::chmod(itself.c_str(), S_IRUSR | S_IWUSR);
   return std::nullopt;
+}
+
+// One that was copied here may be open to others. Whose it is not says so itself when it is written.
+void close_to_others(const std::filesystem::path& file) {
+  const Descriptor place(::open(file.c_str(), O_PATH | O_CLOEXEC | O_NOFOLLOW));
+  struct stat status {};
+  if (!place || ::fstat(place.number(), &status) != 0 || (status.st_mode & (S_IRWXG | S_IRWXO)) == 0) return;
+  ::chmod(("/proc/self/fd/" + std::to_string(place.number())).c_str(), S_IRUSR | S_IWUSR);
 }
 
 }  // namespace
@@ -93,6 +98,9 @@ public:
                 "): move the file away, or bring one back from a backup."};
       case SQLITE_FULL:
         return {what + " cannot be written, since the disk is full: make room, and try again."};
+      case SQLITE_IOERR:
+        return {what + " cannot be used (" + failure.what() +
+                "): make room if their disk is full, and look at the disk if it is not."};
       case SQLITE_READONLY:
       case SQLITE_PERM:
       case SQLITE_CANTOPEN:
@@ -112,21 +120,32 @@ public:
     }
   }
 
+  // Nothing of a file is changed before it is known to be one of ours that this program knows.
   std::optional<Error> prepare() {
-    const Result<std::int64_t> version = guarded([](sql::Database& database) {
-      database.run(
-          "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; "
-          "PRAGMA secure_delete = ON;");
-      const std::int64_t found = schema_version(database);
-      if (found >= 0 && found <= kSchemaVersion) migrate(database);
-      return found;
+    const Result<bool> ours = guarded([](sql::Database& database) {
+      const sql::Transaction view(database, "BEGIN");
+      return is_store(database);
     });
+    if (!ours) return ours.error();
+    if (!*ours)
+      return Error{"The database in " + file_.string() +
+                   " is not one of Fulcrum's, and nothing is written into it: move it away."};
+    const Result<std::int64_t> version =
+        guarded([](sql::Database& database) { return schema_version(database); });
     if (!version) return version.error();
     if (*version > kSchemaVersion || *version < 0)
       return Error{"The results in " + file_.string() + " are of version " + std::to_string(*version) +
                    ", and this program knows up to " + std::to_string(kSchemaVersion) +
                    ": use the newer program that made them."};
-    return std::nullopt;
+    close_to_others(file_);
+    const Result<bool> prepared = guarded([](sql::Database& database) {
+      database.run(
+          "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; "
+          "PRAGMA secure_delete = ON;");
+      migrate(database);
+      return true;
+    });
+    return prepared ? std::nullopt : std::optional(prepared.error());
   }
 
   // Folders below the store's own are kept as the way from it, so that all may be moved together.

@@ -32,6 +32,8 @@ std::string_view name_of(TrialEvent::Kind kind) {
       return "hard touch";
     case TrialEvent::Kind::touch_on_the_way:
       return "touch on the way";
+    case TrialEvent::Kind::pause:
+      return "pause";
     case TrialEvent::Kind::fault:
       return "fault";
   }
@@ -56,7 +58,11 @@ void TrialMeter::note(const TickRecord& record, const scenario::TaskState& task)
   const std::uint32_t began = record.faults & kStoppingFaults & ~faults_;
   faults_ = record.faults & kStoppingFaults;
   for (const FaultName& fault : fault_names())
-    if ((fault.bit & began) != 0) note_event(TrialEvent::Kind::fault, fault.sentence);
+    if ((fault.bit & began) != 0) {
+      const bool asked_for = fault.bit == kStopRequested;
+      note_event(asked_for ? TrialEvent::Kind::pause : TrialEvent::Kind::fault,
+                 asked_for ? "" : fault.sentence);
+    }
   if (record.stopped) {
     p_WC_.reset();  // where the tool is after the pause is no way that it went
     return;
@@ -113,7 +119,8 @@ void TrialMeter::note_touch(const TickRecord& record, const scenario::TaskState&
   ++contact_ticks_;
   force_sum_ += force;
   force_peak_ = std::max(force_peak_, force);
-  ++force_ticks_[std::min(kForceSteps - 1, static_cast<std::size_t>(force / kForceStep))];
+  ++force_ticks_[static_cast<std::size_t>(
+      std::min(static_cast<double>(kForceSteps - 1), force / kForceStep))];
 }
 
 // Nearest rank, to the end of its step.

@@ -16,7 +16,7 @@
 namespace fulcrum::session {
 
 struct TrialEvent {
-  enum class Kind { checkpoint, hard_touch, touch_on_the_way, fault };
+  enum class Kind { checkpoint, hard_touch, touch_on_the_way, pause, fault };
   double time = 0;  // s, of the trial
   Kind kind = Kind::checkpoint;
   std::string text;  // the checkpoint's name, or what is wrong; empty: the kind says all

@@ -63,7 +63,10 @@ Result<WebAddress> web_address(const std::string& typed) {
   const CURLUcode fault = curl_url_set(url.get(), CURLUPART_URL, typed.c_str(), CURLU_DISALLOW_USER);
   if (fault == CURLUE_USER_NOT_ALLOWED)
     return Error{"it names a user; leave that out, since who you are belongs into the file of credentials"};
-  const std::string scheme = part_of(url, CURLUPART_SCHEME), host = part_of(url, CURLUPART_HOST);
+  const std::string scheme = part_of(url, CURLUPART_SCHEME);
+  std::string host = part_of(url, CURLUPART_HOST);
+  std::ranges::transform(host, host.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   if (fault != CURLUE_OK || (scheme != "https" && scheme != "http") || host.empty() ||
       !part_of(url, CURLUPART_ZONEID).empty())
     return unformed;
@@ -71,6 +74,16 @@ Result<WebAddress> web_address(const std::string& typed) {
   while (text.ends_with('/')) text.pop_back();
   const bool loopback = host == "localhost" || host == "127.0.0.1" || host == "[::1]";
   return WebAddress{.text = std::move(text), .encrypted = scheme == "https", .loopback = loopback};
+}
+
+std::string without_user(const char* address) {
+  const Url url(curl_url());
+  if (!url) throw std::bad_alloc();
+  if (curl_url_set(url.get(), CURLUPART_URL, address, 0) != CURLUE_OK ||
+      curl_url_set(url.get(), CURLUPART_USER, nullptr, 0) != CURLUE_OK ||
+      curl_url_set(url.get(), CURLUPART_PASSWORD, nullptr, 0) != CURLUE_OK)
+    return {};
+  return part_of(url, CURLUPART_URL);
 }
 
 }  // namespace fulcrum::session

@@ -18,4 +18,8 @@ struct WebAddress {
 // of an address. Errors are clauses that the caller's sentence ends in, and never repeat what was typed.
 Result<WebAddress> web_address(const std::string& typed);
 
+// A whole address without user and password: libcurl puts them into the one that it makes of a redirect.
+// Empty: it is none.
+std::string without_user(const char* address);
+
 }  // namespace fulcrum::session

@@ -116,7 +116,7 @@ public:
     curl_easy_getinfo(handle(), CURLINFO_RESPONSE_CODE, &reply.status);
     curl_easy_getinfo(handle(), CURLINFO_REDIRECT_URL, &location);
     curl_easy_getinfo(handle(), CURLINFO_RETRY_AFTER, &retry_after_s);
-    if (location != nullptr) reply.location = location;
+    if (location != nullptr) reply.location = without_user(location);
     reply.retry_after_s = retry_after_s;
     return reply;
   }

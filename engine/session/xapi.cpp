@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "engine/session/plain_text.h"
+#include "engine/files/plain_text.h"
 
 namespace fulcrum::session {
 namespace {

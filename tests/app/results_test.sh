@@ -43,6 +43,16 @@ expect 2 'leave them out' "$FULCRUM" results --participants --participant P1
 expect 2 'belongs to' "$FULCRUM" results --yes
 [ "$("$FULCRUM" results | grep -c stick)" = 3 ] || fail "what was refused was done"
 
+# --- what is read by a spreadsheet is no formula, and no digit of a seed is lost; what is printed to a full disk says so
+cp -rL "$(dirname "$FULCRUM")/content/scenarios/stick" '=1+1'
+expect 3 'Not completed' "$FULCRUM" run '=1+1/scenario.yaml' --headless --seed 9007199254740993 --seconds 0.2 --participant P9
+expect 0 'odd.csv' "$FULCRUM" results --csv odd.csv --participant P9
+grep -q ",'=1+1/scenario.yaml,.*,9007199254740993," odd.csv || fail "the CSV holds a formula, or another seed: $(tail -n 1 odd.csv)"
+expect 0 'Deleted: P9' "$FULCRUM" results --delete-participant P9 --yes
+"$FULCRUM" results --json >/dev/full 2>said && fail "a full disk is no error"
+grep -q 'could not be written to its end' said || fail "of a full disk is said: $(cat said)"
+expect 2 'it is empty' "$FULCRUM" results --delete-participant '' --yes
+
 # --- the report's command repeats the trial, whatever its folder is called
 grep -o 'fulcrum replay [^<]*' "of p2's/report.html" | sed "s/&#39;/'/g; s/&apos;/'/g; s/&amp;/\\&/g; s/^fulcrum/\"\$FULCRUM\"/" >again.sh
 expect 0 'the same as recorded, bit for bit' bash again.sh
@@ -80,6 +90,24 @@ if [ "$(id -u)" != 0 ]; then
   chmod u+w locked/run
 fi
 expect 0 'Deleted: P4' "$FULCRUM" results --delete-participant P4 --yes
+
+# --- what was moved and left a link behind is found there, and goes
+expect 0 'score' "$FULCRUM" run stick --headless --participant P4 --out moved/run
+mkdir large && mv moved large/ && ln -s large/moved moved
+expect 0 'Deleted: P4, 1 trials, [1-9]' "$FULCRUM" results --delete-participant P4 --yes
+[ -e large/moved/run ] && fail "left of P4: $(ls large/moved/run)"
+
+# --- the start page's file is written first: where it cannot be, nothing is deleted
+if [ "$(id -u)" != 0 ]; then
+  expect 0 'score' "$FULCRUM" run stick --headless --participant P4 --out kept
+  mkdir -p shut/fulcrum
+  echo '{"participant": "P4"}' >shut/fulcrum/start.json
+  chmod a-w shut/fulcrum
+  XDG_CONFIG_HOME=$work/shut expect 1 'nothing was deleted' "$FULCRUM" results --delete-participant P4 --yes
+  chmod u+w shut/fulcrum
+  XDG_CONFIG_HOME=$work/shut expect 0 'Deleted: P4' "$FULCRUM" results --delete-participant P4 --yes
+  grep -q P4 shut/fulcrum/start.json && fail "the start page remembers who was deleted"
+fi
 
 # --- an interrupted deletion is gone on with; without a proof that a recording is theirs, the row stays
 expect 0 'score' "$FULCRUM" run stick --headless --participant P5 --out half

@@ -88,9 +88,9 @@ protected:
   }
 
   void write(const std::string& text) const { std::ofstream(file_()) << text; }
-  std::string text() const {
+  std::string text(const char* end = "") const {
     std::ostringstream all;
-    all << std::ifstream(file_()).rdbuf();
+    all << std::ifstream(file_() + end).rdbuf();
     return all.str();
   }
   // What is said of a file.
@@ -167,6 +167,19 @@ TEST_F(SettingsFile, WhatIsNoObjectIsToldAndLeavesAllAsAtFirst) {
     EXPECT_NE(said_of(text), "") << text;
     EXPECT_EQ(read.look.text, 1.0F) << text;
   }
+}
+
+TEST_F(SettingsFile, WhatCannotBeReadIsKeptBesideWhatReplacesIt) {
+  const std::string torn = "{\n \"text_size\": 1.5,\n \"note\": \"mine\"";
+  const std::string said = said_of(torn);
+  EXPECT_NE(said.find("line 3 is no JSON"), std::string::npos) << said;
+  EXPECT_NE(said.find("mend it"), std::string::npos) << said;
+  KeptComplaints kept;
+  ASSERT_TRUE(write_settings({{PaletteName::colour_blind, 1.25F}, 2}));
+  EXPECT_NE(kept.take().find("settings.json.unread"), std::string::npos);
+  EXPECT_EQ(text(".unread"), torn);
+  EXPECT_EQ(read_settings().look.text, 1.25F);
+  EXPECT_EQ(kept.take(), "");
 }
 
 TEST_F(SettingsFile, WhatOthersWroteIntoItStays) {

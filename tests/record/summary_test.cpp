@@ -79,6 +79,21 @@ TEST(RunTotals, IntegratesAndPeaks) {
   EXPECT_DOUBLE_EQ(totals.peak_torque_rendered_Nm(), 0.5);
 }
 
+TEST(RunTotals, RestWhileTheForceIsStopped) {
+  RunTotals totals(0.001);
+  TickRecord record;
+  record.coupling_F_T_W.torque = Vec3(0, 0.5, 0);
+  record.contact_F_T_W.force = Vec3(0, 2, 0);
+  totals.add(record);
+  record.stopped = true;
+  record.contact_F_T_W.force = Vec3(0, 3, 0);
+  totals.add(record);
+  EXPECT_EQ(totals.ticks(), 2);
+  EXPECT_DOUBLE_EQ(totals.torque_error_Nms(), 0.0005);
+  EXPECT_DOUBLE_EQ(totals.force_error_Ns(), 0.002);
+  EXPECT_EQ(totals.peak_force_N(), 2);
+}
+
 // A tool that hangs in the air by its coupling, on a device without motors, touches nothing.
 TEST(RunTotals, WeightIsNoForceOfContact) {
   RunTotals totals(0.001);

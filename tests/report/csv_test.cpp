@@ -1,11 +1,8 @@
 #include "engine/report/csv.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 namespace fulcrum::report {
@@ -23,19 +20,6 @@ TEST(Csv, TextWithCommasOrQuotesIsQuoted) {
   csv.row({"a \"b\"", "line\nline"});
   csv.row({"plain", 1.0});
   EXPECT_EQ(csv.text(), "name,\"what, exactly\"\n\"a \"\"b\"\"\",\"line\nline\"\nplain,1\n");
-}
-
-TEST(WriteFile, WritesANewOneAndLeavesAnOldOne) {
-  std::string folder = "/tmp/fulcrum_csv_XXXXXX";
-  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  const std::filesystem::path path = std::filesystem::path(folder) / "t.csv";
-  EXPECT_FALSE(write_file(path, "a\n1\n"));
-  const std::optional<Error> again = write_file(path, "b\n");
-  ASSERT_TRUE(again);
-  EXPECT_NE(again->sentence.find("t.csv"), std::string::npos);
-  std::ifstream file(path);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "a\n1\n");
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -287,7 +287,8 @@ TaskDesc counting() {
   return desc;
 }
 
-// One that rises above the limit is counted once, and lasts until it has fallen below 70 % of it.
+// One that rises above the limit is counted once until it has fallen below 70 % of it; its time is that
+// above.
 TEST(TaskJudge, CountsHardTouchesWithHysteresis) {
   TaskJudge task(counting(), kTick);
   std::int64_t tick = 0;
@@ -298,13 +299,13 @@ TEST(TaskJudge, CountsHardTouchesWithHysteresis) {
   EXPECT_EQ(task.state().hard_touches, 0);
   press({0.31, 0.25, 0.31, 0.22});  // trembling about the limit: one touch
   EXPECT_EQ(task.state().hard_touches, 1);
-  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.004);
+  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.002);
   press({0.2, 0.29});  // over, and not hard again
   EXPECT_EQ(task.state().hard_touches, 1);
-  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.004);
+  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.002);
   press({0.5});
   EXPECT_EQ(task.state().hard_touches, 2);
-  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.005);
+  EXPECT_DOUBLE_EQ(task.state().hard_touch_time, 0.003);
 }
 
 TEST(TaskJudge, AForceThatIsNotANumberEndsAHardTouch) {

@@ -35,7 +35,14 @@ TEST(Identity, RefusesWhatIsNotSeenOrIsAFormula) {
                            "a\xef\xbb\xbf",
                            "a\xf3\xa0\x80\xa0",
                            "'x",
-                           "a\xc2\xad"})
+                           "a\xc2\xad",
+                           "P07\xe2\xa0\x80",
+                           "e\xcc\x81",
+                           "\xcc\x81",
+                           "\xc3\x97"
+                           "1",
+                           "\xef\xbc\x9d"
+                           "1"})
     EXPECT_TRUE(refuse_pseudonym(name)) << name;
   EXPECT_TRUE(refuse_pseudonym(std::string(65, 'x')));
   EXPECT_TRUE(refuse_pseudonym(std::string("a\0b", 3)));

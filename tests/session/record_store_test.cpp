@@ -278,6 +278,11 @@ TEST_F(RecordStoreOfStandIn, DoesNotSendUsElsewhere) {
   }
   EXPECT_EQ(puts(elsewhere), 0);
   expect_says(put_in_trouble(lrs, Trouble::status, 1, 302), "sends on to ''");
+  // Within one store, and without who asked.
+  expect_says(put_in_trouble(lrs, Trouble::status, 1, 308, "Location: /other/statements?x\r\n"),
+              "sends on to 'http://localhost:");
+  expect_says(put_in_trouble(lrs, Trouble::status, 1, 308, "Location: http://a:b@c.org/statements\r\n"),
+              "sends on to 'http://c.org'");
 }
 
 TEST_F(RecordStoreOfStandIn, StopsAtOnce) {

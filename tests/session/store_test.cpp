@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -265,18 +266,24 @@ TEST(Store, AGuidedTrialIsNoBestAndIsNotSent) {
   EXPECT_FALSE(*store.may_send(guided.uuid, "https://a"));
 }
 
-TEST(Store, TakesOneOfVersion2) {
-  const TemporaryFolder folder;
-  const auto file = folder / "r.sqlite";
+// Of an earlier program: P1, who agreed to be told of, and a session without a trial.
+void begin_store_of_version(int version, const std::filesystem::path& file) {
   std::ofstream(file).close();
   {
     sql::Database database(file);
-    migrate(database, 2);
-    ASSERT_EQ(schema_version(database), 2);
+    migrate(database, version);
+    ASSERT_EQ(schema_version(database), version);
   }
   tell(file,
        "INSERT INTO participant VALUES (1, 'P1', 1, '2026-01-01T00:00:00.000Z');"
-       "INSERT INTO session VALUES (1, 's', 1, '2026-01-01T00:00:00.000Z', '0.1.0');"
+       "INSERT INTO session VALUES (1, 's', 1, '2026-01-01T00:00:00.000Z', '0.1.0');");
+}
+
+TEST(Store, TakesOneOfVersion2) {
+  const TemporaryFolder folder;
+  const auto file = folder / "r.sqlite";
+  ASSERT_NO_FATAL_FAILURE(begin_store_of_version(2, file));
+  tell(file,
        "INSERT INTO trial (id, session, scenario, title, began, ended, device, hand, left_handed, seed, "
        "whole, "
        "score, folder, trace_sha256, uuid) "
@@ -296,15 +303,8 @@ TEST(Store, TakesOneOfVersion2) {
 TEST(Store, TakesOneOfVersion1) {
   const TemporaryFolder folder;
   const auto file = folder / "r.sqlite";
-  std::ofstream(file).close();
-  {
-    sql::Database database(file);
-    migrate(database, 1);
-    ASSERT_EQ(schema_version(database), 1);
-  }
+  ASSERT_NO_FATAL_FAILURE(begin_store_of_version(1, file));
   tell(file,
-       "INSERT INTO participant VALUES (1, 'P1', 1, '2026-01-01T00:00:00.000Z');"
-       "INSERT INTO session VALUES (1, 's', 1, '2026-01-01T00:00:00.000Z', '0.1.0');"
        "INSERT INTO trial VALUES (1, 1, 'piping', 't', 'b', 'e', 'simulated', '', 0, 1, 1, 55.5, '/f', 'h'),"
        "(2, 1, 'ear', 't', 'c', 'e', 'simulated', '', 0, 1, 0, NULL, '/g', '');"
        "INSERT INTO metric VALUES (1, 'time_s', 12.5); INSERT INTO event VALUES (1, 0, 1.5, 'checkpoint', "
@@ -345,6 +345,34 @@ TEST(Store, RefusesWhatItDoesNotKnow) {
   std::filesystem::create_symlink(folder / "elsewhere", folder / "link.sqlite");
   EXPECT_FALSE(Store::open(folder / "link.sqlite"));
   EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere"));
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Store, ChangesNothingOfAFileThatIsNotItsOwn) {
+  const TemporaryFolder folder;
+  const auto file = folder / "r.sqlite";
+  const auto stays = [&](const char* says) {
+    ASSERT_EQ(::chmod(file.c_str(), 0644), 0);
+    const std::string before = bytes_of(file);
+    const auto refused = Store::open(file);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence.find(says), std::string::npos) << refused.error().sentence;
+    EXPECT_EQ(bytes_of(file), before);
+    EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(0644));
+  };
+  for (const char* of_another :
+       {"CREATE TABLE bookmarks (a)", "PRAGMA user_version = 3", "PRAGMA application_id = 7"}) {
+    tell(file, of_another);
+    stays("not one of Fulcrum's");
+  }
+  std::filesystem::remove(file);
+  { const Store store = opened(file); }
+  tell(file, "PRAGMA journal_mode = DELETE; PRAGMA user_version = 4");
+  stays("version 4");
 }
 
 TEST(Store, SaysWhatIsWrongWithADamagedFile) {

@@ -118,7 +118,10 @@ TEST(TrialMeter, APauseIsNoPartOfTheTrial) {
   EXPECT_EQ(metrics.path, 0);
   EXPECT_EQ(metrics.force_peak, 0);
   ASSERT_EQ(trial.meter.events().size(), 1U);
-  EXPECT_EQ(trial.meter.events()[0].kind, TrialEvent::Kind::fault);
+  EXPECT_EQ(trial.meter.events()[0].kind, TrialEvent::Kind::pause) << "somebody asked for it";
+  trial.tick(Vec3(2, 0, 0), 0, true, kDeviceLost);
+  ASSERT_EQ(trial.meter.events().size(), 2U);
+  EXPECT_EQ(trial.meter.events()[1].kind, TrialEvent::Kind::fault);
 }
 
 // Named and off it is no matter; asked for in a single tick, be it in a pause or while it only fades, it is.

@@ -66,7 +66,11 @@ void Arguments::flag(const char* name, const char* help, bool& value) {
 }
 
 CLI::Option* Arguments::text(const Argument& argument, std::string& value) {
-  return command_.add_option(argument.name, value, argument.help)->type_name(argument.type);
+  return command_.add_option(argument.name, value, argument.help)
+      ->type_name(argument.type)
+      ->check([](const std::string& given) {
+        return given.empty() ? "it is empty: give it, or leave the option out" : "";
+      });
 }
 
 CLI::Option* Arguments::count(const Argument& argument, std::uint64_t& value, std::uint64_t least,
@@ -193,7 +197,12 @@ int run_program(int argc, char** argv, const char* about,
   try {
     Program program(about);
     for (const auto add : subcommands) add(program);
-    return program.run(argc, argv);
+    const int code = program.run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    complain(
+        "what this prints could not be written to its end: make room where it goes, and give the command "
+        "again.");
+    return kError;
   } catch (const std::exception& error) {
     complain(std::string("this should not have happened: ") + error.what());
     return kError;

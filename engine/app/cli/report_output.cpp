@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "engine/app/cli/terminal.h"
+#include "engine/files/block_file.h"
 #include "engine/record/run_folder.h"
-#include "engine/report/csv.h"
 
 namespace fulcrum::app {
 
@@ -26,7 +26,7 @@ std::optional<std::filesystem::path> report_folder(std::string_view report, cons
 bool write_report(const std::filesystem::path& folder,
                   std::initializer_list<std::pair<std::string_view, std::string>> contents) {
   for (const auto& [name, content] : contents) {
-    if (const std::optional<Error> error = report::write_file(folder / name, content)) {
+    if (const std::optional<Error> error = write_new_file(folder / name, content)) {
       complain(error->sentence);
       return false;
     }

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/files/plain_text.h"
+
 namespace fulcrum::app {
 namespace {
 
@@ -62,7 +64,19 @@ std::string in_lines(std::string_view text, std::size_t indent, std::size_t widt
   return lines;
 }
 
-void complain(std::string_view sentence) {
+std::string shown_lines(std::string_view text) {
+  std::string shown;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    shown += plain_text(text.substr(at, end - at));
+    if (end < text.size()) shown += '\n';
+    at = end + 1;
+  }
+  return shown;
+}
+
+void complain(std::string_view said) {
+  const std::string sentence = shown_lines(said);
   std::fprintf(stderr, "fulcrum: %.*s\n", static_cast<int>(sentence.size()), sentence.data());
   const std::lock_guard lock(complaints_mutex);
   if (!kept_complaints) return;

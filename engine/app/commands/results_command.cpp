@@ -16,7 +16,7 @@
 #include "engine/app/results/push.h"
 #include "engine/app/results/table.h"
 #include "engine/app/start/start_settings.h"
-#include "engine/report/csv.h"
+#include "engine/files/block_file.h"
 #include "engine/session/history_page.h"
 #include "engine/session/store.h"
 
@@ -93,6 +93,11 @@ int delete_participant(session::Store& store, const std::string& participant, bo
     complain("nothing was deleted. Without a terminal, --yes says that it is meant.");
     return kUsage;
   }
+  if (!forget_start_participant(participant)) {
+    complain("nothing was deleted, since " + start_file().string() + " names " + participant +
+             " and cannot be written: make it and its folder yours, and give this command again.");
+    return kError;
+  }
   const Result<Erased> erased = erase_participant(store, participant);
   if (!erased) return refuse(erased.error());
   if (!erased->whole) {
@@ -100,7 +105,6 @@ int delete_participant(session::Store& store, const std::string& participant, bo
              " is still among the results: mend what is said above, and give this command again.");
     return kError;
   }
-  forget_start_participant(participant);
   std::printf("Deleted: %s, %zu trials, %zu files.\n", participant.c_str(), erased->trials, erased->files);
   if (erased->still_read)
     complain(
@@ -114,7 +118,7 @@ int write(const std::string& file, const std::string& content) {
     complain("'" + file + "' is there already: name a new file, or remove it first.");
     return kError;
   }
-  if (const std::optional<Error> failure = report::write_file(file, content)) return refuse(*failure);
+  if (const std::optional<Error> failure = write_new_file(file, content)) return refuse(*failure);
   std::printf("%s\n", file.c_str());
   return kCompleted;
 }

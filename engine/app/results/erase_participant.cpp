@@ -45,14 +45,13 @@ enum class Holds { this_trial, another, no_folder, nobody_knows };
 // deletion has left is known for what it is.
 Holds what_is_in(const fs::path& folder, const session::Trial& trial) {
   std::error_code failure;
-  const fs::file_status status = fs::symlink_status(folder, failure);
+  const fs::file_status status = fs::status(folder, failure);
   if (status.type() == fs::file_type::not_found) return Holds::no_folder;
   if (failure) {
     complain(file_error("look into", folder, failure.value()).sentence);
     return Holds::nobody_knows;
   }
-  if (status.type() != fs::file_type::directory || fs::canonical(folder, failure) != folder)
-    return Holds::another;
+  if (status.type() != fs::file_type::directory) return Holds::another;
   const std::string said = hash_in_summary(folder);
   if (!trial.trace_sha256.empty() &&
       (said == trial.trace_sha256 || hash_of_trace(folder) == trial.trace_sha256))
@@ -68,7 +67,10 @@ Holds what_is_in(const fs::path& folder, const session::Trial& trial) {
 
 // False: a file is left, and a sentence said which.
 bool erase_folder(const session::Trial& trial, std::size_t& files) {
-  const fs::path folder = trial.folder;
+  // Whoever moves recordings to a larger disk leaves a link behind: what counts is what lies there.
+  std::error_code gone;
+  const fs::path followed = fs::canonical(trial.folder, gone);
+  const fs::path folder = gone ? fs::path(trial.folder) : followed;
   switch (what_is_in(folder, trial)) {
     case Holds::no_folder:
       complain("there is no recording in " + trial.folder +

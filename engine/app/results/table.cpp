@@ -38,6 +38,13 @@ report::Table results_table(const std::vector<session::StoredTrial>& trials) {
   return table;
 }
 
+// A spreadsheet takes a cell that begins so for a formula.
+std::string no_formula(const std::string& text) {
+  return text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos
+             ? text
+             : "'" + text;
+}
+
 std::string results_csv(const std::vector<session::StoredTrial>& trials) {
   std::vector<std::string_view> columns = {"participant", "session", "trial", "scenario",    "began",
                                            "ended",       "device",  "hand",  "left_handed", "seed",
@@ -47,16 +54,20 @@ std::string results_csv(const std::vector<session::StoredTrial>& trials) {
   columns.insert(columns.end(), {"changes", "folder", "trace_sha256"});
   report::Csv csv(columns);
   for (const auto& [trial, session] : trials) {
+    const std::string seed = std::to_string(trial.seed);  // of more digits than a double has
+    const std::string scenario = no_formula(trial.scenario), device = no_formula(trial.device),
+                      hand = no_formula(trial.hand), changes = no_formula(trial.changes),
+                      folder = no_formula(trial.folder);
     std::vector<report::Csv::Cell> cells = {session.participant,
                                             session.uuid,
                                             trial.uuid,
-                                            trial.scenario,
+                                            scenario,
                                             trial.began,
                                             trial.ended,
-                                            trial.device,
-                                            trial.hand,
+                                            device,
+                                            hand,
                                             trial.left_handed ? 1.0 : 0.0,
-                                            static_cast<double>(trial.seed),
+                                            seed,
                                             trial.whole ? 1.0 : 0.0,
                                             trial.metrics.guided ? 1.0 : 0.0};
     cells.push_back(trial.score ? report::Csv::Cell(*trial.score) : report::Csv::Cell(std::string_view()));
@@ -67,8 +78,8 @@ std::string results_csv(const std::vector<session::StoredTrial>& trials) {
         if (known == name) cell = value;
       cells.push_back(cell);
     }
-    cells.emplace_back(trial.changes);
-    cells.emplace_back(trial.folder);
+    cells.emplace_back(changes);
+    cells.emplace_back(folder);
     cells.emplace_back(trial.trace_sha256);
     csv.row(cells);
   }

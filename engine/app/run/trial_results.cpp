@@ -8,8 +8,9 @@
 
 #include "engine/app/cli/terminal.h"
 #include "engine/app/cli/version.h"
+#include "engine/files/block_file.h"
 #include "engine/record/run_folder.h"
-#include "engine/report/csv.h"
+#include "haptics/safety/faults.h"
 #include "engine/session/identity.h"
 #include "engine/session/trial_page.h"
 
@@ -114,12 +115,14 @@ bool write_trial_page(const FinishedTrial& of, const std::string& participant) {
                           .curves = of.sink.meter().curves(),
                           .hard_touch = of.prepared.haptic.task.hard_touch};
   if (of.expert != nullptr) page.expert_time = of.expert->time;
-  for (const record::FaultCount& fault : of.summary.faults) page.faults.push_back(fault.sentence);
+  const auto asked_for = std::ranges::find(fault_names(), kStopRequested, &FaultName::bit);
+  for (const record::FaultCount& fault : of.summary.faults)
+    if (fault.name != asked_for->name) page.faults.push_back(fault.sentence);
   for (const record::FaultCount& limit : of.summary.limits) page.limits.push_back(limit.sentence);
   if (of.summary.heard) page.heard = record::heard_text(*of.summary.heard);
   page.replay_command = "fulcrum replay " + quoted(trial.folder + "/" + std::string(record::kTapeName));
   const std::optional<Error> failure =
-      report::write_file(of.folder / record::kReportName, session::trial_html(page));
+      write_new_file(of.folder / record::kReportName, session::trial_html(page));
   if (failure) complain(failure->sentence);
   return !failure;
 }

@@ -33,11 +33,6 @@ constexpr std::string_view kAutomaticPicture = "automatic";
 constexpr std::array<std::string_view, render::kQualityLevels.size() + 1> kPictureNames = {
     kAutomaticPicture, "best", "high", "medium", "low", "lowest"};
 
-std::filesystem::path settings_file() {
-  const std::filesystem::path folder = config_folder();
-  return folder.empty() ? folder : folder / "settings.json";
-}
-
 // An object, empty where there is no file. Errors: clauses.
 Result<SettingsJson> read_settings_document(const std::filesystem::path& path) {
   std::error_code unknown;
@@ -48,9 +43,29 @@ Result<SettingsJson> read_settings_document(const std::filesystem::path& path) {
   if (!bytes) return bytes.error();
   if (bytes->size() > kMostSettings)
     return Error{"it has more than " + std::to_string(kMostSettings) + " bytes"};
-  SettingsJson document = SettingsJson::parse(*bytes, nullptr, false);
-  if (!document.is_object()) return Error{"it is no JSON object"};
-  return document;
+  try {
+    SettingsJson document = SettingsJson::parse(*bytes);
+    if (document.is_object()) return document;
+    return Error{"it is no JSON object in {}"};
+  } catch (const SettingsJson::parse_error& fault) {
+    const std::size_t before = std::min(fault.byte > 0 ? fault.byte - 1 : 0, bytes->size());
+    const auto line = 1 + std::ranges::count(std::string_view(*bytes).substr(0, before), '\n');
+    return Error{"line " + std::to_string(line) + " is no JSON"};
+  } catch (const SettingsJson::exception&) {
+    return Error{"it has a number that is too large"};
+  }
+}
+
+// What cannot be read is somebody's all the same: it is kept beside what replaces it. False: it cannot be.
+bool set_aside(const std::filesystem::path& path) {
+  std::filesystem::path kept = path;
+  kept += ".unread";
+  std::error_code failed;
+  std::filesystem::rename(path, kept, failed);
+  if (failed) return false;
+  complain(path.string() + " could not be read: it is kept as " + kept.string() +
+           ", and a new one is written.");
+  return true;
 }
 
 // Reads fields of a document, and says what it cannot use.
@@ -105,12 +120,17 @@ private:
 
 }  // namespace
 
+std::filesystem::path settings_file() {
+  const std::filesystem::path folder = config_folder();
+  return folder.empty() ? folder : folder / "settings.json";
+}
+
 Settings read_settings() {
   const std::filesystem::path path = settings_file();
   const Result<SettingsJson> document = read_settings_document(path);
   if (!document) {
     complain(path.string() + ": " + document.error().sentence +
-             ", so that the settings are as at the first start.");
+             ", so that the settings are as at the first start: mend it, or remove it.");
     return {};
   }
   const SettingsFields fields(path, *document);
@@ -128,6 +148,7 @@ bool write_settings(const Settings& settings) {
   const std::filesystem::path path = settings_file();
   if (path.empty()) return false;
   const Result<SettingsJson> before = read_settings_document(path);
+  if (!before && !set_aside(path)) return false;
   SettingsJson document = before ? *before : SettingsJson::object();
   document[std::string(kTextKey)] = settings.look.text;
   document[std::string(kPaletteKey)] = kPaletteWords[static_cast<std::size_t>(settings.look.palette)];

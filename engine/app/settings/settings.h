@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 
 #include "engine/render/quality.h"
@@ -25,6 +26,8 @@ struct Settings {
 
 // What is not there is as at the first start. What is wrong is, too, each with a sentence on stderr.
 Settings read_settings();
+// Empty: neither XDG_CONFIG_HOME nor HOME names a folder.
+std::filesystem::path settings_file();
 // What the file says beyond these is kept. False: they are not remembered, which hinders nothing.
 bool write_settings(const Settings& settings);
 

@@ -13,17 +13,17 @@ namespace {
 
 constexpr std::uint64_t kMostRead = 1 << 16;
 
-std::filesystem::path start_file() {
-  const std::filesystem::path folder = config_folder();
-  return folder.empty() ? folder : folder / "start.json";
-}
-
 std::string text_of(const nlohmann::json& document, const char* key) {
   const auto found = document.find(key);
   return found != document.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 }  // namespace
+
+std::filesystem::path start_file() {
+  const std::filesystem::path folder = config_folder();
+  return folder.empty() ? folder : folder / "start.json";
+}
 
 StartChoice read_start_choice() {
   const std::filesystem::path path = start_file();
@@ -42,11 +42,11 @@ StartChoice read_start_choice() {
   return choice;
 }
 
-void forget_start_participant(const std::string& participant) {
+bool forget_start_participant(const std::string& participant) {
   StartChoice choice = read_start_choice();
-  if (choice.participant != participant) return;
+  if (choice.participant != participant) return true;
   choice.participant.clear();
-  write_start_choice(choice);
+  return write_start_choice(choice);
 }
 
 bool write_start_choice(const StartChoice& choice) {

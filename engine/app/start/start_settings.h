@@ -5,10 +5,13 @@
 
 namespace fulcrum::app {
 
+// Empty: neither XDG_CONFIG_HOME nor HOME names a folder.
+std::filesystem::path start_file();
+
 // What is not there, or is none, is as at the first start.
 StartChoice read_start_choice();
-// Where it was this participant who trained, nobody is remembered any more.
-void forget_start_participant(const std::string& participant);
+// Where it was this participant who trained, nobody is remembered any more; false: that cannot be written.
+bool forget_start_participant(const std::string& participant);
 // False: it is not remembered, which hinders nothing.
 bool write_start_choice(const StartChoice& choice);
 

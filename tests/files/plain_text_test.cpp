@@ -1,8 +1,8 @@
-#include "engine/session/plain_text.h"
+#include "engine/files/plain_text.h"
 
 #include <gtest/gtest.h>
 
-namespace fulcrum::session {
+namespace fulcrum {
 namespace {
 
 TEST(PlainText, LeavesWhatIsShown) {
@@ -37,4 +37,4 @@ TEST(PlainText, IsCutBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace fulcrum::session
+}  // namespace fulcrum

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace fulcrum::session {
+namespace fulcrum {
 
 // Always UTF-8. A byte that is no part of a character becomes U+FFFD; a character that controls, breaks lines
 // or turns the direction of writing becomes a space.
@@ -14,4 +14,4 @@ std::string plain_text(std::string_view text);
 // Of that the beginning, with "..." where it is longer than `most` bytes.
 std::string short_text(std::string_view text, std::size_t most);
 
-}  // namespace fulcrum::session
+}  // namespace fulcrum

@@ -1,11 +1,11 @@
-#include "engine/session/plain_text.h"
+#include "engine/files/plain_text.h"
 
 #include <algorithm>
 #include <cstdint>
 
 #include "engine/files/utf8.h"
 
-namespace fulcrum::session {
+namespace fulcrum {
 namespace {
 
 constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
@@ -54,4 +54,4 @@ std::string short_text(std::string_view text, std::size_t most) {
   return plain + "...";
 }
 
-}  // namespace fulcrum::session
+}  // namespace fulcrum
