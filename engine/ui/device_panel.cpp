@@ -15,24 +15,37 @@ constexpr float kInset = 24.0F;
 constexpr float kHead = 54.0F;
 constexpr float kRow = 26.0F;
 constexpr float kLine = 19.0F;
-constexpr float kName = 100.0F;   // width of an axis's name
-constexpr float kValue = 76.0F;   // of its value
-constexpr float kBar = 10.0F;     // height
-constexpr float kButton = 34.0F;  // of the button that closes
-constexpr std::size_t kNoteLines = 5;
+constexpr float kFoot = 16.0F;
+constexpr float kBetween = 24.0F;  // columns
+constexpr float kName = 100.0F;    // width of an axis's name
+constexpr float kValue = 76.0F;    // of its value
+constexpr float kBar = 10.0F;      // height
+constexpr float kCloseWide = 86.0F, kCloseHigh = 30.0F;
+constexpr std::size_t kNoteLines = 6;
 
-float height_of(const DevicePanel& panel) {
-  return kHead + kRow * static_cast<float>(panel.axes.size() + 1) + kLine * static_cast<float>(kNoteLines) +
-         kButton + 34.0F;
-}
+// Axes in one column where the picture is high enough, else in two.
+struct Layout {
+  Area area;
+  std::size_t rows;  // of axes
 
-Area area_of(const DevicePanel& panel, float width, float height) {
-  const ImVec2 size{std::min(kWidth, width - 2.0F * theme::kMargin), height_of(panel)};
-  return {{(width - size.x) / 2.0F, std::max(4.0F, (height - size.y) / 2.0F)}, size};
-}
+  Area close() const {
+    return {{area.at.x + area.size.x - 14.0F - kCloseWide, area.at.y + 12.0F}, {kCloseWide, kCloseHigh}};
+  }
+};
 
-Area button_of(const Area& panel) {
-  return {{panel.at.x + kInset, panel.at.y + panel.size.y - kButton - 14.0F}, {110.0F, kButton}};
+Layout layout_of(const DevicePanel& panel, float width, float height) {
+  const auto height_of = [](std::size_t rows) {
+    return kHead + kRow * static_cast<float>(rows + 1) + kLine * static_cast<float>(kNoteLines) + kFoot;
+  };
+  const float widest = width - 2.0F * theme::kMargin;
+  std::size_t rows = panel.axes.size();
+  float wide = kWidth;
+  if (height_of(rows) > height - 8.0F) {
+    rows = (rows + 1) / 2;
+    wide = 2.0F * kWidth;
+  }
+  const ImVec2 size{std::min(wide, widest), height_of(rows)};
+  return {{{(width - size.x) / 2.0F, std::max(4.0F, (height - size.y) / 2.0F)}, size}, rows};
 }
 
 void draw_axis(const Canvas& canvas, ImVec2 at, float width, const DevicePanel::Axis& axis) {
@@ -55,14 +68,12 @@ void draw_axis(const Canvas& canvas, ImVec2 at, float width, const DevicePanel::
 }
 
 void draw_notes(const Canvas& canvas, ImVec2 at, float width, const DevicePanel& panel) {
-  std::vector<std::string> lines;
-  for (const std::string& note : panel.notes) {
-    const std::vector<std::string> more = canvas.wrapped(canvas.fonts().small, note, width);
-    lines.insert(lines.end(), more.begin(), more.end());
-  }
-  if (lines.size() > kNoteLines) lines.resize(kNoteLines);
-  for (const std::string& line : lines) {
-    canvas.text(canvas.fonts().small, at, theme::kSecondary, line);
+  std::string notes;
+  for (const std::string& note : panel.notes) notes += note + "\n";
+  ImFont* const font = canvas.fonts().small;
+  for (const std::string& line :
+       canvas.lines(font, notes + "Esc, or B on a pad, closes this.", width, kNoteLines)) {
+    canvas.text(font, at, theme::kSecondary, line);
     at.y += kLine;
   }
 }
@@ -70,35 +81,39 @@ void draw_notes(const Canvas& canvas, ImVec2 at, float width, const DevicePanel&
 }  // namespace
 
 void draw_device_panel(const Canvas& canvas, const DevicePanel& panel) {
-  const Area area = area_of(panel, canvas.width(), canvas.height());
+  const Layout layout = layout_of(panel, canvas.width(), canvas.height());
+  const Area& area = layout.area;
   const Fonts& fonts = canvas.fonts();
   const float width = area.size.x - 2.0F * kInset;
-  canvas.box(area.at, area.size, theme::kModal, theme::kRounding);
-  canvas.frame(area.at, area.size, theme::kCardEdge, theme::kRounding, 1.0F);
+  canvas.card(area.at, area.size, theme::kModal);
   ImVec2 at{area.at.x + kInset, area.at.y + 16.0F};
-  canvas.text(fonts.number, at, theme::kText, canvas.fitted(fonts.number, panel.title, width));
+  const Area close = layout.close();
+  ImFont* const title =
+      canvas.widest({fonts.number, fonts.strong, fonts.small}, panel.title, close.at.x - at.x - 8.0F);
+  canvas.text(title, at, theme::kText, canvas.fitted(title, panel.title, close.at.x - at.x - 8.0F));
+  canvas.box(close.at, close.size, theme::kButton, 7.0F);
+  canvas.text(fonts.strong, {close.at.x + close.size.x / 2.0F, close.at.y + 6.0F}, theme::kText, "Close",
+              Align::centre);
   at.y = area.at.y + kHead;
-  for (const DevicePanel::Axis& axis : panel.axes) {
-    draw_axis(canvas, at, width, axis);
-    at.y += kRow;
-  }
+  const bool two = layout.rows < panel.axes.size();
+  const float column = two ? (width - kBetween) / 2.0F : width;
+  for (std::size_t i = 0; i < panel.axes.size(); ++i)
+    draw_axis(canvas,
+              {at.x + (column + kBetween) * static_cast<float>(i / layout.rows),
+               at.y + kRow * static_cast<float>(i % layout.rows)},
+              column, panel.axes[i]);
+  at.y += kRow * static_cast<float>(layout.rows);
   const bool bad = !panel.trouble.empty();
   canvas.text(fonts.body, {at.x, at.y + 4.0F}, bad ? canvas.colours().bad : theme::kText,
               canvas.fitted(fonts.body, bad ? panel.trouble : panel.buttons, width));
   at.y += kRow + 4.0F;
   draw_notes(canvas, at, width, panel);
-  const Area button = button_of(area);
-  canvas.box(button.at, button.size, theme::kButton, 7.0F);
-  canvas.text(fonts.strong, {button.at.x + button.size.x / 2.0F, button.at.y + 8.0F}, theme::kText, "Close",
-              Align::centre);
-  canvas.text(fonts.small, {button.at.x + button.size.x + 14.0F, button.at.y + 10.0F}, theme::kFaint,
-              "Esc, or B on a pad, closes this");
 }
 
 bool closes_device_panel(const DevicePanel& panel, render::Extent picture, const Look& look, double x,
                          double y) {
   const PanelPoint at = panel_point(picture, look, x, y);
-  const Area button = button_of(area_of(panel, at.width, at.height));
+  const Area button = layout_of(panel, at.width, at.height).close();
   return at.x >= button.at.x && at.y >= button.at.y && at.x < button.at.x + button.size.x &&
          at.y < button.at.y + button.size.y;
 }

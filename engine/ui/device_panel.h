@@ -1,5 +1,5 @@
 #pragma once
-// What a device senses now, over the start page.
+// What a device senses now, in place of the start page.
 
 #include <string>
 #include <vector>

@@ -23,6 +23,18 @@ void draw_arrow(const Canvas& canvas, const Area& area, int side, ImU32 colour) 
                   {x - 3.0F * direction, y + 6.0F}, colour);
 }
 
+// What was written last, as much as there is room for.
+std::string end_that_fits(const Canvas& canvas, ImFont* font, std::string words, float width) {
+  if (canvas.measure(font, words).x <= width) return words;
+  while (!words.empty() && canvas.measure(font, "..." + words).x > width) {
+    const auto next = std::find_if(words.begin() + 1, words.end(), [](char c) {
+      return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;  // UTF-8: a letter begins
+    });
+    words.erase(words.begin(), next);
+  }
+  return "..." + words;
+}
+
 }  // namespace
 
 bool holds(const Area& area, ImVec2 point) {
@@ -56,7 +68,8 @@ void draw_menu_row(const Canvas& canvas, const Area& row, const StartPage::Setti
       draw_arrow(canvas, arrow_area(row, side), side, focused ? accent : theme::kFaint);
   const float left = arrow_area(row, -1).at.x + kArrow, right = arrow_area(row, 1).at.x;
   ImFont* const font = canvas.widest({fonts.strong, fonts.small}, setting.value, right - left);
-  const std::string shown = canvas.fitted(font, setting.value, right - left);
+  const std::string shown = setting.written ? end_that_fits(canvas, font, setting.value, right - left)
+                                            : canvas.fitted(font, setting.value, right - left);
   const float middle = (left + right) / 2.0F;
   canvas.text(font, {middle, top(font)}, theme::kText, shown, Align::centre);
   if (setting.written) {

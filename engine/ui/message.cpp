@@ -17,13 +17,17 @@ constexpr std::size_t kMostLines = 6;
 struct Words {
   std::vector<std::string> lines;
   Area area;
+  bool whole = true;  // none of the message is left out
 };
 
 // Between two sides, above a bottom, in the middle of the picture where that is free.
 Words between(const Canvas& canvas, const std::string& message, float left, float right, float bottom,
               std::size_t most) {
   ImFont* const font = canvas.fonts().body;
-  Words words{canvas.lines(font, message, right - left - 2.0F * kSide, most), {}};
+  const float room = right - left - 2.0F * kSide;
+  Words words{.lines = canvas.wrapped(font, message, room), .area = {}};
+  words.whole = words.lines.size() <= most;
+  if (!words.whole) words.lines = canvas.lines(font, message, room, most);
   float widest = 0.0F;
   for (const std::string& line : words.lines) widest = std::max(widest, canvas.measure(font, line).x);
   const ImVec2 size{std::min(widest + 2.0F * kSide, right - left),
@@ -41,7 +45,7 @@ Words laid_out(const Canvas& canvas, const OverlayState& state) {
   float bottom = canvas.height() - margin;
   if (columns.timeline.size.x > 0.0F) bottom = columns.timeline.at.y - kPanelGap;
   // Never under the panels at the right.
-  const auto placed = [&](float left, std::size_t most) {
+  const auto placed = [&](float left, std::size_t most, bool whole) {
     for (const float right : {end, beside_column}) {
       if (right - left < kLeast) continue;
       Words words = between(canvas, state.message, left, right, bottom, most);
@@ -50,18 +54,29 @@ Words laid_out(const Canvas& canvas, const OverlayState& state) {
       const bool clear = std::ranges::none_of(
           std::initializer_list<Area>{columns.health, columns.cues, columns.holding, columns.motors},
           [&](const Area& area) { return touch(area, around); });
-      if (clear) return words;
+      if (clear && (words.whole || !whole)) return words;
     }
     return Words{};
   };
-  // Beside the dials, or above them, where the list of checkpoints keeps a row at least.
   const Area& dials = columns.dials;
-  Words words = placed(dials.size.x > 0.0F ? dials.at.x + dials.size.x + margin : margin, kMostLines);
-  if (words.lines.empty() && dials.size.x > 0.0F) {
-    bottom = std::min(bottom, dials.at.y - kPanelGap);
+  const bool has_dials = dials.size.x > 0.0F;
+  const float foot = bottom;
+  const auto beside_dials = [&](bool whole) {
+    bottom = foot;
+    return placed(has_dials ? dials.at.x + dials.size.x + margin : margin, kMostLines, whole);
+  };
+  // Where the list of checkpoints keeps a row at least.
+  const auto above_dials = [&](bool whole) {
+    bottom = std::min(foot, dials.at.y - kPanelGap);
     const float list = state.checkpoints.empty() ? 0.0F : checkpoints_height(state, 1) + kPanelGap;
     const float room = bottom - margin - list - 16.0F;
-    if (room >= kLine) words = placed(margin, std::min(kMostLines, static_cast<std::size_t>(room / kLine)));
+    if (!has_dials || room < kLine) return Words{};
+    return placed(margin, std::min(kMostLines, static_cast<std::size_t>(room / kLine)), whole);
+  };
+  Words words;
+  for (const bool whole : {true, false}) {
+    if (words.lines.empty()) words = beside_dials(whole);
+    if (words.lines.empty()) words = above_dials(whole);
   }
   if (!(unless_covered(canvas, state, words.area).size.x > 0.0F)) return {};
   return words;

@@ -121,11 +121,14 @@ void draw_note(const Canvas& canvas, const StartLayout& layout, const StartPage&
 }  // namespace
 
 void draw_start(const Canvas& canvas, const StartPage& page) {
+  if (page.tested) {
+    draw_device_panel(canvas, *page.tested);
+    return;
+  }
   const StartLayout layout(page, canvas.width(), canvas.height());
   draw_list(canvas, layout, page);
   draw_sheet(canvas, layout, page);
   draw_note(canvas, layout, page);
-  if (page.tested) draw_device_panel(canvas, *page.tested);
 }
 
 std::optional<StartHit> start_hit(const StartPage& page, render::Extent picture, const Look& look, double x,

@@ -34,7 +34,7 @@ struct StartPage {
   std::size_t index = 0;                // of the scenario or the setting in focus
   std::string note;                     // a sentence about what went wrong; empty: none
   std::string help;                     // what keys do
-  std::optional<DevicePanel> tested{};  // over all of it: a device that is being tried
+  std::optional<DevicePanel> tested{};  // in place of all of it: a device that is being tried
 };
 
 // What lies under the pointer. side: of a setting, -1 its left arrow, 1 its right one, else 0.

@@ -222,11 +222,13 @@ void draw_target(const Canvas& canvas, const OverlayState& state) {
   const std::optional<ImVec2> touch = touch_point(canvas, target);
   std::vector<Area> marked = taken;
   if (touch && !target.dwelling) marked.push_back(around(*touch, kMark));
+  if (touch && target.at.farther && !target.dwelling) {
+    taken.push_back(draw_depth(canvas, *touch, canvas.unit(0.0F, target.at.farther->drag).y));
+    marked.push_back(taken.back());
+  }
   taken.push_back(draw_label(canvas, middle, radius, target, marked));
   taken.push_back(around(middle, radius));
   if (!touch) return;
-  if (target.at.farther && !target.dwelling)
-    taken.push_back(draw_depth(canvas, *touch, canvas.unit(0.0F, target.at.farther->drag).y));
   draw_touch_point(canvas, *touch, target.touch_name, taken);
 }
 

@@ -18,6 +18,7 @@ constexpr float kEdge = 18.0F;     // between the card's side and the bar's end
 constexpr float kBarFoot = 20.0F;  // from the bar's top to the lower edge of the card without plots
 constexpr float kPlotRow = 38.0F;
 constexpr float kPlotHead = 15.0F;  // of a row: its words
+constexpr double kLeastTop = 0.01;  // of any unit: what is told as 0 is drawn as 0
 constexpr double kBeyond = 1.001;   // times the limit: what is held at it is not over it
 constexpr float kMostHigh = 0.32F;  // of the picture, that the card takes
 
@@ -87,7 +88,7 @@ void draw_plot(const Canvas& canvas, ImVec2 at, float width, const Timeline& tim
                const Timeline::Plot& plot) {
   const double end = std::max(timeline.end_s, 1e-9);
   const double peak = plot.largest.empty() ? 0.0 : std::ranges::max(plot.largest);
-  const double top = std::max({1.05 * peak, 1.05 * plot.limit.value_or(0.0), 1e-9});
+  const double top = std::max({1.05 * peak, 1.05 * plot.limit.value_or(0.0), kLeastTop});
   const Area area{{at.x, at.y + kPlotHead}, {width, kPlotRow - kPlotHead - 6.0F}};
   const auto now =
       static_cast<std::size_t>(std::max(timeline.at_s.value_or(0.0), 0.0) / std::max(plot.interval_s, 1e-9));

@@ -40,6 +40,7 @@ struct DeviceCommand {
     Vec3 unwind_D = Vec3::Zero();  // (3) rad, the turn that would take the handle back to the tool
     // (3) m in W, by which the mapping has drifted: whoever sees the tool holds the handle so much back.
     Vec3 drifted_W = Vec3::Zero();
+    bool paused = false;  // the force is off since somebody asked for it: whoever follows a path waits
   };
   Cues cues{};
   VibrotactileCommand vibrotactile{};  // where the device has channels

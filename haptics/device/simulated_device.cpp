@@ -114,7 +114,7 @@ void SimulatedDevice::measure() noexcept {
   seen_[at_].X_DH = measured_;
 }
 
-SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time) const noexcept {
+SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time, double step) const noexcept {
   const auto pose = [this](double t, const Quat& turn) {
     Pose X_WT = task_->path.at(t);
     X_WT.p += task_->sag_W;
@@ -129,7 +129,7 @@ SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time) const noex
   HandTarget target;
   const Quat still = Quat::Identity();
   target.X_DH = pose(time, yielding_ ? yielding_->turn_before() : still);
-  const Pose next = pose(time + desc_.tick_s, yielding_ ? yielding_->turn() : still);
+  const Pose next = pose(time + step, yielding_ ? yielding_->turn() : still);
   target.rate.head<3>() = (next.p - target.X_DH.p) / desc_.tick_s;
   target.rate.tail<3>() = rotation_vector(next.q * target.X_DH.q.conjugate()) / desc_.tick_s;
   return target;
@@ -138,17 +138,20 @@ SimulatedDevice::HandTarget SimulatedDevice::hand_target(double time) const noex
 void SimulatedDevice::advance(const Wrench& F_H_D, const DeviceCommand::Cues& cues) noexcept {
   Wrench force_D = F_H_D;
   HandTarget target;
+  // One who pressed the stop button on the way knows when to go on; who was stopped by another waits.
+  const bool waits = task_ && cues.paused && task_->path.buttons(time_) == 0;
+  const double step = waits ? 0.0 : desc_.tick_s;
   if (task_) {
     force_D.force += task_->carried_D - desc_.device.handle_weight * Vec3::UnitY();
     if (yielding_) yielding_->advance(cues);
     drifted_W_ = cues.drifted_W;
-    target = hand_target(time_);
+    target = hand_target(time_, step);
   }
   if (held_)
     advance_held(force_D, target);
   else
     advance_axes(force_D, target);
-  time_ += desc_.tick_s;
+  time_ += step;
 }
 
 // What the hand carries it carries where it holds.

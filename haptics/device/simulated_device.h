@@ -58,7 +58,8 @@ private:
     Pose X_DH;
     Vec6 rate = Vec6::Zero();  // (6) m/s; rad/s
   };
-  HandTarget hand_target(double time) const noexcept;
+  // At that time, and how fast it goes on in the next `step` s of the path: 0 while it waits.
+  HandTarget hand_target(double time, double step) const noexcept;
   void advance(const Wrench& F_H_D, const DeviceCommand::Cues& cues) noexcept;
   void advance_held(const Wrench& F_H_D, const HandTarget& target) noexcept;
   void advance_axes(const Wrench& F_H_D, const HandTarget& target) noexcept;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # `fulcrum` without arguments, under a display without a screen: by keys alone a name is written, a scene is started and
 # left again, and its trial is kept; by the mouse alone the same; settings change what is seen; what was
-# chosen is remembered. $FULCRUM is the program.
+# chosen is remembered; a bake can be cancelled. $FULCRUM is the program.
 set -uo pipefail
 support=$(dirname "$(readlink -f "$0")")/../support
 . "$support/display.sh"
@@ -52,6 +52,29 @@ wait_for_end
 grep -q '"scenario": "stick"' "$work/config/fulcrum/start.json" || fail "the scenario is not remembered"
 start_fulcrum
 until_seen scenario_focused "$stick" || fail "the scenario is not where it was"
+
+# --- what takes long can be cancelled: with nothing in the cache, piping's models have to be baked
+key Escape
+wait_for_end
+piping=$(place piping)
+XDG_CACHE_HOME=$work/empty start_fulcrum
+until_seen scenario_focused "$stick" || fail "the scenario is not where it was"
+for ((i = stick; i > piping; --i)); do key Up; done
+until_seen scenario_focused "$piping" || fail "the arrows do not reach piping"
+key Return
+bakes() { accent 10x6+390+377; } # the bar of its progress
+until_seen bakes || fail "no progress is shown: $(cat "$work/said")"
+picture bakes
+key Escape
+until_seen scenario_focused "$piping" || fail "Esc does not lead back from a bake: $(cat "$work/said")"
+began piping && fail "what was cancelled was started"
+key Escape
+wait_for_end
+[ "$code" = 0 ] || fail "after a cancelled bake it ended with $code: $(cat "$work/said")"
+start_fulcrum
+until_seen scenario_focused "$piping" || fail "the scenario is not where it was"
+for ((i = piping; i < stick; ++i)); do key Down; done
+until_seen scenario_focused "$stick" || fail "the arrows do not lead back to the stick"
 
 # --- settings: by the mouse larger text and back, by keys other colours, and all of it is remembered
 settings=$work/config/fulcrum/settings.json

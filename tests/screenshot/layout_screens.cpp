@@ -1,6 +1,9 @@
 #include "layout_screens.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "overlay_parts.h"
 
 namespace fulcrum::test {
 namespace {
@@ -66,17 +69,7 @@ OverlayState stick() {
             "Push a soft ball with a stick, at any place of it, held at any other; the device's own mass is "
             "made up "
             "for.");
-  HoldingPanel panel;
-  panel.place = 0.1;
-  panel.low = 0.03;
-  panel.high = 0.17;
-  panel.measured = true;
-  panel.sensed = "the strip feels it at 100 mm";
-  panel.stiffness = 300;
-  panel.structure_known = true;
-  panel.levels = {100, 200, 300, 400, 500, 600};
-  panel.methods = {"none", "arm", "acceleration"};
-  state.holding = panel;
+  state.holding = held_stick();
   return state;
 }
 
@@ -222,10 +215,28 @@ OverlayState start(StartPage page) {
   return state;
 }
 
+// What engine/app/start/device_trial.cpp says of a device with motors, at its longest.
+OverlayState device_test() {
+  DevicePanel panel;
+  panel.title = "What inverse3+versegrip senses";
+  for (const char* axis : {"right", "up", "toward you", "pitch", "yaw", "roll"})
+    panel.axes.push_back({axis, -0.7, "-128 mm", axis[0] == 'u'});
+  panel.buttons = "Buttons down: A, left bumper, right bumper";
+  panel.notes = {"Move the handle along each axis and turn it, and press each button.",
+                 "A dot is green once its axis has moved.",
+                 "Its motors stay off here: `fulcrum device-test inverse3+versegrip` tries them."};
+  StartPage page = start_page(StartPage::Part::setting);
+  page.tested = std::move(panel);
+  return start(std::move(page));
+}
+
 OverlayState settings() {
   OverlayState state;
   state.settings = SettingsPage{
-      {{"Text size", "150 %"}, {"Colours", "for colour blindness"}, {"Picture", "automatic"}, {"Sound", "100 %"}},
+      {{"Text size", "150 %"},
+       {"Colours", "for colour blindness"},
+       {"Picture", "automatic"},
+       {"Sound", "100 %"}},
       2,
       "Shadows and sharpness of the scene; automatic: as good as thirty pictures a second allow.",
       "Arrows choose and change, Esc goes back"};
@@ -248,6 +259,7 @@ std::vector<Screen> screens() {
   return {{"start", start(start_page(StartPage::Part::scenario))},
           {"start-note", start(std::move(noted))},
           {"settings", settings()},
+          {"device-test", device_test()},
           {"busy", busy()},
           {"piping", piping()},
           {"stick", stick()},
@@ -263,6 +275,11 @@ std::vector<Screen> screens() {
           {"look-back", ended(piping(), true)},
           {"look-back-stick", ended(stick(), true)},
           {"look-back-plate", ended(plate(), true)}};
+}
+
+OverlayState screen(const std::string& name) {
+  const std::vector<Screen> all = screens();
+  return std::ranges::find(all, name, &Screen::name)->state;
 }
 
 }  // namespace fulcrum::test

@@ -16,5 +16,6 @@ struct Screen {
 
 // Of which nothing may be cut off, left out or covered, at the sizes that people use.
 std::vector<Screen> screens();
+ui::OverlayState screen(const std::string& name);
 
 }  // namespace fulcrum::test

@@ -6,9 +6,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "engine/ui/cue_panel.h"
 #include "engine/ui/fonts.h"
@@ -129,10 +131,13 @@ private:
 };
 
 constexpr Size kSizes[] = {{640, 360}, {1280, 720}, {1920, 1080}};
+constexpr Size kLessBars[] = {{640, 335}, {1280, 693}, {1920, 1040}};  // of a title, and of a desktop
 constexpr float kTexts[] = {1.0F, 1.25F, 1.5F};
 
 TEST_F(LayoutTest, NothingIsCutOffOrCovered) {
-  for (const Size& size : kSizes)
+  std::vector<Size> sizes(std::begin(kSizes), std::end(kSizes));
+  sizes.insert(sizes.end(), std::begin(kLessBars), std::end(kLessBars));
+  for (const Size& size : sizes)
     for (const float text : kTexts)
       for (const test::Screen& screen : test::screens())
         for (const PaletteName palette : {PaletteName::standard, PaletteName::colour_blind}) {
@@ -165,7 +170,10 @@ TEST_F(LayoutTest, WhatCountsIsThere) {
           for (const KeyLine& line : state.keys) expect(line.key);
         if (state.settings)
           for (const StartPage::Setting& row : state.settings->rows) expect(row.value);
-        if (state.start) {
+        if (state.start && state.start->tested) {
+          expect("Close");
+          for (const DevicePanel::Axis& axis : state.start->tested->axes) expect(axis.name);
+        } else if (state.start) {
           for (const char* button : {"Start", "Settings", "End"}) expect(button);
           for (const StartPage::Setting& row : state.start->settings) expect(row.value);
         }
@@ -199,21 +207,21 @@ TEST_F(LayoutTest, SmallWindowsLeavePanelsOutInPlaceOfCoveringThem) {
                                << text;
       }
   // There is still something of a trial in a window of a quarter of the smallest that people use.
-  const test::Screen piping = test::screens()[4];
-  EXPECT_GE(lay_out(piping.state, {320, 180}, {}).log.cards.size(), 2U);
-  EXPECT_GE(lay_out(piping.state, {320, 180}, {PaletteName::standard, 1.5F}).log.cards.size(), 1U);
+  const OverlayState piping = test::screen("piping");
+  EXPECT_GE(lay_out(piping, {320, 180}, {}).log.cards.size(), 2U);
+  EXPECT_GE(lay_out(piping, {320, 180}, {PaletteName::standard, 1.5F}).log.cards.size(), 1U);
 }
 
 // The test itself would see it.
 TEST_F(LayoutTest, AFaultIsSeen) {
-  OverlayState state = test::screens()[4].state;
+  OverlayState state = test::screen("piping");
   state.scenario = std::string(80, 'W');
   EXPECT_NE(faults_of(lay_out(state, {1280, 720}, {})).find("is cut off"), std::string::npos);
-  LaidOut out = lay_out(test::screens()[4].state, {1280, 720}, {});
+  LaidOut out = lay_out(test::screen("piping"), {1280, 720}, {});
   ASSERT_EQ(faults_of(out), "");
   out.log.cards.push_back(out.log.cards.front());
   EXPECT_NE(faults_of(out).find("card"), std::string::npos);
-  out = lay_out(test::screens()[4].state, {1280, 720}, {});
+  out = lay_out(test::screen("piping"), {1280, 720}, {});
   out.log.words.back().area.at.x += 300.0F;
   EXPECT_NE(faults_of(out), "");
 }

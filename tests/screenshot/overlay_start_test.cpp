@@ -99,7 +99,7 @@ TEST_F(OverlayStartTest, ButtonsAreInThePicture) {
   }
 }
 
-// A device that is tested stands over it all, at every size: its bars, and the button that closes it.
+// A device that is tested is shown in place of it, at every size: its bars, and the button that closes it.
 TEST_F(OverlayStartTest, ADevicesTestIsInThePictureAndCanBeClosed) {
   for (const render::Extent size :
        {render::Extent{640, 360}, render::Extent{1280, 720}, render::Extent{1920, 1080}}) {

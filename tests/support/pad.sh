@@ -1,4 +1,5 @@
 # An Xbox pad that stand_in_pad plays, after display.sh. `"$PAD" "$pad" PROGRAM` has it.
+[ -x "${PAD:-}" ] || { echo "skipped: no umockdev (Debian packages umockdev and libumockdev-dev)"; exit 77; }
 pad=$work/pad
 mkfifo "$pad"
 exec {pad_says}<>"$pad" # held open, so that a line waits for the pad, not the test

@@ -10,6 +10,14 @@ start_fulcrum() {
   xdotool windowactivate --sync "$window"
 }
 
+# unhurried SCENE: with time for a busy machine.
+unhurried() {
+  mkdir -p "$work/content/scenarios"
+  cp -rL "$(dirname "$FULCRUM")/content/scenarios/$1" "$work/content/scenarios/"
+  sed -i -E 's/^time_limit: .*/time_limit: 300/' "$work/content/scenarios/$1/scenario.yaml"
+  export FULCRUM_CONTENT=$work/content
+}
+
 # accent WxH+X+Y: what is in focus is surrounded there.
 blue=84,164,255
 accent() {

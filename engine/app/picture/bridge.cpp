@@ -53,6 +53,8 @@ std::vector<ui::MotorBar> motor_bars(const MechanismDesc& mechanism, const TickR
 }
 
 std::string stop_reason(std::uint32_t faults) {
+  if ((faults & kStoppingFaults) == kStopRequested)
+    return "you asked for it. The force is off, and time rests.";
   for (const FaultName& fault : fault_names())
     if ((fault.bit & kStoppingFaults & faults) != 0) return fault.sentence;
   return {};

@@ -41,6 +41,7 @@ public:
   enum class End { running, completed, limit };
   End end() const;
   bool handle_is_still() const { return still_handle_ && still_handle_->is_still(); }
+  bool recording_failed() const { return recorder_failed_; }
   // The force is stopped in the newest tick, and not, or not only, since somebody asked for it.
   bool stopped_by_fault() const { return stopped_by_fault_; }
 

@@ -1,5 +1,7 @@
 #include "engine/app/start/settings_panel.h"
 
+#include "engine/app/cli/terminal.h"
+
 namespace fulcrum::app {
 
 void SettingsPanel::press_at(double x, double y) {
@@ -11,7 +13,9 @@ void SettingsPanel::follow(SettingsMenu::Wish wish) {
   if (wish == SettingsMenu::Wish::back) menu_.reset();
   if (wish != SettingsMenu::Wish::changed) return;
   stage_.set_settings(menu_->settings());
-  write_settings(menu_->settings());
+  if (!write_settings(menu_->settings()))
+    complain("the settings hold until Fulcrum ends, since " + settings_file().string() +
+             " cannot be written: make it and its folder yours.");
 }
 
 }  // namespace fulcrum::app

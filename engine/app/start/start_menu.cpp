@@ -146,17 +146,19 @@ StartMenu::Wish StartMenu::accept_device() {
   return Wish::none;
 }
 
-void StartMenu::finish_name() {
-  const std::string name = *std::exchange(written_, std::nullopt);
-  if (name.empty()) return;
-  if (const std::optional<Error> refused = session::refuse_pseudonym(name)) {
+bool StartMenu::finish_name() {
+  const std::string name = *written_;
+  if (const std::optional<Error> refused = session::refuse_pseudonym(name); refused && !name.empty()) {
     note_ = refused->sentence;
-    return;
+    return false;
   }
+  written_.reset();
+  if (name.empty()) return true;
   participant_ = index_of(participants_, name, std::identity());
-  if (participant_ != 0) return;
+  if (participant_ != 0) return true;
   participants_.insert(participants_.end() - 1, name);
   participant_ = participants_.size() - 2;
+  return true;
 }
 
 StartMenu::Wish StartMenu::press(Key key) {
@@ -201,7 +203,7 @@ void StartMenu::type(char32_t letter) {
 
 StartMenu::Wish StartMenu::click(const ui::StartHit& hit) {
   note_.clear();
-  if (written_) finish_name();
+  if (written_ && !finish_name()) return Wish::none;  // else it would be somebody else's trial
   switch (hit.part) {
     case Part::scenario:
       // A second press on what is chosen starts it.
@@ -259,9 +261,12 @@ ui::StartPage StartMenu::page() const {
   page.index = focus_ == Part::setting ? setting_ : scenario_;
   page.note = note_;
   const bool at_device = focus_ == Part::setting && setting_ == device;
-  page.help = written_    ? "Type a pseudonym, then Enter"
+  page.help = written_    ? "Type a pseudonym, then Enter; Esc leaves it as it was"
               : at_device ? "Left, right: another one; Enter tests it"
-                          : "Arrows choose, Enter starts, Esc ends";
+              : focus_ == Part::scenario || focus_ == Part::start ? "Arrows choose, Enter starts, Esc ends"
+              : focus_ != Part::setting                           ? "Enter presses the button, Esc goes back"
+              : setting_ == who ? "Left, right: another one; Enter writes a new name"
+                                : "Left, right or Enter: the other hand";
   return page;
 }
 

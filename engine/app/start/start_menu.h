@@ -62,7 +62,7 @@ private:
   void change(std::size_t setting, int by);
   Wish accept();
   Wish accept_device();
-  void finish_name();
+  bool finish_name();  // false: it is refused, and still being written
 
   std::vector<StartScenario> scenarios_;
   std::vector<StartDevice> devices_;

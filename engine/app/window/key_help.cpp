@@ -34,8 +34,9 @@ std::string view_name(const scenario::View& view) {
 
 std::vector<ui::KeyLine> key_lines(const ui::OverlayState& state, std::span<const scenario::View> views,
                                    bool circle, bool has_start_page) {
-  std::vector<ui::KeyLine> lines = {
-      {"Esc", "stop force and time"}, {"Enter", "go on; the force returns"}, {"R", "start again"}};
+  std::vector<ui::KeyLine> lines;
+  if (!state.timeline) lines = {{"Esc", "stop force and time"}, {"Enter", "go on; the force returns"}};
+  lines.push_back({"R", "start again"});
   if (has_start_page) lines.push_back({"F10", "back to the start page"});
   if (!views.empty()) lines.push_back(view_line(views));
   lines.push_back({"Home", "back to this view's start"});

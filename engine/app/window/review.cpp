@@ -20,6 +20,7 @@ ui::Timeline::Mark::Kind mark_of(EventKind kind) {
     case EventKind::checkpoint:
       return ui::Timeline::Mark::Kind::good;
     case EventKind::touch_on_the_way:
+    case EventKind::pause:
       return ui::Timeline::Mark::Kind::fair;
     case EventKind::hard_touch:
     case EventKind::fault:
@@ -31,6 +32,7 @@ ui::Timeline::Mark::Kind mark_of(EventKind kind) {
 std::string words_for(const session::TrialEvent& event) {
   std::string words(name_of(event.kind));
   if (!event.text.empty()) words.append(": ").append(event.text);
+  if (words.ends_with('.')) words.pop_back();  // a part of a caption
   return words;
 }
 

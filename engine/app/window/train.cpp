@@ -55,6 +55,7 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
       const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
       if (!picture) complain("there is no picture: " + picture.error().sentence);
       code = attempt->finish(&(*window)->plan(), true, (*window)->frames_per_s());
+      return *code != kError;
     };
     const Leave leave = (*window)->run(attempt->world(), attempt->device(), attempt->sink(),
                                        attempt->faults(), attempt->player(), write_all);

@@ -91,7 +91,7 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
 
 TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunSink& sink,
                                           const ProgramFaults& faults, audio::Player* player,
-                                          const std::function<void()>& ended) {
+                                          const std::function<bool()>& ended) {
   LiveLoop loop(world, *device.device);
   loop_ = &loop;
   if (player != nullptr) loop.also_tell(player->ticks());
@@ -128,8 +128,10 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
     }
     draw(sink, loop);
     if (rests && !ended_ && error_.empty()) {
-      ended();
       ended_ = true;
+      if (!ended())
+        debrief_->rows.push_back(
+            {"Kept", "not all of it", {}, "Make room on the disk, and see that its folder is yours."});
     }
   }
   loop.stop();
@@ -164,11 +166,13 @@ void TrainingWindow::note_cost(const TickEvent& event) {
 std::string TrainingWindow::message(const RunSink& sink) const {
   if (sink.end() != RunSink::End::running) return {};
   if (sink.handle_is_still()) return StillHandle::kSentence;
-  if (sink.guided()) return "Guided: this trial will have no points.";
-  const bool begins = sink.task().step == 0 && sink.time() < kAboutShown;
+  if (sink.recording_failed())
+    return "Recording has stopped, and this trial will not be kept: make room on the disk.";
   std::string what = advice(prepared_.haptic.task, sink.task(), words_);
-  if (!begins) return what;
-  return what.empty() ? prepared_.scenario.about : prepared_.scenario.about + '\n' + what;
+  const auto after = [&what](const std::string& first) { return what.empty() ? first : first + '\n' + what; };
+  if (sink.guided()) return after("Guided: this trial will have no points.");
+  const bool begins = sink.task().step == 0 && sink.time() < kAboutShown;
+  return begins ? after(prepared_.scenario.about) : what;
 }
 
 scenario::TaskState TrainingWindow::task_shown(const RunSink& sink) const {
@@ -191,6 +195,8 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
                                       shows_expert() ? expert_ : nullptr);
     state.timeline->has_expert = expert_ != nullptr && !expert_->way.empty();
     if (!review_.is_shown()) state.debrief = debrief_;
+    state.force = ui::Force::on;  // what was stopped then is no stop now
+    state.stop_reason.clear();
   } else if (guides_)
     state.target = target_view(camera_.camera(), size, record, prepared_.haptic.task, sink.task());
   state.look = stage_.settings().look;

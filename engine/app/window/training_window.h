@@ -49,7 +49,7 @@ public:
   // and the haptic thread with it, while the window still shows what came of it; not where the window closes
   // first.
   Leave run(World& world, OpenDevice& device, RunSink& sink, const ProgramFaults& faults,
-            audio::Player* player, const std::function<void()>& ended);
+            audio::Player* player, const std::function<bool()>& ended);
   // The attempt's last moment, as it was seen, into a PNG. From ended() or after run().
   Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 

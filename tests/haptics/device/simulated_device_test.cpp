@@ -167,6 +167,33 @@ TEST(Tremor, HasTheStatedRmsAndTheSeedDecides) {
   EXPECT_NE(tremor.at(1.0), Tremor(desc).at(1.0));
 }
 
+// A hand that somebody else stopped rests where it is, and goes on as if nothing had been.
+TEST(SimulatedDevice, ItsHandWaitsWhileSomebodyHasStoppedIt) {
+  const auto made = [] {
+    const Pose there{Quat::Identity(), Vec3(0.1, 0, 0)};
+    HandTask task{.path = HandPath(std::vector<Waypoint>{{.X_WT = {}}, {.X_WT = there, .travel = 1}}),
+                  .hand = {.tremor = 0, .tremor_rad = 0},
+                  .X_HT = {},
+                  .mapping = {}};
+    return SimulatedDevice({}, std::move(task));
+  };
+  SimulatedDevice stopped = made(), other = made();
+  DeviceCommand pause;
+  pause.cues.paused = true;
+  for (int tick = 0; tick < 500; ++tick) {
+    stopped.write({});
+    other.write({});
+  }
+  for (int tick = 0; tick < 1000; ++tick) stopped.write(pause);
+  EXPECT_NEAR(stopped.X_DH().p.x(), 0.05, 1e-3) << "half of the way";
+  for (int tick = 0; tick < 1000; ++tick) {
+    stopped.write({});
+    other.write({});
+  }
+  EXPECT_NEAR((stopped.X_DH().p - other.X_DH().p).norm(), 0, 1e-5);
+  EXPECT_NEAR(stopped.X_DH().p.x(), 0.1, 1e-3);
+}
+
 // A hand that stops the force where its path says so: the one button from its arrival on, then the other
 // until it leaves.
 TEST(SimulatedDevice, ItsHandStopsWhereItsPathSaysSo) {
