@@ -97,11 +97,12 @@ void draw_device_panel(const Canvas& canvas, const DevicePanel& panel) {
   at.y = area.at.y + kHead;
   const bool two = layout.rows < panel.axes.size();
   const float column = two ? (width - kBetween) / 2.0F : width;
-  for (std::size_t i = 0; i < panel.axes.size(); ++i)
+  for (std::size_t i = 0; i < panel.axes.size(); ++i) {
+    const std::size_t row = i % layout.rows, which = i / layout.rows;
     draw_axis(canvas,
-              {at.x + (column + kBetween) * static_cast<float>(i / layout.rows),
-               at.y + kRow * static_cast<float>(i % layout.rows)},
+              {at.x + (column + kBetween) * static_cast<float>(which), at.y + kRow * static_cast<float>(row)},
               column, panel.axes[i]);
+  }
   at.y += kRow * static_cast<float>(layout.rows);
   const bool bad = !panel.trouble.empty();
   canvas.text(fonts.body, {at.x, at.y + 4.0F}, bad ? canvas.colours().bad : theme::kText,

@@ -63,7 +63,7 @@ std::string distance_words(double distance_m) {
 
 std::string note_of(const Target& target) {
   if (!target.dwelling || !(target.dwell_s > 0.0)) {
-    const std::string distance = distance_words(target.at.distance);
+    std::string distance = distance_words(target.at.distance);
     if (!target.at.farther) return distance;
     const double depth = target.at.farther->depth;
     return distance + ", " + distance_words(std::abs(depth)) + (depth > 0.0 ? " farther" : " nearer");
