@@ -94,6 +94,9 @@ expect 0 'Deleted: P4' "$FULCRUM" results --delete-participant P4 --yes
 # --- what was moved and left a link behind is found there, and goes
 expect 0 'score' "$FULCRUM" run stick --headless --participant P4 --out moved/run
 mkdir large && mv moved large/ && ln -s large/moved moved
+mv large away # a disk that is not there now
+expect 1 'leads nowhere' "$FULCRUM" results --delete-participant P4 --yes
+mv away large
 expect 0 'Deleted: P4, 1 trials, [1-9]' "$FULCRUM" results --delete-participant P4 --yes
 [ -e large/moved/run ] && fail "left of P4: $(ls large/moved/run)"
 

@@ -181,9 +181,7 @@ struct ExactDepth::Body {
 };
 
 ExactDepth::ExactDepth(const TriangleMesh& tool_T, const TriangleMesh& scene_W, double spacing)
-    : tool_(std::make_unique<Body>(tool_T, spacing)),
-      scene_(std::make_unique<Body>(scene_W, spacing)),
-      spacing_(spacing) {}
+    : tool_(std::make_unique<Body>(tool_T, spacing)), scene_(std::make_unique<Body>(scene_W, spacing)) {}
 ExactDepth::~ExactDepth() = default;
 
 double ExactDepth::at(const Pose& X_WT) const {

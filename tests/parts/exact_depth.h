@@ -22,7 +22,6 @@ public:
 private:
   struct Body;
   std::unique_ptr<Body> tool_, scene_;
-  double spacing_;
 };
 
 }  // namespace fulcrum::parts

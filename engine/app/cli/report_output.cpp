@@ -6,6 +6,7 @@
 
 #include "engine/app/cli/terminal.h"
 #include "engine/files/block_file.h"
+#include "engine/files/plain_text.h"
 #include "engine/record/run_folder.h"
 
 namespace fulcrum::app {
@@ -46,8 +47,11 @@ void print_table(const report::Table& table) {
     for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], letters(row[i]));
   const auto print = [&](const std::vector<std::string>& row, bool head) {
     std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += "  " + (head ? bold(row[i]) : row[i]) + std::string(width[i] - letters(row[i]), ' ');
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string shown = plain_text(row[i]);  // a name may hold what a terminal would obey
+      line += "  " + (head ? bold(shown) : shown) +
+              std::string(width[i] - std::min(width[i], letters(shown)), ' ');
+    }
     std::printf("%s\n", line.c_str());
   };
   print(table.head, true);

@@ -28,6 +28,18 @@ std::string styled(std::string_view code, std::string_view text) {
 std::mutex complaints_mutex;
 std::optional<std::string> kept_complaints;  // none: nobody keeps them
 
+// Line by line, without what a terminal would obey.
+std::string shown_lines(std::string_view text) {
+  std::string shown;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    shown += plain_text(text.substr(at, end - at));
+    if (end < text.size()) shown += '\n';
+    at = end + 1;
+  }
+  return shown;
+}
+
 }  // namespace
 
 std::string bold(std::string_view text) {
@@ -62,17 +74,6 @@ std::string in_lines(std::string_view text, std::size_t indent, std::size_t widt
     column += word.size() + (first ? 0 : 1);
   }
   return lines;
-}
-
-std::string shown_lines(std::string_view text) {
-  std::string shown;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    shown += plain_text(text.substr(at, end - at));
-    if (end < text.size()) shown += '\n';
-    at = end + 1;
-  }
-  return shown;
 }
 
 void complain(std::string_view said) {

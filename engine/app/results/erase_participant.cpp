@@ -46,7 +46,16 @@ enum class Holds { this_trial, another, no_folder, nobody_knows };
 Holds what_is_in(const fs::path& folder, const session::Trial& trial) {
   std::error_code failure;
   const fs::file_status status = fs::status(folder, failure);
-  if (status.type() == fs::file_type::not_found) return Holds::no_folder;
+  if (status.type() == fs::file_type::not_found) {
+    // A link that leads nowhere may lead to a disk that is not there now.
+    for (fs::path way = folder; way.has_relative_path(); way = way.parent_path()) {
+      std::error_code unknown;
+      if (!fs::is_symlink(way, unknown) || fs::exists(way, unknown)) continue;
+      complain("the link " + way.string() + " leads nowhere: bring its disk back, or remove the link.");
+      return Holds::nobody_knows;
+    }
+    return Holds::no_folder;
+  }
   if (failure) {
     complain(file_error("look into", folder, failure.value()).sentence);
     return Holds::nobody_knows;

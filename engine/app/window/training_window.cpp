@@ -131,7 +131,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
       ended_ = true;
       if (!ended())
         debrief_->rows.push_back(
-            {"Kept", "not all of it", {}, "Make room on the disk, and see that its folder is yours."});
+            {"Kept", "not all of it", {}, "Make room on the disk, and see that you may write there."});
     }
   }
   loop.stop();
@@ -167,7 +167,7 @@ std::string TrainingWindow::message(const RunSink& sink) const {
   if (sink.end() != RunSink::End::running) return {};
   if (sink.handle_is_still()) return StillHandle::kSentence;
   if (sink.recording_failed())
-    return "Recording has stopped, and this trial will not be kept: make room on the disk.";
+    return "Recording has stopped, and the rest of this trial is lost: make room on the disk.";
   std::string what = advice(prepared_.haptic.task, sink.task(), words_);
   const auto after = [&what](const std::string& first) { return what.empty() ? first : first + '\n' + what; };
   if (sink.guided()) return after("Guided: this trial will have no points.");
