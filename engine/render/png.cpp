@@ -54,8 +54,9 @@ std::optional<vulkan::Error> write_png(const std::filesystem::path& path, const 
   }
   const bool written = write_rows(file.get(), picture);
   if (std::fclose(file.release()) != 0 || !written) {
-    std::error_code gone;
-    std::filesystem::remove(path, gone);
+    // A torn picture goes; a device that stands under that name, such as /dev/full, stays.
+    std::error_code fault;
+    if (std::filesystem::is_regular_file(path, fault)) std::filesystem::remove(path, fault);
     return vulkan::Error{"The picture " + path.string() +
                          " could not be written to its end; is the disk full?"};
   }

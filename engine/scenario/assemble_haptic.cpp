@@ -5,13 +5,32 @@
 #include <utility>
 
 #include "engine/scenario/assemble.h"
+#include "haptics/bake/mirrored.h"
 #include "haptics/bake/surface_samples.h"
 #include "haptics/effects/effects.h"
+#include "haptics/math/mirror.h"
 #include "haptics/world/couple_without_motors.h"
 
 namespace fulcrum::scenario {
 
 namespace {
+
+// What is baked are the models as their files have them, whichever hand holds the tool; of a scene for the
+// left hand, the image of what is baked is taken.
+TriangleMesh as_made(const Scenario& scenario, const Model& model) {
+  TriangleMesh mesh = to_triangle_mesh(model);
+  return scenario.left_handed ? mirrored(std::move(mesh)) : mesh;
+}
+
+template <class T>
+void take_image(const Scenario& scenario, Result<Baked<T>>& baked) {
+  if (baked && scenario.left_handed) baked->value = mirrored(std::move(baked->value));
+}
+
+// What is touched and what touches, as made.
+struct Solids {
+  Solid scene, tool;
+};
 
 // What the models that are touched look like together; their frame is W.
 Result<Solid> scene_solid(const Scenario& scenario, const LoadedModels& models) {
@@ -20,7 +39,7 @@ Result<Solid> scene_solid(const Scenario& scenario, const LoadedModels& models) 
   for (std::size_t i = 0; i < scenario.models.size(); ++i) {
     if (scenario.models[i].role != ModelRole::scene) continue;
     names += (names.empty() ? "" : ", ") + scenario.models[i].file.where;
-    const TriangleMesh mesh = to_triangle_mesh(models.models[i]);
+    const TriangleMesh mesh = as_made(scenario, models.models[i]);
     const auto first = static_cast<std::uint32_t>(all.vertices.size());
     all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     for (const Triangle& t : mesh.triangles)
@@ -55,13 +74,14 @@ std::shared_ptr<const ObjectMap> objects_of(const Scenario& scenario, const Load
   double area = 0;
   for (std::size_t i = 0; i < scenario.models.size(); ++i) {
     if (scenario.models[i].role != ModelRole::scene) continue;
-    area += surface_area(meshes.emplace_back(to_triangle_mesh(models.models[i])));
+    area += surface_area(meshes.emplace_back(as_made(scenario, models.models[i])));
   }
   if (meshes.size() < 2) return nullptr;
   std::vector<Vec3> samples;
   std::vector<std::int32_t> objects;
   for (std::size_t object = 0; object < meshes.size(); ++object) {
-    for (const SurfacePoint& point : sample_surface(meshes[object], area / kObjectSamples, 1).points) {
+    for (SurfacePoint& point : sample_surface(meshes[object], area / kObjectSamples, 1).points) {
+      if (scenario.left_handed) fulcrum::mirror(point.position);
       samples.push_back(point.position);
       objects.push_back(static_cast<std::int32_t>(object));
     }
@@ -115,17 +135,19 @@ ToolDesc tool_desc(const ToolEntry& entry, const LoadedModels& models, const Pos
 
 // What of the scene could go in between the shell's points, and a field of the tool to look it up in.
 std::optional<Error> assemble_edges(const Scenario& scenario, const BakeCache& cache,
-                                    const BakeProgress& progress, HapticAssembly& result) {
+                                    const BakeProgress& progress, const Solids& solids,
+                                    HapticAssembly& result) {
   Baking edges_baking("scene's edges", progress);
-  auto edges = cache.edges(result.scene_W, {.spacing_m = scenario.edges});
+  auto edges = cache.edges(solids.scene, {.spacing_m = scenario.edges});
+  take_image(scenario, edges);
   if (!edges) return Error{"contact.edges: " + edges.error().sentence};
   edges_baking.finish(*edges, std::to_string(edges->value.size()) + " points", result);
   result.scene.scene_edges = std::make_shared<const Pointshell>(std::move(edges->value));
 
   Baking field_baking("tool's distance field", progress);
-  auto field =
-      cache.field(result.tool_T, {.format = scenario.field.format, .error_m = scenario.field.error_m},
-                  [&](double fraction) { field_baking.tell(fraction); });
+  auto field = cache.field(solids.tool, {.format = scenario.field.format, .error_m = scenario.field.error_m},
+                           [&](double fraction) { field_baking.tell(fraction); });
+  take_image(scenario, field);
   if (!field) return Error{"contact.edges: the tool's distance field: " + field.error().sentence};
   field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result);
   result.scene.tool_field = std::make_shared<const DistanceField>(std::move(field->value));
@@ -141,7 +163,8 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   result.tool_T = models.tool_T;
   auto solid = scene_solid(scenario, models);
   if (!solid) return solid.error();
-  result.scene_W = std::move(*solid);
+  const Solids solids{std::move(*solid), scenario.left_handed ? mirrored(models.tool_T) : models.tool_T};
+  result.scene_W = scenario.left_handed ? mirrored(solids.scene) : solids.scene;
   result.repaired = models.repaired;
   result.repaired.insert(result.repaired.end(), result.scene_W.notes.begin(), result.scene_W.notes.end());
 
@@ -169,7 +192,8 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   for (const std::string& warning : advice_on_effects(scene, scene)) result.warnings.push_back(warning);
 
   Baking shell_baking("pointshell", progress);
-  auto shell = cache.pointshell(result.tool_T, scenario.shell);
+  auto shell = cache.pointshell(solids.tool, scenario.shell);
+  take_image(scenario, shell);
   if (!shell) return Error{"the tool's pointshell: " + shell.error().sentence};
   shell_baking.finish(*shell, std::to_string(shell->value.size()) + " points", result);
   scene.tool_shell = std::make_shared<const Pointshell>(std::move(shell->value));
@@ -177,13 +201,14 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
 
   Baking field_baking("distance field", progress);
   auto field =
-      cache.field(result.scene_W, scenario.field, [&](double fraction) { field_baking.tell(fraction); });
+      cache.field(solids.scene, scenario.field, [&](double fraction) { field_baking.tell(fraction); });
+  take_image(scenario, field);
   if (!field) return Error{"the scene's distance field: " + field.error().sentence};
   field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result);
   scene.scene_field = std::make_shared<const DistanceField>(std::move(field->value));
 
   if (scenario.edges > 0 && scenario.contact.response == ContactResponse::constraint) {
-    if (const auto error = assemble_edges(scenario, cache, progress, result)) return *error;
+    if (const auto error = assemble_edges(scenario, cache, progress, solids, result)) return *error;
   }
 
   result.task = {scenario.checkpoints, scenario.dwell, scenario.tool.touch_point - models.p_MT,

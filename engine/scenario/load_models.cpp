@@ -4,6 +4,8 @@
 #include "engine/assets/gltf.h"
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/mirror.h"
+#include "haptics/bake/mirrored.h"
+#include "haptics/math/mirror.h"
 
 namespace fulcrum::scenario {
 
@@ -39,7 +41,6 @@ Result<LoadedModels> load_models(const Scenario& scenario) {
   for (const ModelEntry& entry : scenario.models) {
     auto model = load_gltf(scenario.folder, entry.file.path);
     if (!model) return at(entry, model.error().sentence);
-    if (scenario.left_handed) mirror(*model);
     if (scenario.left_handed && entry.lettering)
       loaded.notes.push_back("the model '" + entry.name + "' is not drawn: it would be mirror-written");
     loaded.models.push_back(std::move(*model));
@@ -61,6 +62,12 @@ Result<LoadedModels> load_models(const Scenario& scenario) {
                              " from the origin of '" + entry.file.name +
                              "'; the tool is moved and turned about its centre of mass");
     }
+  }
+  if (scenario.left_handed) {
+    for (Model& model : loaded.models) mirror(model);
+    fulcrum::mirror(loaded.p_MT);
+    loaded.tool_T = mirrored(std::move(loaded.tool_T));
+    loaded.tool = mirrored(loaded.tool);
   }
   return loaded;
 }

@@ -91,6 +91,7 @@ TEST(Png, AFullDiskIsNamed) {
   const auto written = render::write_png("/dev/full", grey(64, 64));
   ASSERT_TRUE(written);
   EXPECT_NE(written->sentence.find("disk full"), std::string::npos);
+  EXPECT_TRUE(fs::is_character_file("/dev/full")) << "the device was taken for a torn picture";
 }
 
 }  // namespace
