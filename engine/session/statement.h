@@ -21,6 +21,7 @@ struct Statement {
   std::vector<std::pair<std::string, double>> metrics{};
   std::string program_version{};
   std::string device{};
+  std::string hand{};  // of the simulated device; empty: a person's
   bool left_handed = false;
 };
 

@@ -312,7 +312,7 @@ Result<std::optional<double>> Store::best_score(const std::string& participant,
     sql::Statement best = database.prepare(
         "SELECT MAX(score) FROM trial JOIN session ON session.id = trial.session JOIN participant ON "
         "participant.id = session.participant WHERE participant.name = ? AND scenario = ? AND whole = 1 "
-        "AND changes = '' AND guided = 0");
+        "AND changes = '' AND guided = 0 AND hand = ''");
     best.bind(participant).bind(scenario);
     std::optional<double> score;
     if (best.step() && !best.is_null(0)) score = best.number(0);

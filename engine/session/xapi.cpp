@@ -94,6 +94,7 @@ StatementJson context_json(const Statement& statement, const std::string& extens
                            {"platform", plain_text("Fulcrum " + statement.program_version)},
                            {"extensions", {{extensions + "left_handed", statement.left_handed}}}};
   if (!statement.device.empty()) context["extensions"][extensions + "device"] = name_alone(statement.device);
+  if (!statement.hand.empty()) context["extensions"][extensions + "hand"] = plain_text(statement.hand);
   return context;
 }
 

@@ -11,7 +11,7 @@ threads() { ls /proc/$program/task | wc -l; }
 # --- a pause: the trial of 20 s lasts far longer
 until_seen more_rows "$work/T" 100 || fail "it does not run: $(cat "$work/said")"
 xdotool windowactivate --sync "$window" key Escape
-stopped() { column "$work/T" fault | awk '$1 % 2 == 1 { found = 1 } END { exit !found }'; }
+stopped() { column "$work/${1:-T}" fault | awk '$1 % 2 == 1 { found = 1 } END { exit !found }'; }
 until_seen stopped || fail "Esc did not stop"
 with=$(threads)
 runs "$work/T" 21000 || fail "time goes on while it is stopped: $(rows "$work/T") ticks in all"
@@ -61,6 +61,12 @@ until_seen looks_back || fail "Page Up does not go to the event before"
 xdotool key r
 until_seen more_rows "$work/T/attempt-2" 100 || fail "R does not start again"
 [ "$(column "$work/T" tool/p/x | head -n 1)" = "$(column "$work/T/attempt-2" tool/p/x | head -n 1)" ] || fail "the second attempt begins elsewhere"
+
+# --- out of sight it rests, as a pause does
+stopped T/attempt-2 && fail "it rests before it is minimised"
+xdotool windowminimize "$window"
+until_seen stopped T/attempt-2 || fail "a minimised window pushes on"
+xdotool windowactivate --sync "$window"
 
 xdotool key --clearmodifiers alt+F4
 wait_for_end

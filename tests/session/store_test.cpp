@@ -34,7 +34,6 @@ Trial some_trial(const std::string& scenario, double score) {
   trial.began = "2026-11-25T09:00:01.000Z";
   trial.ended = "2026-11-25T09:00:31.000Z";
   trial.device = "simulated";
-  trial.hand = "expert";
   trial.seed = -7;
   trial.whole = true;
   trial.metrics.time = 30;
@@ -81,7 +80,8 @@ void tell(const std::filesystem::path& file, const std::string& text) {
 TEST(Store, GivesBackWhatItWasGiven) {
   const TemporaryFolder folder;
   const Session session = session_of("P1");
-  const Trial trial = some_trial("piping", 87.5);
+  Trial trial = some_trial("piping", 87.5);
+  trial.hand = "expert";
   {
     Store store = opened(folder / "r.sqlite");
     ASSERT_FALSE(store.add(session, trial));
@@ -125,18 +125,21 @@ TEST(Store, FiltersAndKnowsTheBest) {
   ASSERT_FALSE(store.add(one, some_trial("piping", 80)));
   ASSERT_FALSE(store.add(one, some_trial("ear", 10)));
   ASSERT_FALSE(store.add(other, some_trial("piping", 90)));
-  Trial left = some_trial("piping", 100);
+  Trial left = some_trial("piping", 100), shown = some_trial("piping", 100);
   left.whole = false;
+  shown.hand = "expert";
   ASSERT_FALSE(store.add(one, left));
-  EXPECT_EQ(store.trials({})->size(), 5U);
-  EXPECT_EQ(store.trials({.participant = "P1"})->size(), 4U);
+  ASSERT_FALSE(store.add(one, shown));
+  EXPECT_EQ(store.trials({})->size(), 6U);
+  EXPECT_EQ(store.trials({.participant = "P1"})->size(), 5U);
   EXPECT_EQ(store.trials({.participant = "P1", .scenario = "ear"})->size(), 1U);
-  EXPECT_EQ(store.trials({.scenario = "piping"})->size(), 4U);
-  EXPECT_EQ(*store.best_score("P1", "piping"), 80) << "one that was left does not count";
+  EXPECT_EQ(store.trials({.scenario = "piping"})->size(), 5U);
+  EXPECT_EQ(*store.best_score("P1", "piping"), 80)
+      << "neither one that was left counts, nor one of a simulated hand";
   EXPECT_FALSE(*store.best_score("P2", "ear"));
   const auto participants = store.participants();
   ASSERT_EQ(participants->size(), 2U);
-  EXPECT_EQ(participants->front().trials, 4);
+  EXPECT_EQ(participants->front().trials, 5);
   EXPECT_FALSE(participants->front().consents);
 }
 

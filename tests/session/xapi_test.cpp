@@ -48,6 +48,12 @@ TEST(Xapi, SaysWhoDidWhat) {
   EXPECT_EQ(said["timestamp"], "2026-03-04T05:06:07.089Z");
 }
 
+TEST(Xapi, SaysThatAHandWasSimulated) {
+  Statement statement = example_statement();
+  statement.hand = "expert";
+  EXPECT_EQ(said_of(statement)["context"]["extensions"][kHome + "/xapi/extensions/hand"], "expert");
+}
+
 TEST(Xapi, LeavesOutWhatIsNotKnown) {
   Statement statement = example_statement();
   statement.completed = false;

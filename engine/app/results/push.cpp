@@ -29,6 +29,7 @@ session::Statement statement_of(const session::StoredTrial& stored) {
   statement.metrics = named_values(trial.metrics);
   statement.program_version = stored.session.program_version;
   statement.device = trial.device;
+  statement.hand = trial.hand;
   statement.left_handed = trial.left_handed;
   return statement;
 }

@@ -170,6 +170,8 @@ std::string TrainingWindow::message(const RunSink& sink) const {
     return "Recording has stopped, and the rest of this trial is lost: make room on the disk.";
   std::string what = advice(prepared_.haptic.task, sink.task(), words_);
   const auto after = [&what](const std::string& first) { return what.empty() ? first : first + '\n' + what; };
+  if (second_view_ && shown_.second_view && !stage_.overlay().second_view())
+    return after("There is no room for a second view: make the window larger, or the text smaller.");
   if (sink.guided()) return after("Guided: this trial will have no points.");
   const bool begins = sink.task().step == 0 && sink.time() < kAboutShown;
   return begins ? after(prepared_.scenario.about) : what;
@@ -299,7 +301,12 @@ Result<std::filesystem::path> TrainingWindow::save_picture(const RunSink& sink,
 
 void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   const render::Extent size = stage_.window().pixels();
-  if (size.width == 0 || size.height == 0) return;
+  if (const bool minimised = size.width == 0 || size.height == 0; minimised != minimised_) {
+    minimised_ = minimised;
+    // Nobody holds on to what nobody sees: out of sight the trial rests, until its trainee goes on.
+    if (minimised && sink.end() == RunSink::End::running) loop.send({Command::Kind::stop});
+  }
+  if (minimised_) return;
   // The newest tick; the sink's where there is none yet, and its last one after the end.
   const TickRecord& newest = loop.newest();
   const bool running = sink.end() == RunSink::End::running;

@@ -127,6 +127,7 @@ private:
   std::uint64_t late_ = 0, lost_ = 0;  // ticks
   TickTrouble trouble_;
   FrameRate frame_rate_;
+  bool minimised_ = false;
   bool resting_ = false;  // the trial has ended, and the force is told to go
   bool ended_ = false;    // ended() was called
   const RunSink* sink_ = nullptr;
