@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "haptics/bake/point_triangle.h"
+#include "haptics/geometry/point_triangle.h"
 #include "haptics/bake/solid.h"
 
 namespace fulcrum {

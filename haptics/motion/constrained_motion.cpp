@@ -62,16 +62,24 @@ ConstrainedMotion::ConstrainedMotion(const PlainScene& desc)
       allowance_(least(desc, motion_allowance)),
       reach_(
           std::min(2 * allowance_, least(desc, [](const DistanceField& field) { return field.band_m(); }))),
-      tool_radius_(std::max(desc.tool_shell->max_radius_m, kSettledTravel)) {}
+      tool_radius_(std::max(desc.tool_shell->max_radius_m, kSettledTravel)) {
+  if (!desc.tool_features) return;
+  prepare_features(desc);
+}
 
 ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
-  if (!looked_) look();
+  if (!looked_) features_ ? look_at_features(pair_reach_) : look();
   looked_ = true;
   X_WT_before_ = tool_.state().X_WT;
   metric_ = secant_metric(tool_.to_hand(X_WG), tool_.to_goal(X_WG));
   qp_.set_metric(metric_);
   bool limited = false, settled = false;
-  for (int round = 0; round < kMaxRounds; ++round) {
+  if (features_) {
+    const Rounds rounds = go_between_features(X_WG, faults);
+    limited = rounds.limited;
+    settled = rounds.settled;
+  }
+  for (int round = 0; !features_ && round < kMaxRounds; ++round) {
     const Vec6 step = solve(X_WG);
     const double travel = step.head<3>().norm(), turn = step.tail<3>().norm();
     const double reach = travel + turn * tool_radius_;
@@ -85,7 +93,7 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
     }
     look();
   }
-  if (!settled) solve(X_WG);  // for the forces at the pose that was reached
+  if (!settled) features_ ? solve_pairs(X_WG) : solve(X_WG);  // for the forces at the pose that was reached
   if (limited) faults |= kMotionLimited;
   if (!outcome_.complete) faults |= kContactsReduced;
   if (!outcome_.in_band) faults |= kToolInside;
@@ -115,7 +123,7 @@ Vec6 ConstrainedMotion::solve(const Pose& X_WG) noexcept {
   const std::span<const Contact> contacts = contacts_.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     rows_[i].a << contacts[i].nhat_W, Vec3(contacts[i].p_W - tool_.state().X_WT.p).cross(contacts[i].nhat_W);
-    rows_[i].b = contacts[i].depth;
+    rows_[i].b = contacts[i].depth + skin_;
   }
   const Vec6 goal = tool_.to_goal(X_WG);
   if (friction_ == 0.0) return solve_rows(goal);
@@ -242,6 +250,10 @@ std::vector<BuiltPart> ConstrainedMotion::parts() const {
            (friction_ > 0 ? ", friction " + number_text(friction_) : std::string()),
        sizeof(ConstrainedMotion)},
   };
+  if (features_)
+    parts.push_back({"features",
+                     "the tool's and the scene's vertices, edges and faces themselves, in place of the query",
+                     features_->bytes()});
   if (edges_)
     parts.push_back(
         {"edge query", "the same of the scene's edges against the tool's field", edges_->bytes()});

@@ -9,11 +9,13 @@
 // A tick is a few rounds of: linearise what is near, solve the quadratic program, go along its answer as far
 // as no shell point can have passed a wall, nor an edge of the scene the tool's, look again. Points within
 // reach_ of the scene are rows of the program, so that they slide along it; the others bound how far a round
-// may go.
+// may go. Where the scene gives the surfaces' features, these are looked at in place of points: rows are the
+// pairs of features that are near each other, and no round ends where the surfaces cross.
 
 #include <optional>
 
 #include "haptics/contact/elastic_qp.h"
+#include "haptics/contact/feature_pairs.h"
 #include "haptics/contact/friction.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
@@ -35,6 +37,15 @@ public:
 
 private:
   void look() noexcept;
+  // The same on the triangles, see constrained_motion_features.cpp.
+  void prepare_features(const PlainScene& desc);
+  void look_at_features(double reach) noexcept;
+  struct Rounds {
+    bool settled = false, limited = false;
+  };
+  Rounds go_between_features(const Pose& X_WG, std::uint32_t& faults) noexcept;
+  bool take_pairs(const Vec6& step) noexcept;
+  Vec6 solve_pairs(const Pose& X_WG) noexcept;
   // How much of a motion is safe, see ContactQuery::safe_fraction(); points nearer than reach_ are rows.
   double safe_fraction(double travel, double turn) const noexcept;
   // The step (6) towards the goal that the rows and friction allow; fills rows_, multipliers_ and pushing_.
@@ -51,6 +62,12 @@ private:
   CouplingDesc coupling_;
   ContactQuery query_;
   std::optional<ContactQuery> edges_;  // the scene's, against the tool
+  std::optional<FeaturePairs> features_;
+  std::vector<std::uint32_t> taken_;                      // of the features' pairs, those that are rows
+  std::vector<bool> is_taken_;                            // (pairs)
+  std::vector<std::pair<double, std::uint32_t>> broken_;  // m, and which pair
+  double pair_reach_ = 0;                                 // m, of the last look
+  double skin_ = 0;                                       // m, rows keep the tool this far out
   RegionTracker regions_;
   Vec6 metric_;
   ElasticQp qp_;

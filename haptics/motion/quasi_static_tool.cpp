@@ -26,7 +26,7 @@ QuasiStaticTool::QuasiStaticTool(const PlainScene& desc)
       sag_(-desc.coupling.max_force / desc.coupling.stiffness *
            math::log1p(-weight_ / desc.coupling.max_force)) {
   state_.X_WT = desc.tool.X_WT_start;
-  state_.X_WT.p.y() -= sag_;
+  if (!desc.tool_features) state_.X_WT.p.y() -= sag_;  // between real walls there may be no room for that
 }
 
 Vec6 QuasiStaticTool::to_hand(const Pose& X_WG) noexcept {

@@ -24,6 +24,7 @@ public:
   Vec6 to_goal(const Pose& X_WG) noexcept;
   // Moves the tool by d (6). False, and nothing is moved: the result is not finite.
   bool move(const Vec6& d) noexcept;
+  void put(const Pose& X_WT) noexcept { state_.X_WT = X_WT; }
   void limit_torque(double limit) noexcept { coupling_.limit_torque(limit); }
   // The tick's last word: the tool's velocity, from its pose as the handle's is from its own, and the wrench
   // of the coupling on the tool about T.

@@ -13,6 +13,7 @@
 #include "haptics/estimate/holding_point.h"
 #include "haptics/estimate/velocity.h"
 #include "haptics/geometry/distance_field.h"
+#include "haptics/geometry/feature_mesh.h"
 #include "haptics/geometry/object_map.h"
 #include "haptics/geometry/pointshell.h"
 #include "haptics/tool/rigid_body.h"
@@ -30,6 +31,9 @@ struct PlainScene {
   // tool.
   std::shared_ptr<const Pointshell> scene_edges;    // in W
   std::shared_ptr<const DistanceField> tool_field;  // in T
+  // For a constraint, both or neither: contact is measured on these in place of the shell and the fields.
+  std::shared_ptr<const FeatureMesh> tool_features{};   // in T
+  std::shared_ptr<const FeatureMesh> scene_features{};  // in W
   ContactDesc contact;
   Integrator integrator = Integrator::semi_implicit_euler;
   CouplingDesc coupling;

@@ -165,9 +165,9 @@ void check(FigureCheck& figures, const HoldingPointDesc& holding) {
 }  // namespace
 
 std::optional<Error> refuse_figures(const SceneDesc& desc) {
-  const auto& [tick_s, tool, tool_shell, scene_field, scene_edges, tool_field, contact, integrator, coupling,
-               velocity, mapping, device, allocation, impact, scene_objects, holding_point] =
-      static_cast<const PlainScene&>(desc);
+  const auto& [tick_s, tool, tool_shell, scene_field, scene_edges, tool_field, tool_features, scene_features,
+               contact, integrator, coupling, velocity, mapping, device, allocation, impact, scene_objects,
+               holding_point] = static_cast<const PlainScene&>(desc);
   FigureCheck figures;
   figures.from_to("The tick", tick_s, kShortestTick, kLongestTick);
   check(figures, tool);

@@ -167,6 +167,12 @@ Result<World> World::build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> 
     return Error{
         "The scene's edges are there for the response constraint alone: name that response, or leave "
         "them out."};
+  if (!desc.tool_features != !desc.scene_features)
+    return Error{"Contact on triangles needs the tool's features and the scene's: give both or neither."};
+  if (desc.tool_features && desc.contact.response != ContactResponse::constraint)
+    return Error{
+        "Contact on triangles is there for the response constraint alone: name that response, or leave the "
+        "features out."};
   const double rate_squared = 1.0 / (desc.tick_s * desc.tick_s);
   const bool any_gain = desc.integrator == Integrator::implicit_euler || massless(desc.contact.response);
   const double largest_k = kCouplingShare * tool.mass * rate_squared;

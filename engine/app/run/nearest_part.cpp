@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "haptics/bake/point_triangle.h"
+#include "haptics/geometry/point_triangle.h"
 
 namespace fulcrum::app {
 namespace {

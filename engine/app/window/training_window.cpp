@@ -170,8 +170,6 @@ std::string TrainingWindow::message(const RunSink& sink) const {
     return "Recording has stopped, and the rest of this trial is lost: make room on the disk.";
   std::string what = advice(prepared_.haptic.task, sink.task(), words_);
   const auto after = [&what](const std::string& first) { return what.empty() ? first : first + '\n' + what; };
-  if (second_view_ && shown_.second_view && !stage_.overlay().second_view())
-    return after("There is no room for a second view: make the window larger, or the text smaller.");
   if (sink.guided()) return after("Guided: this trial will have no points.");
   const bool begins = sink.task().step == 0 && sink.time() < kAboutShown;
   return begins ? after(prepared_.scenario.about) : what;

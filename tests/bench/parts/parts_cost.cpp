@@ -62,7 +62,7 @@ Pose wanted(const parts::Fit& fit, PartHand hand, double s, SplitMix& random) {
 }
 
 // At a scenario's default settings, in a hand that is the device.
-Result<SceneDesc> scene_of(const parts::Fit& fit, PartCost& cost) {
+Result<SceneDesc> scene_of(const parts::Fit& fit, Measured measured, PartCost& cost) {
   const double before = cpu_s(CLOCK_PROCESS_CPUTIME_ID);
   const Result<Solid> tool = build_solid(fit.tool_T), scene = build_solid(fit.scene_W);
   if (!tool) return tool.error();
@@ -76,7 +76,14 @@ Result<SceneDesc> scene_of(const parts::Fit& fit, PartCost& cost) {
   cost.MB = 1e-6 * static_cast<double>(field->bytes());
   desc.tool_shell = std::make_shared<const Pointshell>(*shell);
   desc.scene_field = std::make_shared<const DistanceField>(std::move(*field));
+  if (measured == Measured::triangles) {
+    desc.tool_features = std::make_shared<const FeatureMesh>(tool->mesh, tool->neighbours);
+    desc.scene_features = std::make_shared<const FeatureMesh>(scene->mesh, scene->neighbours);
+    cost.MB = 1e-6 * static_cast<double>(desc.tool_features->bytes() + desc.scene_features->bytes());
+  }
   desc.tool.X_WT_start = fit.X_WT;
+  desc.tool.weight =
+      false;  // under it, a tool on a field starts as far below as the coupling's spring yields
   desc.device.kinematics = Kinematics::none;
   desc.device.renders_force = false;
   desc.device.senses_rotation = true;
@@ -90,9 +97,9 @@ const char* name_of(PartHand hand) {
   return names[static_cast<std::size_t>(hand)];
 }
 
-PartCost cost_of(const parts::Fit& fit, bool smoke) {
+PartCost cost_of(const parts::Fit& fit, Measured measured, bool smoke) {
   PartCost cost;
-  const Result<SceneDesc> desc = scene_of(fit, cost);
+  const Result<SceneDesc> desc = scene_of(fit, measured, cost);
   if (!desc) return {.refused = desc.error().sentence};
   const parts::ExactDepth judge(fit.tool_T, fit.scene_W, kJudgeSpacing);
   for (const PartHand hand : kPartHands) {

@@ -15,6 +15,9 @@ inline constexpr PartHand kPartHands[] = {PartHand::expert, PartHand::sideways, 
                                           PartHand::yank};
 const char* name_of(PartHand hand);
 
+// What contact is measured on.
+enum class Measured { points_in_a_field, triangles };
+
 struct PartCost {
   std::string refused{};  // why it could not be baked or built; empty: it was
   double bake_cpu_s = 0, MB = 0;
@@ -26,6 +29,6 @@ struct PartCost {
 };
 
 // smoke: a few ticks of each, for a test that it works.
-PartCost cost_of(const parts::Fit& fit, bool smoke);
+PartCost cost_of(const parts::Fit& fit, Measured measured, bool smoke);
 
 }  // namespace fulcrum::bench

@@ -1,4 +1,4 @@
-#include "haptics/bake/point_triangle.h"
+#include "haptics/geometry/point_triangle.h"
 
 #include <algorithm>
 

@@ -1,0 +1,134 @@
+// Pairs of features against distances that are found otherwise: of vertices by the bake's own tree, of edges
+// by samples along them. Both ways, at random poses around two parts with corners, grooves and a hole.
+
+#include "haptics/contact/feature_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "haptics/bake/triangle_distance.h"
+#include "haptics/math/rotation.h"
+#include "tests/haptics/bake/shapes.h"
+
+namespace fulcrum {
+namespace {
+
+std::shared_ptr<const FeatureMesh> features(const Solid& solid) {
+  return std::make_shared<const FeatureMesh>(solid.mesh, solid.neighbours);
+}
+
+Solid ring() {
+  return shapes::solid_of(shapes::torus(0.01, 0.004, 9, 6));
+}
+
+Solid brick() {
+  return shapes::solid_of(shapes::box(Vec3(-0.003, -0.001, -0.007), Vec3(0.002, 0.001, 0.006)));
+}
+
+// m: the least distance of places on one's edges, and of its vertices, from the other; below 0: one is in it.
+double least(const Solid& from, const Solid& to, const Pose& X_to_from) {
+  const TriangleDistance distance(to);
+  double smallest = std::numeric_limits<double>::infinity();
+  constexpr int kSteps = 60;
+  for (const Triangle& t : from.mesh.triangles)
+    for (std::size_t e = 0; e < 3; ++e)
+      for (int i = 0; i < kSteps; ++i) {
+        const Vec3 &a = from.mesh.vertices[t[e]], &b = from.mesh.vertices[t[(e + 1) % 3]];
+        const Vec3 p = a + (b - a) * (static_cast<double>(i) / kSteps);
+        smallest = std::min(smallest, distance.signed_distance(X_to_from * p));
+      }
+  return smallest;
+}
+
+TEST(FeaturePairs, TheNearestIsAsFarAsTheSurfacesAre) {
+  const Solid tool = brick(), scene = ring();
+  FeaturePairs pairs(features(tool), features(scene));
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> place(-0.018, 0.018), turn(-3, 3);
+  int apart = 0, crossed = 0;
+  for (int i = 0; i < 150; ++i) {
+    const Pose X_WT{quaternion_exp(Vec3(turn(random), turn(random), turn(random))),
+                    Vec3(place(random), place(random) / 2, place(random))};
+    const double truth = std::min(least(tool, scene, X_WT), least(scene, tool, X_WT.inverse()));
+    ASSERT_TRUE(pairs.look(X_WT, 0.004));
+    if (truth < -1e-4) {
+      EXPECT_TRUE(pairs.crosses()) << i;
+      ++crossed;
+    } else if (truth > 1e-6 && truth < 0.0039) {
+      EXPECT_FALSE(pairs.crosses()) << i;
+      ASSERT_FALSE(pairs.pairs().empty()) << i;
+      const double nearest = std::ranges::min_element(pairs.pairs(), {}, &FeaturePair::gap)->gap;
+      EXPECT_LE(nearest, truth + 1e-12) << i;
+      EXPECT_GE(nearest, truth - 3e-5) << i;  // what lies between samples
+      ++apart;
+    }
+  }
+  EXPECT_GT(apart, 20);
+  EXPECT_GT(crossed, 10);
+}
+
+// What one look leaves over for the next does not change what that finds.
+TEST(FeaturePairs, AreTheSameHoweverOneCameThere) {
+  const auto tool = features(brick()), scene = features(ring());
+  FeaturePairs on_the_way(tool, scene);
+  for (int i = 0; i < 400; ++i) {
+    const double s = 0.01 * i;
+    const Pose X_WT{quaternion_exp(Vec3(s, 0.3 * s, 0)),
+                    Vec3(0.009 + 0.004 * std::cos(3 * s), 0.006, 0.001 * s)};
+    ASSERT_TRUE(on_the_way.look(X_WT, i % 3 == 0 ? 0.004 : 0.002));
+    FeaturePairs at_once(tool, scene);
+    ASSERT_TRUE(at_once.look(X_WT, i % 3 == 0 ? 0.004 : 0.002));
+    const auto named = [](std::span<const FeaturePair> pairs) {
+      std::vector<std::pair<std::uint64_t, double>> all;
+      for (const FeaturePair& pair : pairs) all.emplace_back(pair.key, pair.gap);
+      std::ranges::sort(all);
+      return all;
+    };
+    EXPECT_EQ(named(on_the_way.pairs()), named(at_once.pairs())) << i;
+    EXPECT_EQ(on_the_way.crosses(), at_once.crosses()) << i;
+  }
+}
+
+TEST(FeaturePairs, MovingAsidePressesNoPairTogether) {
+  // A cube's face above a plate of several triangles: the corners alone count, not what edges lie in the
+  // plate.
+  const Solid cube = shapes::solid_of(shapes::box(Vec3(-1e-3, 0, -1e-3), Vec3(1e-3, 2e-3, 1e-3)));
+  const Solid plate = shapes::solid_of(shapes::box(Vec3(-1e-2, -1e-3, -1e-2), Vec3(1e-2, 0, 1e-2)));
+  FeaturePairs pairs(features(cube), features(plate));
+  ASSERT_TRUE(pairs.look({Quat::Identity(), Vec3(0.0011, 5e-6, 0.0003)}, 5e-5));
+  EXPECT_FALSE(pairs.crosses());
+  EXPECT_GE(pairs.pairs().size(), 4u);
+  for (const FeaturePair& pair : pairs.pairs()) {
+    EXPECT_NEAR(pair.gap, 5e-6, 1e-12);
+    EXPECT_NEAR(pair.nhat_W.y(), 1, 1e-9);
+  }
+}
+
+TEST(FeatureMesh, EachFeatureIsOfOneFace) {
+  for (const Solid& solid : {ring(), brick()}) {
+    const auto mesh = features(solid);
+    std::size_t corners = 0, edges = 0;
+    for (const FeatureMesh::Face& face : mesh->faces()) {
+      for (unsigned i = 0; i < 3; ++i) {
+        corners += face.own_corners >> i & 1u;
+        edges += face.own_edges >> i & 1u;
+      }
+    }
+    EXPECT_EQ(corners, mesh->vertices().size());
+    EXPECT_EQ(edges, mesh->edges().size());
+    EXPECT_EQ(2 * edges, 3 * mesh->faces().size());
+  }
+  const auto mesh = features(brick());
+  EXPECT_EQ(std::ranges::count_if(mesh->edges(), &FeatureMesh::Edge::convex), 12);
+  EXPECT_EQ(std::ranges::count_if(mesh->edges(), &FeatureMesh::Edge::flat), 6);
+  EXPECT_NEAR(mesh->radius(), Vec3(0.003, 0.001, 0.007).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace fulcrum

@@ -1,0 +1,130 @@
+// Contact on triangles, in hands that are rough with parts of a few micrometres of clearance: judged on the
+// triangles by what shares no code with it. Afterwards the hand goes back, and the part comes with it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "haptics/bake/field_bake.h"
+#include "haptics/bake/pointshell_bake.h"
+#include "haptics/bake/solid.h"
+#include "haptics/math/rotation.h"
+#include "haptics/math/split_mix.h"
+#include "haptics/safety/faults.h"
+#include "haptics/world/world.h"
+#include "tests/parts/exact_depth.h"
+#include "tests/parts/fits.h"
+
+namespace fulcrum::parts {
+namespace {
+
+constexpr double kAsked = 10e-6;  // m
+
+SceneDesc on_triangles(const Fit& fit) {
+  SceneDesc desc;
+  const Result<Solid> tool = build_solid(fit.tool_T), scene = build_solid(fit.scene_W);
+  EXPECT_TRUE(tool && scene) << fit.name;
+  auto shell = bake_pointshell(*tool, {});
+  auto field = bake_field(*scene, {});
+  EXPECT_TRUE(shell && field) << fit.name;
+  desc.tool_shell = std::make_shared<const Pointshell>(std::move(*shell));
+  desc.scene_field = std::make_shared<const DistanceField>(std::move(*field));
+  desc.tool_features = std::make_shared<const FeatureMesh>(tool->mesh, tool->neighbours);
+  desc.scene_features = std::make_shared<const FeatureMesh>(scene->mesh, scene->neighbours);
+  desc.tool.X_WT_start = fit.X_WT;
+  desc.tool.weight = false;
+  desc.device.kinematics = Kinematics::none;
+  desc.device.renders_force = false;
+  desc.device.senses_rotation = true;
+  return desc;
+}
+
+StepResult tick(World& world, const SceneDesc& desc, const Pose& X_WT) {
+  DeviceSample sample;
+  sample.X_DH = desc.mapping.handle_in_device(X_WT * desc.tool.X_HT.inverse());
+  sample.connected = true;
+  return step(world, sample, {});
+}
+
+// ticks: of each hand. every: which of them are judged.
+void be_rough_with(const Fit& fit, int ticks, int every) {
+  const SceneDesc desc = on_triangles(fit);
+  const ExactDepth judge(fit.tool_T, fit.scene_W, 0.4e-3);
+  SplitMix random(7);
+  const auto any = [&] { return 2 * random.uniform() - 1; };
+  const auto near = [&](const Vec3& turn, const Vec3& shift) {
+    return Pose{quaternion_exp(turn) * fit.X_WT.q, fit.X_WT.p + shift};
+  };
+  for (const std::string hand : {"struck", "leaned on", "shaken", "spun"}) {
+    Result<World> world = World::build(desc);
+    ASSERT_TRUE(world) << world.error().sentence;
+    double judged = 0, reported = 0;
+    for (int i = 0; i < ticks; ++i) {
+      const double s = i * desc.tick_s;
+      Pose X = fit.X_WT;
+      if (hand == "struck")
+        X = near(Vec3::Zero(), 10e-3 * std::sin(100 * s) * fit.across_W);
+      else if (hand == "leaned on")
+        X = near(0.2 * std::sin(20 * s) * fit.way_W.cross(fit.across_W), 1e-3 * std::sin(50 * s) * fit.way_W);
+      else if (hand == "shaken")
+        X = near(0.05 * Vec3(any(), any(), any()), 2e-3 * Vec3(any(), any(), any()));
+      else
+        X = near(12 * s * fit.way_W, 1e-3 * fit.across_W);
+      const StepResult result = tick(*world, desc, X);
+      reported = std::max(reported, result.record.depth_max);
+      if (i % every == 0) judged = std::max(judged, judge.at(result.record.X_WT));
+    }
+    EXPECT_LE(judged, kAsked) << fit.name << ' ' << hand;
+    EXPECT_NEAR(reported, judged, 2e-6) << fit.name << ' ' << hand;
+    StepResult result;
+    for (int i = 0; i < 50; ++i) result = tick(*world, desc, fit.X_WT);
+    EXPECT_LT((result.record.X_WT.p - fit.X_WT.p).norm(), kAsked) << fit.name << ' ' << hand;
+    EXPECT_LT(angle_between(result.record.X_WT.q, fit.X_WT.q), 1e-3) << fit.name << ' ' << hand;
+  }
+}
+
+bool is(const Fit& fit, std::initializer_list<const char*> names) {
+  return std::ranges::any_of(
+      names, [&](const char* name) { return fit.name == name; });
+}
+
+TEST(ExactContact, KeepsASquarePegAndAKeyOutOfTheWalls) {
+  for (const Fit& fit : fits())
+    if (is(fit, {"square peg 4 mm", "key in a lock"})) be_rough_with(fit, 60, 6);
+}
+
+TEST(ExactContact, KeepsRoundPegsGearsHingesAndCombsOutOfTheWallsLong) {
+  for (const Fit& fit : fits())
+    if (is(fit, {"round peg 4 mm", "round peg 16 mm", "square peg 16 mm", "gear on gear", "hinge",
+                 "comb in comb"}))
+      be_rough_with(fit, 400, 10);
+}
+
+TEST(ExactContact, AToolThatStartsInAWallIsLetOutAndSaysSo) {
+  const std::vector<Fit> all = fits();
+  const Fit& fit = *std::ranges::find(all, "square peg 4 mm", &Fit::name);
+  SceneDesc desc = on_triangles(fit);
+  desc.tool.X_WT_start.p += 50e-6 * fit.across_W;
+  Result<World> world = World::build(desc);
+  ASSERT_TRUE(world);
+  EXPECT_NE(tick(*world, desc, desc.tool.X_WT_start).record.faults & kToolInside, 0u);
+  StepResult result;
+  for (int i = 0; i < 20; ++i) result = tick(*world, desc, {fit.X_WT.q, fit.X_WT.p + 8e-3 * fit.way_W});
+  EXPECT_EQ(ExactDepth(fit.tool_T, fit.scene_W, 0.4e-3).at(result.record.X_WT), 0);
+  EXPECT_GT((result.record.X_WT.p - fit.X_WT.p).dot(fit.way_W), 5e-3);
+}
+
+TEST(ExactContact, NeedsBothAndAConstraint) {
+  const std::vector<Fit> all = fits();
+  const SceneDesc good = on_triangles(*std::ranges::find(all, "square peg 4 mm", &Fit::name));
+  SceneDesc half = good, springs = good;
+  half.tool_features = nullptr;
+  springs.contact.response = ContactResponse::penalty;
+  EXPECT_NE(World::build(half).error().sentence.find("both or neither"), std::string::npos);
+  EXPECT_NE(World::build(springs).error().sentence.find("the response constraint alone"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fulcrum::parts
