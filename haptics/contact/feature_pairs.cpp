@@ -26,10 +26,6 @@ ClosestOfEdges closest_of_edges(const Vec3& a0, const Vec3& a1, const Vec3& b0, 
   return closest;
 }
 
-double above_box(const Vec3& p, const Box3& box) {
-  return box.squaredExteriorDistance(p);
-}
-
 // Whether the segment goes through the triangle.
 bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& nhat) {
   const double from = nhat.dot(p - a), to = nhat.dot(q - a);
@@ -90,7 +86,7 @@ void FeaturePairs::descend(std::uint32_t tool_node, std::uint32_t scene_node, do
   const FeatureMesh::Node& tool = tool_->nodes()[tool_node];
   const FeatureMesh::Node& scene = scene_->nodes()[scene_node];
   const double far = tool.radius + reach;
-  if (above_box(R_WT_ * tool.centre + X_WT_.p, scene.box) > far * far) return;
+  if (scene.box.squaredExteriorDistance(Vec3(R_WT_ * tool.centre + X_WT_.p)) > far * far) return;
   if (tool.count > 0 && scene.count > 0) {
     compare_leaves(tool, scene, reach);
     return;
@@ -173,12 +169,11 @@ void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t sce
 namespace {
 
 // Whether all that is around lies on one side of the plane through p: above it (sign 1), or below (-1).
-template <class Vertices>
-bool on_side(const Vertices& vertex, std::span<const std::uint32_t> around, const Vec3& p, const Vec3& nhat,
-             double sign) {
+bool on_side(std::span<const Vec3> vertices, std::span<const std::uint32_t> around, const Vec3& p,
+             const Vec3& nhat, double sign) {
   return std::all_of(
       around.begin(), around.end(),
-      [&](std::uint32_t v) { return sign * nhat.dot(vertex(v) - p) >= -kLevel; });
+      [&](std::uint32_t v) { return sign * nhat.dot(vertices[v] - p) >= -kLevel; });
 }
 
 }  // namespace
@@ -186,16 +181,15 @@ bool on_side(const Vertices& vertex, std::span<const std::uint32_t> around, cons
 void FeaturePairs::vertex_on_face(const FacePair& faces) noexcept {
   const FeatureMesh::Face& f = tool_->faces()[faces.tool];
   const FeatureMesh::Face& g = scene_->faces()[faces.scene];
-  const auto tool = [this](std::uint32_t v) -> const Vec3& { return p_W_[v]; };
-  const auto scene = [this](std::uint32_t v) -> const Vec3& { return scene_->vertices()[v]; };
+  const std::span<const Vec3> tool = p_W_, scene = scene_->vertices();
   for (unsigned i = 0; i < 3; ++i) {
     if ((f.own_corners >> i & 1u) == 0) continue;
     const std::uint32_t vertex = f.corners[i];
     const Vec3& p = p_W_[vertex];
-    const double height = g.nhat.dot(p - scene(g.corners[0]));
+    const double height = g.nhat.dot(p - scene[g.corners[0]]);
     if (!(height > 0) || height > reach_) continue;
     const TrianglePoint closest =
-        closest_on_triangle(p, scene(g.corners[0]), scene(g.corners[1]), scene(g.corners[2]));
+        closest_on_triangle(p, scene[g.corners[0]], scene[g.corners[1]], scene[g.corners[2]]);
     if (!(closest.squared <= reach_ * reach_)) continue;
     const double gap = std::sqrt(closest.squared);
     const Vec3 nhat = closest.feature == TriangleFeature::face || !(gap > kLevel)
@@ -220,12 +214,11 @@ void FeaturePairs::vertex_on_face(const FacePair& faces) noexcept {
 void FeaturePairs::face_on_vertex(const FacePair& faces) noexcept {
   const FeatureMesh::Face& f = tool_->faces()[faces.tool];
   const FeatureMesh::Face& g = scene_->faces()[faces.scene];
-  const auto tool = [this](std::uint32_t v) -> const Vec3& { return p_W_[v]; };
-  const auto scene = [this](std::uint32_t v) -> const Vec3& { return scene_->vertices()[v]; };
+  const std::span<const Vec3> tool = p_W_, scene = scene_->vertices();
   for (unsigned i = 0; i < 3; ++i) {
     if ((g.own_corners >> i & 1u) == 0) continue;
     const std::uint32_t vertex = g.corners[i];
-    const Vec3& p = scene(vertex);
+    const Vec3& p = scene[vertex];
     const double height = nhat_W_[faces.tool].dot(p - p_W_[f.corners[0]]);
     if (!(height > 0) || height > reach_) continue;
     const TrianglePoint closest =
@@ -252,8 +245,7 @@ void FeaturePairs::face_on_vertex(const FacePair& faces) noexcept {
 void FeaturePairs::edge_on_edge(const FacePair& faces) noexcept {
   const FeatureMesh::Face& f = tool_->faces()[faces.tool];
   const FeatureMesh::Face& g = scene_->faces()[faces.scene];
-  const auto tool = [this](std::uint32_t v) -> const Vec3& { return p_W_[v]; };
-  const auto scene = [this](std::uint32_t v) -> const Vec3& { return scene_->vertices()[v]; };
+  const std::span<const Vec3> tool = p_W_, scene = scene_->vertices();
   for (unsigned i = 0; i < 3; ++i) {
     if ((f.own_edges >> i & 1u) == 0) continue;
     const FeatureMesh::Edge& of_tool = tool_->edges()[f.edges[i]];
@@ -263,7 +255,7 @@ void FeaturePairs::edge_on_edge(const FacePair& faces) noexcept {
       const FeatureMesh::Edge& of_scene = scene_->edges()[g.edges[j]];
       if (!of_scene.convex) continue;
       const Vec3 &a0 = p_W_[of_tool.from], &a1 = p_W_[of_tool.to];
-      const Vec3 &b0 = scene(of_scene.from), &b1 = scene(of_scene.to);
+      const Vec3 &b0 = scene[of_scene.from], &b1 = scene[of_scene.to];
       const ClosestOfEdges closest = closest_of_edges(a0, a1, b0, b1);
       if (!closest.inside) continue;
       const Vec3 p = a0 + closest.s * (a1 - a0), q = b0 + closest.t * (b1 - b0);

@@ -14,8 +14,8 @@
 namespace fulcrum {
 
 // A place where the two surfaces are nearest to each other, locally: all that is around either feature lies
-// on its own side of the plane across nhat. In clearance every way in which two closed surfaces can come to
-// touch begins at one.
+// on its own side of the plane across nhat. Edges that are parallel, and edges that do not bend outwards, are
+// in no pair of edges: their ends and the faces beside them are.
 struct FeaturePair {
   std::uint64_t key = 0;       // the same two features have the same from look to look
   Vec3 p_W = Vec3::Zero();     // (3) m, on the tool
@@ -37,9 +37,9 @@ public:
   bool look(const Pose& X_WT, double reach) noexcept;
   std::span<const FeaturePair> pairs() const { return pairs_; }
   bool none_near() const { return face_pairs_.empty() && complete_; }
-  bool crosses() const { return crosses_; }  // at the last look() the surfaces went through each other
-
-  const FeatureMesh& tool() const { return *tool_; }
+  // At the last look() an edge of one went through a face of the other. A tool that is wholly inside of the
+  // scene crosses nothing.
+  bool crosses() const { return crosses_; }
   std::size_t bytes() const;
 
 private:

@@ -1,6 +1,8 @@
 // The rounds of a constrained motion on the triangles themselves. A round solves with the pairs of features
-// that are near, goes no farther than pairs are known to it, and is halved while the surfaces would cross: a
-// tool that began outside of the scene ends every tick outside of it, whatever the pairs have missed.
+// that are near, goes no farther than pairs are known to it, and is halved while the surfaces would cross
+// where it ends, or while there are more pairs than fit. What the tool goes into and out of again within one
+// such step, at most the reach below, is not seen. No depth is measured here: the one that is told is 0, and
+// a tool that crosses the scene is the fault kToolInside.
 
 #include <algorithm>
 #include <span>
@@ -33,8 +35,13 @@ void ConstrainedMotion::prepare_features(const PlainScene& desc) {
 }
 
 void ConstrainedMotion::look_at_features(double reach) noexcept {
+  bool complete = features_->look(tool_.state().X_WT, reach);
+  while (!complete && reach > kShortestReach) {
+    reach = std::max(kShortestReach, 0.5 * reach);
+    complete = features_->look(tool_.state().X_WT, reach);
+  }
   pair_reach_ = reach;
-  outcome_ = {features_->look(tool_.state().X_WT, reach), !features_->crosses()};
+  outcome_ = {complete, !features_->crosses()};
 }
 
 ConstrainedMotion::Rounds ConstrainedMotion::go_between_features(const Pose& X_WG,
@@ -60,7 +67,7 @@ ConstrainedMotion::Rounds ConstrainedMotion::go_between_features(const Pose& X_W
         return rounds;
       }
       look_at_features(next);
-      if (crossed || !features_->crosses()) break;
+      if (crossed || (outcome_.complete && !features_->crosses())) break;
       rounds.limited = true;
       tool_.put(from);
       if (halving == kMostHalvings) {

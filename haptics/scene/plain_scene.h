@@ -31,7 +31,8 @@ struct PlainScene {
   // tool.
   std::shared_ptr<const Pointshell> scene_edges;    // in W
   std::shared_ptr<const DistanceField> tool_field;  // in T
-  // For a constraint, both or neither: contact is measured on these in place of the shell and the fields.
+  // For a constraint, both or neither: contact is measured on these in place of the shell, the field and the
+  // scene's edges.
   std::shared_ptr<const FeatureMesh> tool_features{};   // in T
   std::shared_ptr<const FeatureMesh> scene_features{};  // in W
   ContactDesc contact;

@@ -173,6 +173,8 @@ Result<World> World::build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> 
     return Error{
         "Contact on triangles is there for the response constraint alone: name that response, or leave the "
         "features out."};
+  if (desc.tool_features && desc.scene_edges)
+    return Error{"Contact on triangles measures the scene's edges itself: leave them out."};
   const double rate_squared = 1.0 / (desc.tick_s * desc.tick_s);
   const bool any_gain = desc.integrator == Integrator::implicit_euler || massless(desc.contact.response);
   const double largest_k = kCouplingShare * tool.mass * rate_squared;

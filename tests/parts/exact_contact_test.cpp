@@ -121,10 +121,13 @@ TEST(ExactContact, AToolThatStartsInAWallIsLetOutAndSaysSo) {
 TEST(ExactContact, NeedsBothAndAConstraint) {
   const std::vector<Fit> all = fits();
   const SceneDesc good = on_triangles(*std::ranges::find(all, "square peg 4 mm", &Fit::name));
-  SceneDesc half = good, springs = good;
+  SceneDesc half = good, springs = good, edges = good;
   half.tool_features = nullptr;
   springs.contact.response = ContactResponse::penalty;
   EXPECT_NE(World::build(half).error().sentence.find("both or neither"), std::string::npos);
+  edges.scene_edges = good.tool_shell;
+  edges.tool_field = good.scene_field;
+  EXPECT_NE(World::build(edges).error().sentence.find("leave them out"), std::string::npos);
   EXPECT_NE(World::build(springs).error().sentence.find("the response constraint alone"), std::string::npos);
 }
 

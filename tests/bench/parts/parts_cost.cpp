@@ -82,8 +82,8 @@ Result<SceneDesc> scene_of(const parts::Fit& fit, Measured measured, PartCost& c
     cost.MB = 1e-6 * static_cast<double>(desc.tool_features->bytes() + desc.scene_features->bytes());
   }
   desc.tool.X_WT_start = fit.X_WT;
-  desc.tool.weight =
-      false;  // under it, a tool on a field starts as far below as the coupling's spring yields
+  // A tool with weight starts below its place, by what the coupling's spring yields to it.
+  desc.tool.weight = false;
   desc.device.kinematics = Kinematics::none;
   desc.device.renders_force = false;
   desc.device.senses_rotation = true;
