@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "haptics/geometry/point_triangle.h"
 #include "haptics/bake/solid.h"
+#include "haptics/geometry/point_triangle.h"
 
 namespace fulcrum {
 

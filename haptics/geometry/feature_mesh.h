@@ -17,7 +17,8 @@ public:
     std::uint32_t from = 0, to = 0;           // vertices
     std::array<std::uint32_t, 2> opposite{};  // (2) vertices: the third corner of the face on either side
     bool convex = false;                      // the surface bends away from its outside there
-    bool flat = false;  // so little that the edge lies within kFlat of the surface around
+    // The surface bends so little there that either side's face lies within kFlat of the other's plane.
+    bool flat = false;
   };
   struct Face {
     Triangle corners{};
@@ -37,7 +38,8 @@ public:
   };
   static constexpr double kFlat = 1e-7;  // m
 
-  // Closed, two faces at each edge, with normals outward; an edge that has no neighbour counts as flat.
+  // mesh: closed, two faces at each edge, normals outward. neighbours: as of Solid; an edge that has none
+  // counts as flat, and nothing is seen to cross it.
   FeatureMesh(const TriangleMesh& mesh, std::span<const Triangle> neighbours);
 
   std::span<const Vec3> vertices() const { return vertices_; }
