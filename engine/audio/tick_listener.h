@@ -3,7 +3,7 @@
 //
 // Where impacts are detected for an effect, a blow is such an impact. Elsewhere nothing in the tick is built
 // for sound, and a blow is read from what every record has: the tool touches after it had not for kApart, and
-// the hand approaches. Its place is then where the tool lies deepest (touch_finder.h), and its speed that of
+// the hand approaches. Its place is then where the tool lies deepest (deepest_point.h), and its speed that of
 // the hand over the kOver before, against the scene's normal there. The place of sliding is found in the same
 // way, every kApart of touch.
 
@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/audio/deepest_point.h"
 #include "engine/audio/scene_sound.h"
-#include "engine/audio/touch_finder.h"
 #include "haptics/world/tick_record.h"
 
 namespace fulcrum::audio {
@@ -62,11 +62,11 @@ private:
 
   double tick_s_;
   std::shared_ptr<const ObjectMap> objects_;
-  TouchFinder finder_;
+  DeepestPointFinder finder_;
   std::int64_t apart_ticks_, over_ticks_;
-  std::int64_t touched_at_;     // tick of the last touch
-  std::optional<Touch> touch_;  // as it was found last, while there is one
-  std::int64_t looked_at_ = 0;  // tick
+  std::int64_t touched_at_;            // tick of the last touch
+  std::optional<DeepestPoint> touch_;  // as it was found last, while there is one
+  std::int64_t looked_at_ = 0;         // tick
   std::array<Place, kPlaces> places_{};
   std::size_t count_ = 0;  // of all that were remembered
 };

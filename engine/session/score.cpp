@@ -36,10 +36,10 @@ double points_of(double ratio) {
 
 // A figure that is better the smaller it is, beside the expert's.
 Criterion beside_expert(const char* name, std::string value, double of_trial, std::optional<double> of_expert,
-                        std::string expert_text, bool completed) {
+                        std::string expert_text, bool completed, const char* why_none) {
   Criterion criterion{name, std::move(value), {}, kPoints, {}};
   if (!of_expert) {
-    criterion.reason = "There is no expert to compare with.";
+    criterion.reason = why_none;
     return criterion;
   }
   if (!completed) {
@@ -105,31 +105,35 @@ Score score(const TrialMetrics& trial, const TrialMetrics* expert) {
   using Reference = std::optional<double>;
   // An expert who did not complete the task is none.
   const TrialMetrics* const best = expert != nullptr && expert->completed ? expert : nullptr;
+  const char* const why_none = expert == nullptr ? "There is no expert to compare with."
+                               : best == nullptr
+                                   ? "The expert did not complete the task: there is nothing to compare with."
+                                   : "The expert has no such figure to compare with.";
   Score all;
   std::vector<Criterion>& list = all.criteria;
   list.push_back(checkpoints(trial));
   list.push_back(beside_expert("Time", in_seconds(trial.time), trial.time,
                                best != nullptr && best->time > 0 ? Reference(best->time) : std::nullopt,
-                               best != nullptr ? in_seconds(best->time) : "", trial.completed));
+                               best != nullptr ? in_seconds(best->time) : "", trial.completed, why_none));
   list.push_back(beside_expert("Path", in_millimetres(trial.path), trial.path,
                                best != nullptr && best->path > 0 ? Reference(best->path) : std::nullopt,
-                               best != nullptr ? in_millimetres(best->path) : "", trial.completed));
+                               best != nullptr ? in_millimetres(best->path) : "", trial.completed, why_none));
   list.push_back(beside_expert(
       "95th percentile of force", in_newtons(trial.force_95), std::max(trial.force_95, kLeastForce),
       best != nullptr ? Reference(std::max(best->force_95, kLeastForce)) : std::nullopt,
-      best != nullptr ? in_newtons(best->force_95) : "", trial.completed));
+      best != nullptr ? in_newtons(best->force_95) : "", trial.completed, why_none));
   if (trial.hard_touches) list.push_back(hard_touches(trial));
   if (trial.smoothness)
     list.push_back(beside_expert(
         "Smoothness (spectral arc length)", digits(*trial.smoothness, 2), -*trial.smoothness,
         best != nullptr && best->smoothness ? Reference(-*best->smoothness) : std::nullopt,
-        best != nullptr && best->smoothness ? digits(*best->smoothness, 2) : "", trial.completed));
-  list.push_back(beside_expert("Touches on the way", count_text(trial.touches_on_the_way),
-                               static_cast<double>(trial.touches_on_the_way) + kLeastTouches,
-                               best != nullptr
-                                   ? Reference(static_cast<double>(best->touches_on_the_way) + kLeastTouches)
-                                   : std::nullopt,
-                               best != nullptr ? count_text(best->touches_on_the_way) : "", trial.completed));
+        best != nullptr && best->smoothness ? digits(*best->smoothness, 2) : "", trial.completed, why_none));
+  list.push_back(
+      beside_expert("Touches on the way", count_text(trial.touches_on_the_way),
+                    static_cast<double>(trial.touches_on_the_way) + kLeastTouches,
+                    best != nullptr ? Reference(static_cast<double>(best->touches_on_the_way) + kLeastTouches)
+                                    : std::nullopt,
+                    best != nullptr ? count_text(best->touches_on_the_way) : "", trial.completed, why_none));
   // Counts that may be none have no ratio to tell.
   if (best != nullptr && trial.completed)
     list.back().reason = "The expert: " + count_text(best->touches_on_the_way) + ".";

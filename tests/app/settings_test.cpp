@@ -180,6 +180,12 @@ TEST_F(SettingsFile, WhatCannotBeReadIsKeptBesideWhatReplacesIt) {
   EXPECT_EQ(text(".unread"), torn);
   EXPECT_EQ(read_settings().look.text, 1.25F);
   EXPECT_EQ(kept.take(), "");
+
+  write("torn again");
+  ASSERT_TRUE(write_settings({{PaletteName::colour_blind, 1.25F}, 2}));
+  EXPECT_NE(kept.take().find("settings.json.unread-2"), std::string::npos);
+  EXPECT_EQ(text(".unread"), torn);
+  EXPECT_EQ(text(".unread-2"), "torn again");
 }
 
 TEST_F(SettingsFile, WhatOthersWroteIntoItStays) {

@@ -140,18 +140,18 @@ TEST(TickListener, KnowsWhichObjectWasStruck) {
 }
 
 // Of a tool of many points, some are looked at: the place is as near as those lie.
-TEST(TouchFinder, FindsTheDeepestPlaceOfALargeTool) {
+TEST(DeepestPointFinder, FindsTheEndThatHangsDownOfALargeTool) {
   std::vector<Vec3> points;
   for (int i = 0; i < 200; ++i)
     for (int k = 0; k < 100; ++k) points.emplace_back(-0.05 + 5e-4 * i, 0.02, -0.025 + 5e-4 * k);
-  const TouchFinder finder(test::shell_of(points).get(), test::floor_field());
+  const DeepestPointFinder finder(test::shell_of(points).get(), test::floor_field());
   const Pose tilted{Quat(Eigen::AngleAxisd(-0.1, Vec3::UnitZ())), Vec3(0, -0.01, 0)};
-  const std::optional<Touch> touch = finder.find(tilted);
+  const std::optional<DeepestPoint> touch = finder.find(tilted);
   ASSERT_TRUE(touch);
   EXPECT_NEAR(touch->p_T.x(), 0.05, 6e-3);  // the end that hangs down
   EXPECT_NEAR(touch->nhat_W.y(), 1, 1e-3);
-  EXPECT_FALSE(TouchFinder(nullptr, test::floor_field()).find(tilted));
-  EXPECT_FALSE(TouchFinder(test::shell_of(points).get(), nullptr).find(tilted));
+  EXPECT_FALSE(DeepestPointFinder(nullptr, test::floor_field()).find(tilted));
+  EXPECT_FALSE(DeepestPointFinder(test::shell_of(points).get(), nullptr).find(tilted));
 }
 
 TEST(TickListener, HearsSlidingAlongWhatItTouches) {

@@ -19,6 +19,12 @@ TrialMetrics expert() {
   return metrics;
 }
 
+std::string reason(const Score& score, const std::string& name) {
+  const auto found = std::ranges::find(score.criteria, name, &Criterion::name);
+  EXPECT_NE(found, score.criteria.end()) << name;
+  return found == score.criteria.end() ? "" : found->reason;
+}
+
 double points(const Score& score, const std::string& name) {
   const auto found = std::ranges::find(score.criteria, name, &Criterion::name);
   EXPECT_NE(found, score.criteria.end()) << name;
@@ -74,6 +80,15 @@ TEST(Score, HasNoTotalWithoutAnExpertWhoCompletes) {
   failed.completed = false;
   EXPECT_FALSE(score(trial, &failed).total);
   EXPECT_EQ(points(score(trial, nullptr), "Checkpoints"), 40);
+  EXPECT_EQ(reason(score(trial, nullptr), "Time"), "There is no expert to compare with.");
+  EXPECT_NE(reason(score(trial, &failed), "Time").find("did not complete"), std::string::npos);
+}
+
+TEST(Score, SaysWhichFigureTheExpertLacks) {
+  TrialMetrics still = expert();
+  still.path = 0;
+  EXPECT_NE(reason(score(expert(), &still), "Path").find("no such figure"), std::string::npos);
+  EXPECT_EQ(points(score(expert(), &still), "Time"), 15);
 }
 
 TEST(Score, DoesNotDivideByAnExpertWhoTouchesNothing) {

@@ -56,11 +56,14 @@ Result<SettingsJson> read_settings_document(const std::filesystem::path& path) {
   }
 }
 
-// What cannot be read is somebody's all the same: it is kept beside what replaces it. False: it cannot be.
+// What cannot be read is somebody's all the same: it is kept beside what replaces it, and so is what was kept
+// before. False: it cannot be.
 bool set_aside(const std::filesystem::path& path) {
-  std::filesystem::path kept = path;
-  kept += ".unread";
+  const std::string name = path.string() + ".unread";
+  std::filesystem::path kept = name;
   std::error_code failed;
+  for (int count = 2; std::filesystem::exists(std::filesystem::symlink_status(kept, failed)); ++count)
+    kept = name + "-" + std::to_string(count);
   std::filesystem::rename(path, kept, failed);
   if (failed) return false;
   complain(path.string() + " could not be read: it is kept as " + kept.string() +

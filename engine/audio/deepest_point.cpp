@@ -1,18 +1,19 @@
-#include "engine/audio/touch_finder.h"
+#include "engine/audio/deepest_point.h"
 
 #include <limits>
 #include <utility>
 
 namespace fulcrum::audio {
 
-TouchFinder::TouchFinder(const Pointshell* tool_shell, std::shared_ptr<const DistanceField> scene_field)
+DeepestPointFinder::DeepestPointFinder(const Pointshell* tool_shell,
+                                       std::shared_ptr<const DistanceField> scene_field)
     : field_(std::move(scene_field)) {
   if (tool_shell == nullptr) return;
   const std::size_t every = 1 + (tool_shell->size() - 1) / kProbes;
   for (std::size_t i = 0; i < tool_shell->size(); i += every) probes_T_.push_back(tool_shell->positions[i]);
 }
 
-std::optional<Touch> TouchFinder::find(const Pose& X_WT) const {
+std::optional<DeepestPoint> DeepestPointFinder::find(const Pose& X_WT) const {
   if (!field_ || !X_WT.is_finite()) return std::nullopt;
   const Vec3* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -25,7 +26,7 @@ std::optional<Touch> TouchFinder::find(const Pose& X_WT) const {
   if (nearest == nullptr) return std::nullopt;
   const Vec3 nhat_W = field_->sample(X_WT * *nearest).gradient;
   if (!nhat_W.allFinite()) return std::nullopt;
-  return Touch{*nearest, nhat_W};
+  return DeepestPoint{*nearest, nhat_W};
 }
 
 }  // namespace fulcrum::audio

@@ -12,21 +12,21 @@
 
 namespace fulcrum::audio {
 
-struct Touch {
+struct DeepestPoint {
   Vec3 p_T = Vec3::Zero();     // (3) m, of the tool
   Vec3 nhat_W = Vec3::Zero();  // (3) unit, out of the scene
 };
 
-class TouchFinder {
+class DeepestPointFinder {
 public:
   // Every n-th point of a larger shell: a shell is sorted by place, and so what is left covers it all.
   static constexpr std::size_t kProbes = 4096;
 
   // Either may be null: then nothing touches.
-  TouchFinder(const Pointshell* tool_shell, std::shared_ptr<const DistanceField> scene_field);
+  DeepestPointFinder(const Pointshell* tool_shell, std::shared_ptr<const DistanceField> scene_field);
 
   // None: the pose is no number, or no direction is known there.
-  std::optional<Touch> find(const Pose& X_WT) const;
+  std::optional<DeepestPoint> find(const Pose& X_WT) const;
 
 private:
   std::shared_ptr<const DistanceField> field_;
