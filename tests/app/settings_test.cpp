@@ -189,8 +189,7 @@ TEST_F(SettingsFile, WhatCannotBeReadIsKeptBesideWhatReplacesIt) {
 }
 
 TEST_F(SettingsFile, WhatOthersWroteIntoItStays) {
-  std::string nested = "7";
-  for (int i = 0; i < 1900; ++i) nested = "[" + nested + "]";
+  const std::string nested = std::string(1900, '[') + '7' + std::string(1900, ']');
   write(R"({"someone": )" + nested + R"(, "palette": "colour_blind"})");
   ASSERT_TRUE(write_settings({{PaletteName::standard, 1.25F}, 2}));
   EXPECT_NE(text().find("\"someone\""), std::string::npos);
