@@ -2,28 +2,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "haptics/math/rotation.h"
 
 namespace fulcrum {
 namespace {
 
-constexpr double kLevel = 1e-9;  // m, what lies this far beyond a plane lies on it
+constexpr double kLevel = 1e-9;    // m, what lies this far beyond a plane lies on it
+constexpr double kGathered = 1.5;  // over the reach of a look: how far off the candidates are gathered
+constexpr double kSlack = FeaturePairs::kMostTurn;
+constexpr double kNoSlack = 1e-6;  // rad, of rounding
+constexpr double kTurn = 0.02;     // rad, as far as a tool turns candidates remain all that there are
 enum Kind : std::uint64_t { kVertexFace, kVertexEdge, kVertexVertex, kFaceVertex, kEdgeVertex, kEdgeEdge };
 
 struct ClosestOfEdges {
-  double s = 0, t = 0;  // 0 to 1 along either
-  bool inside = false;  // of both
+  double s = 0, t = 0;    // 0 to 1 along either
+  bool crossing = false;  // no parallels, of which the ends tell
 };
 
-ClosestOfEdges closest_of_edges(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-  const Vec3 u = a1 - a0, v = b1 - b0, w = a0 - b0;
+ClosestOfEdges closest_of_edges(const Vec3& a0, const Vec3& u, const Vec3& b0, const Vec3& v) {
+  const Vec3 w = a0 - b0;
   const double a = u.dot(u), b = u.dot(v), c = v.dot(v), d = u.dot(w), e = v.dot(w);
   const double determinant = a * c - b * b;
-  if (!(determinant > 1e-12 * a * c)) return {};  // parallel: their ends tell
-  ClosestOfEdges closest{(b * e - c * d) / determinant, (a * e - b * d) / determinant, false};
-  closest.inside = closest.s >= 0 && closest.s <= 1 && closest.t >= 0 && closest.t <= 1;
-  return closest;
+  if (!(determinant > 1e-12 * a * c)) return {};
+  return {(b * e - c * d) / determinant, (a * e - b * d) / determinant, true};
+}
+
+// m^2: of the segments from a0 along u and from b0 along v, ends included.
+double squared_distance_of_edges(const Vec3& a0, const Vec3& u, const Vec3& b0, const Vec3& v) {
+  const ClosestOfEdges lines = closest_of_edges(a0, u, b0, v);
+  if (lines.crossing && lines.s >= 0 && lines.s <= 1 && lines.t >= 0 && lines.t <= 1)
+    return (a0 + lines.s * u - b0 - lines.t * v).squaredNorm();
+  const auto of_end = [](const Vec3& p, const Vec3& from, const Vec3& along) {
+    const double part = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (p - from - part * along).squaredNorm();
+  };
+  return std::min(std::min(of_end(a0, b0, v), of_end(a0 + u, b0, v)),
+                  std::min(of_end(b0, a0, u), of_end(b0 + v, a0, u)));
 }
 
 // Whether the segment goes through the triangle.
@@ -35,15 +51,41 @@ bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const V
          nhat.dot((a - c).cross(x - c)) > 0;
 }
 
+// Whether a point at that height is above or below the face, or beyond it where the surface rises.
+bool is_on(const FeatureMesh::Face& face, const TrianglePoint& closest, double height) {
+  if (closest.feature == TriangleFeature::face) return true;
+  const auto which = static_cast<unsigned>(closest.feature);
+  const bool rises =
+      which < 3 ? (face.rises_at_edges >> which & 1u) != 0 : (face.rises_at_corners >> (which - 3) & 1u) != 0;
+  return rises && closest.squared - height * height <= FeaturePairs::kDeepest * FeaturePairs::kDeepest;
+}
+
+// Whether the place lies on the edge, or on its line where that goes on.
+bool is_on(const FeatureMesh::Edge& edge, double part, double length) {
+  const double before = -part * length, beyond = (part - 1) * length;
+  return before <= ((edge.goes_on & 1u) != 0 ? FeaturePairs::kDeepest : 0) &&
+         beyond <= ((edge.goes_on & 2u) != 0 ? FeaturePairs::kDeepest : 0);
+}
+
+// Whether what lies that way of a vertex or an edge (unit directions) is on one side of the plane across nhat
+// through it, but for `slack` rad: above it (sign 1), or below (-1).
+bool on_side(std::span<const Vec3> ways, const Vec3& nhat, double sign, double slack) {
+  for (const Vec3& way : ways)
+    if (sign * nhat.dot(way) < -slack) return false;
+  return true;
+}
+
 }  // namespace
 
 FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
                            std::shared_ptr<const FeatureMesh> scene_W)
     : tool_(std::move(tool_T)),
       scene_(std::move(scene_W)),
-      p_W_(tool_->vertices().size()),
-      nhat_W_(tool_->faces().size()) {
-  face_pairs_.reserve(kMostFacePairs);
+      tool_vertices_(tool_->vertex_tree(), kSlack + kTurn),
+      tool_edges_(tool_->edge_tree(), 2 * kSlack + kTurn),  // either edge may have it
+      tool_faces_(tool_->face_tree(), kSlack + kTurn) {
+  for (std::vector<Candidate>* candidates : {&vertex_faces_, &face_vertices_, &edge_edges_})
+    candidates->reserve(kMostCandidates);
   pairs_.reserve(kMostPairs);
 }
 
@@ -51,110 +93,156 @@ bool FeaturePairs::look(const Pose& X_WT, double reach) noexcept {
   odometer_ += way(X_WT_, X_WT);
   X_WT_ = X_WT;
   R_WT_ = X_WT.q.toRotationMatrix();
-  reach_ = reach;
-  crosses_ = false;
+  reach_ = std::max(reach, kDeepest);
   complete_ = true;
   pairs_.clear();
-  for (std::size_t i = 0; i < p_W_.size(); ++i) p_W_[i] = R_WT_ * tool_->vertices()[i] + X_WT.p;
-  for (std::size_t i = 0; i < nhat_W_.size(); ++i) nhat_W_[i] = R_WT_ * tool_->faces()[i].nhat;
+  least_gap_ = std::numeric_limits<double>::infinity();
   // As long as what was gathered holds all that can have come within reach.
-  if (!(gathered_reach_ >= reach + way(X_WT_gathered_, X_WT))) {
-    gathered_reach_ = 2 * reach;
+  const bool holds = gathered_reach_ >= reach_ + way(X_WT_gathered_, X_WT) &&
+                     angle_between(X_WT_gathered_.q, X_WT.q) < kTurn;
+  if (!holds) {
+    gathered_reach_ = kGathered * reach_;
     X_WT_gathered_ = X_WT;
-    if (!gather(gathered_reach_)) {
-      complete_ = false;
-      gathered_reach_ = -1;
-    }
+    gather();
   }
   const double due = odometer_ + reach_;
-  for (FacePair& faces : face_pairs_)
-    if (!(faces.due > due)) measure(faces);
+  for (Candidate& candidate : vertex_faces_)
+    if (!(candidate.due > due)) vertex_on_face(candidate);
+  for (Candidate& candidate : face_vertices_)
+    if (!(candidate.due > due)) face_on_vertex(candidate);
+  for (Candidate& candidate : edge_edges_)
+    if (!(candidate.due > due)) edge_on_edge(candidate);
+  if (!holds) {
+    const double out = odometer_ + gathered_reach_;
+    for (std::vector<Candidate>* candidates : {&vertex_faces_, &face_vertices_, &edge_edges_})
+      std::erase_if(*candidates, [out](const Candidate& candidate) { return candidate.due > out; });
+    if (!complete_) gathered_reach_ = -1;
+  }
   return complete_;
+}
+
+bool FeaturePairs::none_near() const {
+  return complete_ && vertex_faces_.empty() && face_vertices_.empty() && edge_edges_.empty();
 }
 
 double FeaturePairs::way(const Pose& from, const Pose& to) const noexcept {
   return (to.p - from.p).norm() + angle_between(to.q, from.q) * tool_->radius() + kLevel;
 }
 
-bool FeaturePairs::gather(double reach) noexcept {
-  face_pairs_.clear();
-  descend(0, 0, reach);
-  return complete_;
+void FeaturePairs::keep(std::vector<Candidate>& candidates, std::uint32_t tool,
+                        std::uint32_t scene) noexcept {
+  if (candidates.size() == kMostCandidates)
+    complete_ = false;
+  else
+    candidates.push_back({tool, scene, odometer_});
 }
 
-void FeaturePairs::descend(std::uint32_t tool_node, std::uint32_t scene_node, double reach) noexcept {
-  const FeatureMesh::Node& tool = tool_->nodes()[tool_node];
-  const FeatureMesh::Node& scene = scene_->nodes()[scene_node];
-  const double far = tool.radius + reach;
-  if (scene.box.squaredExteriorDistance(Vec3(R_WT_ * tool.centre + X_WT_.p)) > far * far) return;
-  if (tool.count > 0 && scene.count > 0) {
-    compare_leaves(tool, scene, reach);
+void FeaturePairs::gather() noexcept {
+  vertex_faces_.clear();
+  face_vertices_.clear();
+  edge_edges_.clear();
+  ++gathering_;
+  const FeatureMesh &tool = *tool_, &scene = *scene_;
+  // A face's own normal, or one of its edges' or corners'.
+  const auto of_face = [&](const FeatureMesh& mesh, const FeatureMesh::Face& face, bool corners,
+                           const auto& is_opposed) {
+    if (is_opposed(NormalCone(face.nhat))) return true;
+    for (unsigned i = 0; i < 3; ++i) {
+      const FeatureMesh::Edge& edge = mesh.edges()[face.edges[i]];
+      if ((face.own_edges >> i & 1u) != 0 && (edge.convex || edge.flat) &&
+          is_opposed(mesh.edge_normals()[face.edges[i]]))
+        return true;
+      const NormalCone& corner = mesh.vertex_normals()[face.corners[i]];
+      if (corners && (face.own_corners >> i & 1u) != 0 && !corner.none() && is_opposed(corner)) return true;
+    }
+    return false;
+  };
+  gather_kind(
+      tool_vertices_, scene.face_tree(),
+      [&](std::uint32_t v, std::uint32_t g) {
+        const FeatureMesh::Face& face = scene.faces()[g];
+        const NormalCone& of_vertex = tool.vertex_normals()[v];
+        const Vec3 axis_W = R_WT_ * of_vertex.axis();
+        if (!of_face(
+                scene, face, true,
+                [&](const NormalCone& cone) {
+                  return of_vertex.opposes(axis_W, cone, tool_vertices_.slack);
+                }))
+          return;
+        keep(vertex_faces_, v, g);
+      });
+  gather_kind(
+      tool_faces_, scene.vertex_tree(),
+      [&](std::uint32_t f, std::uint32_t v) {
+        const FeatureMesh::Face& face = tool.faces()[f];
+        const NormalCone& of_vertex = scene.vertex_normals()[v];
+        const Vec3 axis_T = R_WT_.transpose() * of_vertex.axis();
+        if (!of_face(
+                tool, face, false,
+                [&](const NormalCone& cone) { return of_vertex.opposes(axis_T, cone, tool_faces_.slack); }))
+          return;
+        keep(face_vertices_, f, v);
+      });
+  gather_kind(tool_edges_, scene.edge_tree(),
+              [&](std::uint32_t e, std::uint32_t k) { keep(edge_edges_, e, k); });
+}
+
+FeaturePairs::Posed::Posed(const FeatureTree& of, double turn)
+    : tree(&of),
+      slack(Vec3::UnitX(), turn),
+      gathering(of.nodes()),
+      box_W(of.nodes()),
+      axis_W(of.nodes()),
+      feature_box_W(of.features()),
+      feature_axis_W(of.features()) {}
+
+void FeaturePairs::pose(Posed& tool, std::uint32_t node) noexcept {
+  if (tool.gathering[node] == gathering_) return;
+  tool.gathering[node] = gathering_;
+  const Mat3 sizes = R_WT_.cwiseAbs();
+  // What holds the box, and those who ask how far it is go gathered_reach_ beyond it.
+  const auto around = [&](const Box3& box_T) {
+    const Vec3 centre = R_WT_ * box_T.center() + X_WT_.p;
+    const Vec3 half = (sizes * box_T.sizes() / 2).array() + gathered_reach_;
+    return Box3(centre - half, centre + half);
+  };
+  const FeatureTree::Node& of_tool = tool.tree->node(node);
+  tool.box_W[node] = around(of_tool.box);
+  tool.axis_W[node] = R_WT_ * of_tool.cone.axis();
+  for (std::uint32_t i = 0; i < of_tool.count; ++i) {
+    const TreeFeature& feature = tool.tree->of(of_tool)[i];
+    tool.feature_box_W[of_tool.first + i] = around(feature.box);
+    tool.feature_axis_W[of_tool.first + i] = R_WT_ * feature.cone.axis();
+  }
+}
+
+template <class Take>
+void FeaturePairs::gather_kind(Posed& tool, const FeatureTree& scene, const Take& take) noexcept {
+  if (!tool.tree->empty() && !scene.empty()) descend(tool, scene, 0, 0, take);
+}
+
+template <class Take>
+void FeaturePairs::descend(Posed& tool, const FeatureTree& scene, std::uint32_t tool_node,
+                           std::uint32_t scene_node, const Take& take) noexcept {
+  pose(tool, tool_node);
+  const FeatureTree::Node &of_tool = tool.tree->node(tool_node), &of_scene = scene.node(scene_node);
+  if (!tool.box_W[tool_node].intersects(of_scene.box)) return;
+  if (!of_tool.cone.opposes(tool.axis_W[tool_node], of_scene.cone, tool.slack)) return;
+  if (of_tool.count > 0 && of_scene.count > 0) {
+    const std::span<const TreeFeature> of_leaf = tool.tree->of(of_tool);
+    for (std::uint32_t i = 0; i < of_tool.count; ++i)
+      for (const TreeFeature& feature : scene.of(of_scene))
+        if (tool.feature_box_W[of_tool.first + i].intersects(feature.box) &&
+            of_leaf[i].cone.opposes(tool.feature_axis_W[of_tool.first + i], feature.cone, tool.slack))
+          take(of_leaf[i].which, feature.which);
     return;
   }
-  const bool of_tool = scene.count > 0 || (tool.count == 0 && tool.radius > scene.radius);
+  const bool split_tool = of_scene.count > 0 || (of_tool.count == 0 && of_tool.radius > of_scene.radius);
   for (std::uint32_t child = 0; child < 2; ++child)
-    if (of_tool)
-      descend(tool.first + child, scene_node, reach);
+    if (split_tool)
+      descend(tool, scene, of_tool.first + child, scene_node, take);
     else
-      descend(tool_node, scene.first + child, reach);
-}
-
-void FeaturePairs::compare_leaves(const FeatureMesh::Node& tool, const FeatureMesh::Node& scene,
-                                  double reach) noexcept {
-  for (std::uint32_t i = tool.first; i < tool.first + tool.count; ++i) {
-    const std::uint32_t f = tool_->order()[i];
-    Box3 box;
-    for (const std::uint32_t v : tool_->faces()[f].corners) box.extend(p_W_[v]);
-    for (std::uint32_t j = scene.first; j < scene.first + scene.count; ++j) {
-      const std::uint32_t g = scene_->order()[j];
-      if (box.squaredExteriorDistance(scene_->faces()[g].box) > reach * reach) continue;
-      if (face_pairs_.size() == kMostFacePairs) {
-        complete_ = false;
-        return;
-      }
-      face_pairs_.push_back({f, g, 0});
-    }
-  }
-}
-
-void FeaturePairs::measure(FacePair& faces) noexcept {
-  const FeatureMesh::Face& f = tool_->faces()[faces.tool];
-  const FeatureMesh::Face& g = scene_->faces()[faces.scene];
-  // Which side of the other's plane either lies on, and how far at least.
-  const Vec3& a = p_W_[f.corners[0]];
-  const Vec3& b = scene_->vertices()[g.corners[0]];
-  double tool_low = 1e9, tool_high = -1e9, scene_low = 1e9, scene_high = -1e9;
-  for (unsigned i = 0; i < 3; ++i) {
-    const double h = g.nhat.dot(p_W_[f.corners[i]] - b);
-    const double k = nhat_W_[faces.tool].dot(scene_->vertices()[g.corners[i]] - a);
-    tool_low = std::min(tool_low, h);
-    tool_high = std::max(tool_high, h);
-    scene_low = std::min(scene_low, k);
-    scene_high = std::max(scene_high, k);
-  }
-  faces.due = odometer_ + std::max(std::max(tool_low, -tool_high), std::max(scene_low, -scene_high));
-  if (tool_low > reach_ || tool_high < -reach_ || scene_low > reach_ || scene_high < -reach_) return;
-  if (!crosses_ && tool_low < 0 && tool_high > 0 && scene_low < 0 && scene_high > 0)
-    crosses_ = pierced(faces);
-  vertex_on_face(faces);
-  face_on_vertex(faces);
-  edge_on_edge(faces);
-}
-
-bool FeaturePairs::pierced(const FacePair& faces) const noexcept {
-  const FeatureMesh::Face& f = tool_->faces()[faces.tool];
-  const FeatureMesh::Face& g = scene_->faces()[faces.scene];
-  const auto tool = [&](unsigned i) -> const Vec3& { return p_W_[f.corners[i % 3]]; };
-  const auto scene = [&](unsigned i) -> const Vec3& { return scene_->vertices()[g.corners[i % 3]]; };
-  for (unsigned e = 0; e < 3; ++e) {
-    if (!tool_->edges()[f.edges[e]].flat &&
-        pierces(tool(e), tool(e + 1), scene(0), scene(1), scene(2), g.nhat))
-      return true;
-    if (!scene_->edges()[g.edges[e]].flat &&
-        pierces(scene(e), scene(e + 1), tool(0), tool(1), tool(2), nhat_W_[faces.tool]))
-      return true;
-  }
-  return false;
+      descend(tool, scene, tool_node, of_scene.first + child, take);
 }
 
 void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W,
@@ -164,113 +252,134 @@ void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t sce
     return;
   }
   pairs_.push_back({kind << 60 | std::uint64_t{tool} << 30 | scene, p_W, nhat_W, gap});
+  least_gap_ = std::min(least_gap_, gap);
 }
 
-namespace {
-
-// Whether all that is around lies on one side of the plane through p: above it (sign 1), or below (-1).
-bool on_side(std::span<const Vec3> vertices, std::span<const std::uint32_t> around, const Vec3& p,
-             const Vec3& nhat, double sign) {
-  return std::all_of(
-      around.begin(), around.end(),
-      [&](std::uint32_t v) { return sign * nhat.dot(vertices[v] - p) >= -kLevel; });
-}
-
-}  // namespace
-
-void FeaturePairs::vertex_on_face(const FacePair& faces) noexcept {
-  const FeatureMesh::Face& f = tool_->faces()[faces.tool];
-  const FeatureMesh::Face& g = scene_->faces()[faces.scene];
-  const std::span<const Vec3> tool = p_W_, scene = scene_->vertices();
-  for (unsigned i = 0; i < 3; ++i) {
-    if ((f.own_corners >> i & 1u) == 0) continue;
-    const std::uint32_t vertex = f.corners[i];
-    const Vec3& p = p_W_[vertex];
-    const double height = g.nhat.dot(p - scene[g.corners[0]]);
-    if (!(height > 0) || height > reach_) continue;
-    const TrianglePoint closest =
-        closest_on_triangle(p, scene[g.corners[0]], scene[g.corners[1]], scene[g.corners[2]]);
-    if (!(closest.squared <= reach_ * reach_)) continue;
-    const double gap = std::sqrt(closest.squared);
-    const Vec3 nhat = closest.feature == TriangleFeature::face || !(gap > kLevel)
-                          ? g.nhat
-                          : Vec3((p - closest.point) / gap);
-    if (!on_side(tool, tool_->around(vertex), p, nhat, 1)) continue;
-    const auto which = static_cast<unsigned>(closest.feature);
-    if (closest.feature == TriangleFeature::face) {
-      add(kVertexFace, vertex, faces.scene, p, nhat, gap);
-    } else if (which < 3) {
-      const FeatureMesh::Edge& edge = scene_->edges()[g.edges[which]];
-      if ((edge.convex || edge.flat) && on_side(scene, edge.opposite, closest.point, nhat, -1))
-        add(kVertexEdge, vertex, g.edges[which], p, nhat, gap);
-    } else {
-      const std::uint32_t corner = g.corners[which - 3];
-      if (on_side(scene, scene_->around(corner), closest.point, nhat, -1))
-        add(kVertexVertex, vertex, corner, p, nhat, gap);
-    }
+void FeaturePairs::vertex_on_face(Candidate& candidate) noexcept {
+  const std::span<const Vec3> scene = scene_->vertices();
+  const FeatureMesh::Face& face = scene_->faces()[candidate.scene];
+  const Vec3 p = in_world(candidate.tool);
+  const Vec3& corner = scene[face.corners[0]];
+  const double height = face.nhat.dot(p - corner);
+  candidate.due = odometer_ + std::abs(height);
+  if (std::abs(height) > reach_) return;
+  const TrianglePoint closest =
+      closest_on_triangle(p, corner, scene[face.corners[1]], scene[face.corners[2]]);
+  const double distance = std::sqrt(closest.squared);
+  candidate.due = odometer_ + distance;
+  if (distance > reach_) return;
+  const auto which = static_cast<unsigned>(closest.feature);
+  const bool on_face = is_on(face, closest, height);
+  const Vec3 nhat = on_face || !(distance > kLevel) ? face.nhat : Vec3((p - closest.point) / distance);
+  if (!on_side(tool_->around(candidate.tool), R_WT_.transpose() * nhat, 1, kSlack)) return;
+  if (on_face) {
+    if (height >= -kDeepest) add(kVertexFace, candidate.tool, candidate.scene, p, nhat, height);
+  } else if (which < 3) {
+    const FeatureMesh::Edge& edge = scene_->edges()[face.edges[which]];
+    if ((face.own_edges >> which & 1u) != 0 && (edge.convex || edge.flat) &&
+        on_side(edge.across, nhat, -1, kNoSlack))
+      add(kVertexEdge, candidate.tool, face.edges[which], p, nhat, distance);
+  } else {
+    const std::uint32_t vertex = face.corners[which - 3];
+    if ((face.own_corners >> (which - 3) & 1u) != 0 && on_side(scene_->around(vertex), nhat, -1, kNoSlack))
+      add(kVertexVertex, candidate.tool, vertex, p, nhat, distance);
   }
 }
 
-void FeaturePairs::face_on_vertex(const FacePair& faces) noexcept {
-  const FeatureMesh::Face& f = tool_->faces()[faces.tool];
-  const FeatureMesh::Face& g = scene_->faces()[faces.scene];
-  const std::span<const Vec3> tool = p_W_, scene = scene_->vertices();
-  for (unsigned i = 0; i < 3; ++i) {
-    if ((g.own_corners >> i & 1u) == 0) continue;
-    const std::uint32_t vertex = g.corners[i];
-    const Vec3& p = scene[vertex];
-    const double height = nhat_W_[faces.tool].dot(p - p_W_[f.corners[0]]);
-    if (!(height > 0) || height > reach_) continue;
-    const TrianglePoint closest =
-        closest_on_triangle(p, p_W_[f.corners[0]], p_W_[f.corners[1]], p_W_[f.corners[2]]);
-    if (!(closest.squared <= reach_ * reach_)) continue;
-    const auto which = static_cast<unsigned>(closest.feature);
-    if (which >= 3 && closest.feature != TriangleFeature::face)
-      continue;  // vertex on vertex: found from there
-    const double gap = std::sqrt(closest.squared);
-    const Vec3 nhat = closest.feature == TriangleFeature::face || !(gap > kLevel)
-                          ? Vec3(-nhat_W_[faces.tool])
-                          : Vec3((closest.point - p) / gap);
-    if (!on_side(scene, scene_->around(vertex), p, nhat, -1)) continue;
-    if (closest.feature == TriangleFeature::face) {
-      add(kFaceVertex, faces.tool, vertex, closest.point, nhat, gap);
-    } else {
-      const FeatureMesh::Edge& edge = tool_->edges()[f.edges[which]];
-      if ((edge.convex || edge.flat) && on_side(tool, edge.opposite, closest.point, nhat, 1))
-        add(kEdgeVertex, f.edges[which], vertex, closest.point, nhat, gap);
-    }
+void FeaturePairs::face_on_vertex(Candidate& candidate) noexcept {
+  const std::span<const Vec3> tool = tool_->vertices(), scene = scene_->vertices();
+  const FeatureMesh::Face& face = tool_->faces()[candidate.tool];
+  const Vec3& p_W = scene[candidate.scene];
+  const Vec3 p = R_WT_.transpose() * (p_W - X_WT_.p);
+  const Vec3& corner = tool[face.corners[0]];
+  const double height = face.nhat.dot(p - corner);
+  candidate.due = odometer_ + std::abs(height);
+  if (std::abs(height) > reach_) return;
+  const TrianglePoint closest = closest_on_triangle(p, corner, tool[face.corners[1]], tool[face.corners[2]]);
+  const double distance = std::sqrt(closest.squared);
+  candidate.due = odometer_ + distance;
+  if (distance > reach_) return;
+  const auto which = static_cast<unsigned>(closest.feature);
+  const bool on_face = is_on(face, closest, height);
+  if (which >= 3 && !on_face) return;  // vertex on vertex: found from there
+  const Vec3 nhat_T =
+      on_face || !(distance > kLevel) ? Vec3(-face.nhat) : Vec3((closest.point - p) / distance);
+  const Vec3 nhat_W = R_WT_ * nhat_T;
+  if (!on_side(scene_->around(candidate.scene), nhat_W, -1, kSlack)) return;
+  const Vec3 closest_W = R_WT_ * closest.point + X_WT_.p;
+  if (on_face) {
+    if (height >= -kDeepest) add(kFaceVertex, candidate.tool, candidate.scene, closest_W, nhat_W, height);
+    return;
   }
+  const FeatureMesh::Edge& edge = tool_->edges()[face.edges[which]];
+  if ((face.own_edges >> which & 1u) != 0 && (edge.convex || edge.flat) &&
+      on_side(edge.across, nhat_T, 1, kNoSlack))
+    add(kEdgeVertex, face.edges[which], candidate.scene, closest_W, nhat_W, distance);
 }
 
-void FeaturePairs::edge_on_edge(const FacePair& faces) noexcept {
-  const FeatureMesh::Face& f = tool_->faces()[faces.tool];
-  const FeatureMesh::Face& g = scene_->faces()[faces.scene];
-  const std::span<const Vec3> tool = p_W_, scene = scene_->vertices();
-  for (unsigned i = 0; i < 3; ++i) {
-    if ((f.own_edges >> i & 1u) == 0) continue;
-    const FeatureMesh::Edge& of_tool = tool_->edges()[f.edges[i]];
-    if (!of_tool.convex) continue;
-    for (unsigned j = 0; j < 3; ++j) {
-      if ((g.own_edges >> j & 1u) == 0) continue;
-      const FeatureMesh::Edge& of_scene = scene_->edges()[g.edges[j]];
-      if (!of_scene.convex) continue;
-      const Vec3 &a0 = p_W_[of_tool.from], &a1 = p_W_[of_tool.to];
-      const Vec3 &b0 = scene[of_scene.from], &b1 = scene[of_scene.to];
-      const ClosestOfEdges closest = closest_of_edges(a0, a1, b0, b1);
-      if (!closest.inside) continue;
-      const Vec3 p = a0 + closest.s * (a1 - a0), q = b0 + closest.t * (b1 - b0);
-      const double gap = (p - q).norm();
-      if (gap > reach_ || !(gap > kLevel)) continue;
-      const Vec3 nhat = (p - q) / gap;
-      if (on_side(scene, of_scene.opposite, q, nhat, -1) && on_side(tool, of_tool.opposite, p, nhat, 1))
-        add(kEdgeEdge, f.edges[i], g.edges[j], p, nhat, gap);
+void FeaturePairs::edge_on_edge(Candidate& candidate) noexcept {
+  const std::span<const Vec3> scene = scene_->vertices();
+  const FeatureMesh::Edge &of_tool = tool_->edges()[candidate.tool],
+                          &of_scene = scene_->edges()[candidate.scene];
+  const Vec3 a0 = in_world(of_tool.from), &b0 = scene[of_scene.from];
+  const Vec3 u = in_world(of_tool.to) - a0, v = scene[of_scene.to] - b0;
+  const ClosestOfEdges closest = closest_of_edges(a0, u, b0, v);
+  if (!closest.crossing || !is_on(of_tool, closest.s, u.norm()) || !is_on(of_scene, closest.t, v.norm())) {
+    candidate.due = odometer_ + std::max(0.0, std::sqrt(squared_distance_of_edges(a0, u, b0, v)) - kDeepest);
+    return;
+  }
+  const Vec3 p = a0 + closest.s * u, q = b0 + closest.t * v;
+  // Outwards of the scene.
+  Vec3 nhat = u.cross(v).normalized();
+  if (nhat.dot(scene_->edge_normals()[candidate.scene].axis()) < 0) nhat = -nhat;
+  const double gap = nhat.dot(p - q);
+  candidate.due = odometer_ + std::abs(gap);
+  if (std::abs(gap) > reach_) return;
+  if (!on_side(of_scene.across, nhat, -1, kSlack) ||
+      !on_side(of_tool.across, R_WT_.transpose() * nhat, 1, kSlack))
+    return;
+  if (gap >= -kDeepest) add(kEdgeEdge, candidate.tool, candidate.scene, p, nhat, gap);
+}
+
+bool FeaturePairs::crosses(std::size_t first_face, std::size_t count) const noexcept {
+  const std::size_t end = std::min(first_face + count, faces());
+  for (std::size_t f = first_face; f < end; ++f) {
+    const FeatureMesh::Face& face = tool_->faces()[f];
+    const std::array corners{in_world(face.corners[0]), in_world(face.corners[1]), in_world(face.corners[2])};
+    Box3 box(corners[0], corners[0]);
+    box.extend(corners[1]).extend(corners[2]);
+    if (pierced(face, corners, box, 0)) return true;
+  }
+  return false;
+}
+
+bool FeaturePairs::pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners, const Box3& box,
+                           std::uint32_t scene_node) const noexcept {
+  const FeatureTree& tree = scene_->face_tree();
+  const FeatureTree::Node& node = tree.node(scene_node);
+  if (!box.intersects(node.box)) return false;
+  if (node.count == 0)
+    return pierced(face, corners, box, node.first) || pierced(face, corners, box, node.first + 1);
+  const Vec3 nhat = R_WT_ * face.nhat;
+  for (const TreeFeature& feature : tree.of(node)) {
+    if (!box.intersects(feature.box)) continue;
+    const FeatureMesh::Face& of_scene = scene_->faces()[feature.which];
+    const auto scene = [&](unsigned i) -> const Vec3& { return scene_->vertices()[of_scene.corners[i % 3]]; };
+    for (unsigned e = 0; e < 3; ++e) {
+      if (!tool_->edges()[face.edges[e]].flat &&
+          pierces(corners[e], corners[(e + 1) % 3], scene(0), scene(1), scene(2), of_scene.nhat))
+        return true;
+      if (!scene_->edges()[of_scene.edges[e]].flat &&
+          pierces(scene(e), scene(e + 1), corners[0], corners[1], corners[2], nhat))
+        return true;
     }
   }
+  return false;
 }
 
 std::size_t FeaturePairs::bytes() const {
-  return tool_->bytes() + scene_->bytes() + kMostFacePairs * sizeof(FacePair) +
-         kMostPairs * sizeof(FeaturePair) + (p_W_.size() + nhat_W_.size()) * sizeof(Vec3);
+  return tool_->bytes() + scene_->bytes() + 3 * kMostCandidates * sizeof(Candidate) +
+         kMostPairs * sizeof(FeaturePair);
 }
 
 }  // namespace fulcrum

@@ -2,6 +2,7 @@
 // A tool's vertices, edges and faces against a scene's: which of them are near each other, how far apart, and
 // along which normal; and whether the surfaces cross. Measured on the triangles, in double precision.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,14 +14,16 @@
 
 namespace fulcrum {
 
-// A place where the two surfaces are nearest to each other, locally: all that is around either feature lies
-// on its own side of the plane across nhat. Edges that are parallel, and edges that do not bend outwards, are
-// in no pair of edges: their ends and the faces beside them are.
+// A place where the two surfaces are nearest to each other, locally, or would be if the tool turned by
+// kMostTurn: all that is around either feature lies on its own side of the plane across nhat, but for that
+// angle. Edges that are parallel, and edges that do not bend outwards, are in no pair of edges: their ends
+// and the faces beside them are. Where the surface goes on beyond a face's or an edge's end as a wall does
+// beyond a room's corner, the pair does, too, for kDeepest.
 struct FeaturePair {
   std::uint64_t key = 0;       // the same two features have the same from look to look
   Vec3 p_W = Vec3::Zero();     // (3) m, on the tool
   Vec3 nhat_W = Vec3::Zero();  // (3) unit, from the scene to the tool
-  double gap = 0;              // m
+  double gap = 0;              // m, along nhat; below 0 the surfaces have passed each other there
 
   // A name of 32 bits, which two pairs may share: then one of them has the other's guess.
   std::uint32_t number() const { return static_cast<std::uint32_t>(key ^ key >> 29); }
@@ -28,35 +31,59 @@ struct FeaturePair {
 
 class FeaturePairs {
 public:
-  static constexpr std::size_t kMostFacePairs = 1u << 16;
+  static constexpr std::size_t kMostCandidates = 1u << 16;  // of each kind
   static constexpr std::size_t kMostPairs = 1u << 14;
+  static constexpr double kMostTurn = 0.03;  // rad
+  static constexpr double kDeepest = 50e-6;  // m, what has passed farther is no pair
 
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
 
-  // The pairs nearer than `reach` m with the tool at X_WT. False: there were more than fit.
+  // The pairs nearer than `reach` m, at least kDeepest, with the tool at X_WT. False: there were more than
+  // fit.
   bool look(const Pose& X_WT, double reach) noexcept;
   std::span<const FeaturePair> pairs() const { return pairs_; }
-  bool none_near() const { return face_pairs_.empty() && complete_; }
-  // At the last look() an edge of one went through a face of the other. A tool that is wholly inside of the
-  // scene crosses nothing.
-  bool crosses() const { return crosses_; }
+  double least_gap() const { return least_gap_; }  // m, of the pairs; infinite: there are none
+  bool none_near() const;
+
+  // Whether, at the last look's pose, an edge of one goes through a face of the other: of these of the tool's
+  // faces alone. A tool that is wholly inside of the scene crosses nothing.
+  bool crosses(std::size_t first_face, std::size_t count) const noexcept;
+  std::size_t faces() const { return tool_->faces().size(); }  // the tool's
   std::size_t bytes() const;
 
 private:
-  struct FacePair {
+  // Two features that may be nearest to each other at poses near the one where they were gathered.
+  struct Candidate {
     std::uint32_t tool, scene;
     double due;  // m, on the odometer: until then the two cannot have come together
   };
   // m: no point of the tool moves farther on a straight way from one pose to the other.
   double way(const Pose& from, const Pose& to) const noexcept;
-  bool gather(double reach) noexcept;
-  void descend(std::uint32_t tool_node, std::uint32_t scene_node, double reach) noexcept;
-  void compare_leaves(const FeatureMesh::Node& tool, const FeatureMesh::Node& scene, double reach) noexcept;
-  void measure(FacePair& faces) noexcept;
-  void vertex_on_face(const FacePair& faces) noexcept;
-  void face_on_vertex(const FacePair& faces) noexcept;
-  void edge_on_edge(const FacePair& faces) noexcept;
-  bool pierced(const FacePair& faces) const noexcept;
+  void gather() noexcept;
+  // Of a tree of the tool's, in W, as far as a gathering has come there.
+  struct Posed {
+    Posed(const FeatureTree& tree, double turn);
+    const FeatureTree* tree;
+    NormalCone slack;                      // how far the tool may turn, and its features be off
+    std::vector<std::uint32_t> gathering;  // (nodes) in which its figures were made
+    std::vector<Box3> box_W;               // (nodes)
+    std::vector<Vec3> axis_W;              // (nodes x 3)
+    std::vector<Box3> feature_box_W;       // (features)
+    std::vector<Vec3> feature_axis_W;      // (features x 3)
+  };
+  void pose(Posed& tool, std::uint32_t node) noexcept;
+  template <class Take>
+  void descend(Posed& tool, const FeatureTree& scene, std::uint32_t tool_node, std::uint32_t scene_node,
+               const Take& take) noexcept;
+  template <class Take>
+  void gather_kind(Posed& tool, const FeatureTree& scene, const Take& take) noexcept;
+  void keep(std::vector<Candidate>& candidates, std::uint32_t tool, std::uint32_t scene) noexcept;
+  void vertex_on_face(Candidate& candidate) noexcept;
+  void face_on_vertex(Candidate& candidate) noexcept;
+  void edge_on_edge(Candidate& candidate) noexcept;
+  bool pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners, const Box3& box,
+               std::uint32_t scene_node) const noexcept;
+  Vec3 in_world(std::uint32_t tool_vertex) const { return R_WT_ * tool_->vertices()[tool_vertex] + X_WT_.p; }
   void add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W, const Vec3& nhat_W,
            double gap) noexcept;
 
@@ -65,13 +92,14 @@ private:
   Mat3 R_WT_ = Mat3::Identity();
   double reach_ = 0;            // m, of the look
   double odometer_ = 0;         // m, no point of the tool has come farther from look to look
-  Pose X_WT_gathered_;          // where face_pairs_ were gathered, with
+  Pose X_WT_gathered_;          // where the candidates were gathered, with
   double gathered_reach_ = -1;  // m
-  std::vector<FacePair> face_pairs_;
-  std::vector<Vec3> p_W_;     // (tool's vertices x 3) m
-  std::vector<Vec3> nhat_W_;  // (tool's faces x 3) unit
+  std::uint32_t gathering_ = 0;
+  Posed tool_vertices_, tool_edges_, tool_faces_;
+  std::vector<Candidate> vertex_faces_, face_vertices_, edge_edges_;  // the tool's feature first
   std::vector<FeaturePair> pairs_;
-  bool crosses_ = false, complete_ = true;
+  double least_gap_ = 0;
+  bool complete_ = true;
 };
 
 }  // namespace fulcrum

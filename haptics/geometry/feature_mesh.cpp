@@ -1,13 +1,49 @@
 #include "haptics/geometry/feature_mesh.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+
+#include "haptics/geometry/point_triangle.h"
 
 namespace fulcrum {
 namespace {
 
-constexpr std::uint32_t kLeaf = 4;  // faces
 constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr double kStraight = 1e-6;  // rad, a vertex that stands out by less is none to touch with
+
+// Of all planes through a vertex that have these edges (unit) on their inner side: the cube about the vertex,
+// each of its sides cut by every edge's plane.
+NormalCone normals_behind(std::span<const Vec3> edges) {
+  std::vector<Vec3> rays, polygon, kept;
+  for (int axis = 0; axis < 3 && !edges.empty(); ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      polygon.clear();
+      for (const auto& [u, v] : {std::pair(-1.0, -1.0), {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+        Vec3 corner;
+        corner[axis] = side;
+        corner[(axis + 1) % 3] = u;
+        corner[(axis + 2) % 3] = v;
+        polygon.push_back(corner);
+      }
+      for (const Vec3& edge : edges) {
+        kept.clear();
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+          const Vec3 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+          const double a = edge.dot(from), b = edge.dot(to);
+          if (a <= 0) kept.push_back(from);
+          if ((a < 0 && b > 0) || (a > 0 && b < 0)) kept.push_back(from + (to - from) * (a / (a - b)));
+        }
+        polygon.swap(kept);
+      }
+      for (const Vec3& ray : polygon) rays.push_back(ray.normalized());
+    }
+  }
+  const NormalCone cone = NormalCone::about(rays);
+  const bool stands_out = !cone.none() && std::all_of(edges.begin(), edges.end(), [&](const Vec3& edge) {
+    return edge.dot(cone.axis()) < -kStraight;
+  });
+  return stands_out ? cone : NormalCone();
+}
 
 }  // namespace
 
@@ -28,22 +64,10 @@ FeatureMesh::FeatureMesh(const TriangleMesh& mesh, std::span<const Triangle> nei
     faces_.push_back(face);
   }
   pair_edges(neighbours);
-
-  std::vector<std::vector<std::uint32_t>> around(vertices_.size());
-  for (const Edge& edge : edges_) {
-    around[edge.from].push_back(edge.to);
-    around[edge.to].push_back(edge.from);
-  }
-  for (const auto& of_vertex : around) {
-    around_begin_.push_back(static_cast<std::uint32_t>(around_.size()));
-    around_.insert(around_.end(), of_vertex.begin(), of_vertex.end());
-  }
-  around_begin_.push_back(static_cast<std::uint32_t>(around_.size()));
-
-  order_.resize(faces_.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  nodes_.emplace_back();
-  split(0, 0, static_cast<std::uint32_t>(order_.size()));
+  find_around();
+  find_rises();
+  find_line_ends();
+  plant_trees();
 }
 
 void FeatureMesh::pair_edges(std::span<const Triangle> neighbours) {
@@ -56,21 +80,22 @@ void FeatureMesh::pair_edges(std::span<const Triangle> neighbours) {
         face.edges[e] = known[f][e];
         continue;
       }
-      Edge edge{.from = from, .to = to, .opposite = {face.corners[(e + 2) % 3], face.corners[(e + 2) % 3]}};
-      edge.flat = true;
+      const Vec3 along = (vertices_[to] - vertices_[from]).stableNormalized();
+      Edge edge{.from = from, .to = to, .faces = {f, f}, .flat = true};
+      edge.across[0] = edge.across[1] = face.nhat.cross(along);
       const std::uint32_t other = neighbours[f][e];
       if (other < faces_.size()) {
         const Face& there = faces_[other];
         for (unsigned k = 0; k < 3; ++k) {
           if (there.corners[k] != to || there.corners[(k + 1) % 3] != from) continue;
-          edge.opposite[1] = there.corners[(k + 2) % 3];
+          edge.faces[1] = other;
+          edge.across[1] = along.cross(there.nhat);
           known[other][k] = static_cast<std::uint32_t>(edges_.size());
           // How far each side's third corner lies above the other side's face.
-          const double above = std::max(face.nhat.dot(vertices_[edge.opposite[1]] - vertices_[from]),
-                                        there.nhat.dot(vertices_[edge.opposite[0]] - vertices_[from]));
-          const double below = std::min(face.nhat.dot(vertices_[edge.opposite[1]] - vertices_[from]),
-                                        there.nhat.dot(vertices_[edge.opposite[0]] - vertices_[from]));
-          edge.flat = above < kFlat && below > -kFlat;
+          const double here_above = there.nhat.dot(vertices_[face.corners[(e + 2) % 3]] - vertices_[from]);
+          const double there_above = face.nhat.dot(vertices_[there.corners[(k + 2) % 3]] - vertices_[from]);
+          const double above = std::max(here_above, there_above);
+          edge.flat = above < kFlat && std::min(here_above, there_above) > -kFlat;
           edge.convex = !edge.flat && above <= kFlat;
         }
       }
@@ -81,43 +106,100 @@ void FeatureMesh::pair_edges(std::span<const Triangle> neighbours) {
   }
 }
 
-void FeatureMesh::split(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
-  Box3 box, middles;
-  const auto middle = [this](std::uint32_t f) {
-    const Triangle& c = faces_[f].corners;
-    return Vec3((vertices_[c[0]] + vertices_[c[1]] + vertices_[c[2]]) / 3);
-  };
-  const auto begin = order_.begin() + first, end = begin + count;
-  for (auto f = begin; f != end; ++f) {
-    for (const std::uint32_t v : faces_[*f].corners) box.extend(vertices_[v]);
-    middles.extend(middle(*f));
+void FeatureMesh::find_around() {
+  std::vector<std::vector<Vec3>> around(vertices_.size());
+  for (const Edge& edge : edges_) {
+    const Vec3 along = (vertices_[edge.to] - vertices_[edge.from]).stableNormalized();
+    around[edge.from].push_back(along);
+    around[edge.to].push_back(-along);
   }
-  nodes_[node].box = box;
-  nodes_[node].centre = box.center();
-  nodes_[node].radius = 0.5 * box.diagonal().norm();
-  if (count <= kLeaf) {
-    nodes_[node].first = first;
-    nodes_[node].count = count;
-    return;
+  for (const auto& of_vertex : around) {
+    around_begin_.push_back(static_cast<std::uint32_t>(around_.size()));
+    around_.insert(around_.end(), of_vertex.begin(), of_vertex.end());
   }
-  int axis = 0;
-  middles.sizes().maxCoeff(&axis);
-  const std::uint32_t half = count / 2;
-  std::nth_element(begin, begin + half, end, [&](std::uint32_t l, std::uint32_t r) {
-    const double a = middle(l)[axis], b = middle(r)[axis];
-    return a < b || (a == b && l < r);
-  });
-  const auto children = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node].first = children;
-  nodes_.resize(nodes_.size() + 2);
-  split(children, first, half);
-  split(children + 1, first + half, count - half);
+  around_begin_.push_back(static_cast<std::uint32_t>(around_.size()));
+}
+
+void FeatureMesh::find_rises() {
+  for (Face& face : faces_) {
+    for (unsigned i = 0; i < 3; ++i) {
+      // Edge i begins at corner i, and edge i + 2 ends there.
+      const Edge &edge = edges_[face.edges[i]], &before = edges_[face.edges[(i + 2) % 3]];
+      if (edge.concave()) face.rises_at_edges = static_cast<std::uint8_t>(face.rises_at_edges | 1u << i);
+      if (!edge.convex && !before.convex && (edge.concave() || before.concave()))
+        face.rises_at_corners = static_cast<std::uint8_t>(face.rises_at_corners | 1u << i);
+    }
+  }
+}
+
+void FeatureMesh::find_line_ends() {
+  std::vector<std::vector<std::uint32_t>> faces_around(vertices_.size());
+  for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    for (const std::uint32_t v : faces_[f].corners) faces_around[v].push_back(f);
+  for (Edge& edge : edges_) {
+    if (!edge.convex) continue;
+    const Vec3 along = (vertices_[edge.to] - vertices_[edge.from]).stableNormalized();
+    if (goes_on(edge.from, -along, faces_around[edge.from])) edge.goes_on |= 1u;
+    if (goes_on(edge.to, along, faces_around[edge.to])) edge.goes_on |= 2u;
+  }
+}
+
+// Of a place beside the vertex the nearest face tells whether it is inside; where several are as near, the
+// one that faces it most does (J. A. Baerentzen, H. Aanaes, "Signed distance computation using the angle
+// weighted pseudonormal", IEEE TVCG 11(3), 2005, has the case that needs more than that).
+bool FeatureMesh::goes_on(std::uint32_t vertex, const Vec3& direction,
+                          std::span<const std::uint32_t> faces) const {
+  // All lengths beside a corner count alike: its faces' edges are taken as of length 1.
+  double nearest = 2, facing = 0;
+  for (const std::uint32_t f : faces) {
+    const Triangle& corners = faces_[f].corners;
+    const auto at =
+        static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+    const Vec3 u = (vertices_[corners[(at + 1) % 3]] - vertices_[vertex]).stableNormalized(),
+               v = (vertices_[corners[(at + 2) % 3]] - vertices_[vertex]).stableNormalized();
+    const double distance = std::sqrt(closest_on_triangle(direction, Vec3::Zero(), 4 * u, 4 * v).squared);
+    const double height = faces_[f].nhat.dot(direction);
+    if (distance > nearest + kStraight) continue;
+    if (distance < nearest - kStraight || std::abs(height) > std::abs(facing)) facing = height;
+    nearest = std::min(nearest, distance);
+  }
+  return facing < kStraight;
+}
+
+void FeatureMesh::plant_trees() {
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) vertex_normals_.push_back(normals_behind(around(v)));
+  std::vector<TreeFeature> vertices, edges, faces;
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v)
+    if (!vertex_normals_[v].none())
+      vertices.push_back({v, Box3(vertices_[v], vertices_[v]), vertex_normals_[v]});
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    const Edge& edge = edges_[e];
+    edge_normals_.push_back(
+        NormalCone::about(std::array{faces_[edge.faces[0]].nhat, faces_[edge.faces[1]].nhat}));
+    if (!edge.convex) continue;
+    Box3 box(vertices_[edge.from], vertices_[edge.from]);
+    box.extend(vertices_[edge.to]);
+    edges.push_back({e, box, edge_normals_[e]});
+  }
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    NormalCone cone(faces_[f].nhat);
+    for (unsigned i = 0; i < 3; ++i) {
+      const Edge& edge = edges_[faces_[f].edges[i]];
+      if (edge.convex || edge.flat) cone = NormalCone::about(cone, edge_normals_[faces_[f].edges[i]]);
+      cone = NormalCone::about(cone, vertex_normals_[faces_[f].corners[i]]);
+    }
+    faces.push_back({f, faces_[f].box, cone});
+  }
+  vertex_tree_ = FeatureTree(std::move(vertices));
+  edge_tree_ = FeatureTree(std::move(edges));
+  face_tree_ = FeatureTree(std::move(faces));
 }
 
 std::size_t FeatureMesh::bytes() const {
   return vertices_.size() * sizeof(Vec3) + edges_.size() * sizeof(Edge) + faces_.size() * sizeof(Face) +
-         nodes_.size() * sizeof(Node) +
-         (order_.size() + around_.size() + around_begin_.size()) * sizeof(std::uint32_t);
+         (vertex_normals_.size() + edge_normals_.size()) * sizeof(NormalCone) + vertex_tree_.bytes() +
+         edge_tree_.bytes() + face_tree_.bytes() + around_.size() * sizeof(Vec3) +
+         around_begin_.size() * sizeof(std::uint32_t);
 }
 
 }  // namespace fulcrum

@@ -20,6 +20,7 @@ constexpr double kSoftestShare = 1e-4;   // of the coupling's stiffness, however
 // Over the coupling's stiffness: conflicting rows share their depth at forces that are never felt, and
 // compatible ones give way by a ten thousandth of the coupling's own offset.
 constexpr double kSlackStiffness = 1e4;
+constexpr double kSlackStiffnessOfFeatures = 1e7;  // their rows know of no depth to share
 
 Vec6 metric(const CouplingDesc& coupling) {
   Vec6 m;
@@ -57,7 +58,8 @@ ConstrainedMotion::ConstrainedMotion(const PlainScene& desc)
       edges_(edge_query(desc)),
       regions_(desc.contact.region_radius),
       metric_(metric(desc.coupling)),
-      qp_(metric_, kSlackStiffness * desc.coupling.stiffness),
+      qp_(metric_,
+          (desc.tool_features ? kSlackStiffnessOfFeatures : kSlackStiffness) * desc.coupling.stiffness),
       friction_(desc.contact.friction),
       allowance_(least(desc, motion_allowance)),
       reach_(
@@ -68,16 +70,21 @@ ConstrainedMotion::ConstrainedMotion(const PlainScene& desc)
 }
 
 ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
-  if (!looked_) features_ ? look_at_features(pair_reach_) : look();
+  if (!looked_) {
+    features_ ? look_at_features(pair_reach_) : look();
+    if (features_) look_for_crossings();
+  }
   looked_ = true;
   X_WT_before_ = tool_.state().X_WT;
   metric_ = secant_metric(tool_.to_hand(X_WG), tool_.to_goal(X_WG));
   qp_.set_metric(metric_);
   bool limited = false, settled = false;
   if (features_) {
+    if (!outcome_.in_band) faults |= kToolInside;  // where the tick began, and is out of at its end, maybe
     const Rounds rounds = go_between_features(X_WG, faults);
     limited = rounds.limited;
     settled = rounds.settled;
+    look_for_crossings();
   }
   for (int round = 0; !features_ && round < kMaxRounds; ++round) {
     const Vec6 step = solve(X_WG);

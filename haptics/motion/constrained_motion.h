@@ -40,10 +40,13 @@ private:
   // The same on the triangles, see constrained_motion_features.cpp.
   void prepare_features(const PlainScene& desc);
   void look_at_features(double reach) noexcept;
+  void look_for_crossings() noexcept;
   struct Rounds {
     bool settled = false, limited = false;
   };
   Rounds go_between_features(const Pose& X_WG, std::uint32_t& faults) noexcept;
+  double gap_after(const FeaturePair& pair, const Vec6& step) const noexcept;
+  double kept_fraction(const Vec6& step) const noexcept;
   bool take_pairs(const Vec6& step) noexcept;
   Vec6 solve_pairs(const Pose& X_WG) noexcept;
   // How much of a motion is safe, see ContactQuery::safe_fraction(); points nearer than reach_ are rows.
@@ -68,6 +71,7 @@ private:
   std::vector<std::pair<double, std::uint32_t>> broken_;  // m, and which pair
   double pair_reach_ = 0;                                 // m, of the last look
   double skin_ = 0;                                       // m, rows keep the tool this far out
+  std::size_t next_face_ = 0;                             // of the tool, to be looked at for crossings
   RegionTracker regions_;
   Vec6 metric_;
   ElasticQp qp_;

@@ -1,8 +1,9 @@
 // The rounds of a constrained motion on the triangles themselves. A round solves with the pairs of features
-// that are near, goes no farther than pairs are known to it, and is halved while the surfaces would cross
-// where it ends, or while there are more pairs than fit. What the tool goes into and out of again within one
-// such step, at most the reach below, is not seen. No depth is measured here: the one that is told is 0, and
-// a tool that crosses the scene is the fault kToolInside.
+// that are near, and goes no farther than pairs are known to it. Where it turns or slides past a feature it
+// may end a few micrometres in: the next round solves with the pairs as they are there, gaps below zero among
+// them. What is still in after kMostMendings such rounds goes back to where it was last free, and takes
+// shorter steps. A tool that went into the scene all the same is found by looking for crossings, at a part of
+// its faces in each tick, and is the fault kToolInside.
 
 #include <algorithm>
 #include <span>
@@ -19,8 +20,10 @@ constexpr double kLongestReach = 250e-6;     // m, and at most, where there are 
 constexpr double kLongestFreeReach = 20e-3;  // m, and at most, where there are none
 constexpr double kSettledReach = 1e-6;       // m, a round that moves no point farther ends the tick
 constexpr double kKept = 1e-8;               // m, a pair that a step breaks by less is kept
+constexpr double kMended = 25e-6;            // m, what is in by less is left to the next round
 constexpr std::size_t kPairsAtOnce = 48;
-constexpr int kMostRounds = 8, kMostHalvings = 6, kMostTakings = 6;
+constexpr std::size_t kTicksToSeeAll = 64;  // in which all faces of the tool are looked at for crossings
+constexpr int kMostRounds = 10, kMostMendings = 3, kMostHalvings = 6, kMostTakings = 6;
 
 }  // namespace
 
@@ -41,33 +44,52 @@ void ConstrainedMotion::look_at_features(double reach) noexcept {
     complete = features_->look(tool_.state().X_WT, reach);
   }
   pair_reach_ = reach;
-  outcome_ = {complete, !features_->crosses()};
+  outcome_.complete = complete;
+}
+
+// What is in stays so until no face is crossed.
+void ConstrainedMotion::look_for_crossings() noexcept {
+  const std::size_t all = features_->faces();
+  const bool whole = !looked_ || !outcome_.in_band;
+  const std::size_t count = whole ? all : 1 + all / kTicksToSeeAll;
+  if (next_face_ >= all) next_face_ = 0;
+  outcome_.in_band = !features_->crosses(whole ? 0 : next_face_, count);
+  next_face_ += count;
 }
 
 ConstrainedMotion::Rounds ConstrainedMotion::go_between_features(const Pose& X_WG,
                                                                  std::uint32_t& faults) noexcept {
   Rounds rounds;
-  const bool crossed = features_->crosses();  // it began inside, and is let out
+  Pose free = tool_.state().X_WT;
+  bool has_been_free = features_->least_gap() >= 0;
+  double longest = kLongestFreeReach;  // m, of a step
+  int mendings = 0;
   for (int round = 0; round < kMostRounds; ++round) {
     const Vec6 step = solve_pairs(X_WG);
     const double way = step.head<3>().norm() + step.tail<3>().norm() * tool_radius_;
-    rounds.settled = way < kSettledReach;
-    if (rounds.settled) return rounds;
-    const double known = pair_reach_;
+    if (way < kSettledReach && features_->least_gap() >= 0) {
+      rounds.settled = true;
+      return rounds;
+    }
+    const double known = std::min(pair_reach_, longest);
     rounds.limited = way > known;
     // Enough for the next step to be as long, and no sudden multitude of pairs.
     const double most = features_->none_near() ? kLongestFreeReach : kLongestReach;
-    const double next = std::clamp(2 * way, std::max(kShortestReach, 0.5 * known),
-                                   std::max(kShortestReach, std::min(4 * known, most)));
+    const double next = std::clamp(1.25 * way, std::max(kShortestReach, 0.5 * pair_reach_),
+                                   std::max(kShortestReach, std::min(4 * pair_reach_, most)));
     const Pose from = tool_.state().X_WT;
-    double fraction = std::min(1.0, known / way);
+    const double deepest = std::min(-kMended, features_->least_gap() - kMended);
+    const double turn = step.tail<3>().norm();
+    double fraction = std::min({1.0, known / way, kept_fraction(step)});
+    if (turn > FeaturePairs::kMostTurn && !features_->none_near())
+      fraction = std::min(fraction, FeaturePairs::kMostTurn / turn);
     for (int halving = 0;; ++halving) {
       if (!tool_.move(step * fraction)) {
         faults |= kNotFinite;
         return rounds;
       }
       look_at_features(next);
-      if (crossed || (outcome_.complete && !features_->crosses())) break;
+      if (outcome_.complete && features_->least_gap() >= deepest) break;
       rounds.limited = true;
       tool_.put(from);
       if (halving == kMostHalvings) {
@@ -76,21 +98,50 @@ ConstrainedMotion::Rounds ConstrainedMotion::go_between_features(const Pose& X_W
       }
       fraction *= 0.5;
     }
+    if (features_->least_gap() >= 0) {
+      free = tool_.state().X_WT;
+      has_been_free = true;
+      mendings = 0;
+    } else if (has_been_free && ++mendings > kMostMendings) {
+      tool_.put(free);
+      look_at_features(pair_reach_);
+      longest = 0.25 * known;
+      mendings = 0;
+    }
+  }
+  if (has_been_free && !(features_->least_gap() >= 0)) {
+    tool_.put(free);
+    look_at_features(pair_reach_);
   }
   return rounds;
+}
+
+// m, the gap of a pair after the step, as the pair's plane tells it.
+double ConstrainedMotion::gap_after(const FeaturePair& pair, const Vec6& step) const noexcept {
+  return pair.gap + pair.nhat_W.dot(step.head<3>()) +
+         (pair.p_W - tool_.state().X_WT.p).cross(pair.nhat_W).dot(step.tail<3>());
+}
+
+// Of a step, the part that breaks no pair by more than the next round mends: a solution has not had room for
+// all rows, where there were too many.
+double ConstrainedMotion::kept_fraction(const Vec6& step) const noexcept {
+  double fraction = 1;
+  for (const FeaturePair& pair : features_->pairs()) {
+    const double after = gap_after(pair, step);
+    if (after >= std::min(0.0, pair.gap) - 0.5 * kMended) continue;
+    fraction = std::min(fraction, (std::max(0.0, pair.gap) + 0.5 * kMended) / (pair.gap - after));
+  }
+  return fraction;
 }
 
 // Of the pairs that are no rows yet, those that the step breaks most become rows. False: it breaks none, or
 // there is no room.
 bool ConstrainedMotion::take_pairs(const Vec6& step) noexcept {
   const std::span<const FeaturePair> pairs = features_->pairs();
-  const Vec3& p_WT = tool_.state().X_WT.p;
   broken_.clear();
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     if (is_taken_[i]) continue;
-    const Vec3& nhat_W = pairs[i].nhat_W;
-    const double left = pairs[i].gap - skin_ + nhat_W.dot(step.head<3>()) +
-                        (pairs[i].p_W - p_WT).cross(nhat_W).dot(step.tail<3>());
+    const double left = gap_after(pairs[i], step) - skin_;
     if (left < -kKept) broken_.emplace_back(left, i);
   }
   const std::size_t count = std::min({kPairsAtOnce, broken_.size(), kMaxContacts - taken_.size()});

@@ -58,10 +58,10 @@ TEST(FeaturePairs, TheNearestIsAsFarAsTheSurfacesAre) {
     const double truth = std::min(least(tool, scene, X_WT), least(scene, tool, X_WT.inverse()));
     ASSERT_TRUE(pairs.look(X_WT, 0.004));
     if (truth < -1e-4) {
-      EXPECT_TRUE(pairs.crosses()) << i;
+      EXPECT_TRUE(pairs.crosses(0, pairs.faces())) << i;
       ++crossed;
     } else if (truth > 1e-6 && truth < 0.0039) {
-      EXPECT_FALSE(pairs.crosses()) << i;
+      EXPECT_FALSE(pairs.crosses(0, pairs.faces())) << i;
       ASSERT_FALSE(pairs.pairs().empty()) << i;
       const double nearest = std::ranges::min_element(pairs.pairs(), {}, &FeaturePair::gap)->gap;
       EXPECT_LE(nearest, truth + 1e-12) << i;
@@ -91,7 +91,7 @@ TEST(FeaturePairs, AreTheSameHoweverOneCameThere) {
       return all;
     };
     EXPECT_EQ(named(on_the_way.pairs()), named(at_once.pairs())) << i;
-    EXPECT_EQ(on_the_way.crosses(), at_once.crosses()) << i;
+    EXPECT_EQ(on_the_way.crosses(0, on_the_way.faces()), at_once.crosses(0, at_once.faces())) << i;
   }
 }
 
@@ -102,32 +102,12 @@ TEST(FeaturePairs, MovingAsidePressesNoPairTogether) {
   const Solid plate = shapes::solid_of(shapes::box(Vec3(-1e-2, -1e-3, -1e-2), Vec3(1e-2, 0, 1e-2)));
   FeaturePairs pairs(features(cube), features(plate));
   ASSERT_TRUE(pairs.look({Quat::Identity(), Vec3(0.0011, 5e-6, 0.0003)}, 5e-5));
-  EXPECT_FALSE(pairs.crosses());
+  EXPECT_FALSE(pairs.crosses(0, pairs.faces()));
   EXPECT_GE(pairs.pairs().size(), 4u);
   for (const FeaturePair& pair : pairs.pairs()) {
     EXPECT_NEAR(pair.gap, 5e-6, 1e-12);
     EXPECT_NEAR(pair.nhat_W.y(), 1, 1e-9);
   }
-}
-
-TEST(FeatureMesh, EachFeatureIsOfOneFace) {
-  for (const Solid& solid : {ring(), brick()}) {
-    const auto mesh = features(solid);
-    std::size_t corners = 0, edges = 0;
-    for (const FeatureMesh::Face& face : mesh->faces()) {
-      for (unsigned i = 0; i < 3; ++i) {
-        corners += face.own_corners >> i & 1u;
-        edges += face.own_edges >> i & 1u;
-      }
-    }
-    EXPECT_EQ(corners, mesh->vertices().size());
-    EXPECT_EQ(edges, mesh->edges().size());
-    EXPECT_EQ(2 * edges, 3 * mesh->faces().size());
-  }
-  const auto mesh = features(brick());
-  EXPECT_EQ(std::ranges::count_if(mesh->edges(), &FeatureMesh::Edge::convex), 12);
-  EXPECT_EQ(std::ranges::count_if(mesh->edges(), &FeatureMesh::Edge::flat), 6);
-  EXPECT_NEAR(mesh->radius(), Vec3(0.003, 0.001, 0.007).norm(), 1e-15);
 }
 
 }  // namespace
