@@ -11,9 +11,8 @@ namespace {
 
 constexpr double kLevel = 1e-9;    // m, what lies this far beyond a plane lies on it
 constexpr double kGathered = 1.5;  // over the reach of a look: how far off the candidates are gathered
-constexpr double kSlack = FeaturePairs::kMostTurn;
 constexpr double kNoSlack = 1e-6;  // rad, of rounding
-constexpr double kTurn = 0.02;     // rad, as far as a tool turns candidates remain all that there are
+constexpr double kTurn = 0.02;     // rad, a tool that has turned farther has its candidates gathered anew
 enum Kind : std::uint64_t { kVertexFace, kVertexEdge, kVertexVertex, kFaceVertex, kEdgeVertex, kEdgeEdge };
 
 struct ClosestOfEdges {
@@ -81,9 +80,9 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
                            std::shared_ptr<const FeatureMesh> scene_W)
     : tool_(std::move(tool_T)),
       scene_(std::move(scene_W)),
-      tool_vertices_(tool_->vertex_tree(), kSlack + kTurn),
-      tool_edges_(tool_->edge_tree(), 2 * kSlack + kTurn),  // either edge may have it
-      tool_faces_(tool_->face_tree(), kSlack + kTurn) {
+      tool_vertices_(tool_->vertex_tree(), kMostTurn + kTurn),
+      tool_edges_(tool_->edge_tree(), 2 * kMostTurn + kTurn),  // both edges of a pair may be off by it
+      tool_faces_(tool_->face_tree(), kMostTurn + kTurn) {
   for (std::vector<Candidate>* candidates : {&vertex_faces_, &face_vertices_, &edge_edges_})
     candidates->reserve(kMostCandidates);
   pairs_.reserve(kMostPairs);
@@ -159,10 +158,9 @@ void FeaturePairs::gather() noexcept {
   };
   gather_kind(
       tool_vertices_, scene.face_tree(),
-      [&](std::uint32_t v, std::uint32_t g) {
+      [&](std::uint32_t v, const Vec3& axis_W, std::uint32_t g) {
         const FeatureMesh::Face& face = scene.faces()[g];
         const NormalCone& of_vertex = tool.vertex_normals()[v];
-        const Vec3 axis_W = R_WT_ * of_vertex.axis();
         if (!of_face(
                 scene, face, true,
                 [&](const NormalCone& cone) {
@@ -173,7 +171,7 @@ void FeaturePairs::gather() noexcept {
       });
   gather_kind(
       tool_faces_, scene.vertex_tree(),
-      [&](std::uint32_t f, std::uint32_t v) {
+      [&](std::uint32_t f, const Vec3&, std::uint32_t v) {
         const FeatureMesh::Face& face = tool.faces()[f];
         const NormalCone& of_vertex = scene.vertex_normals()[v];
         const Vec3 axis_T = R_WT_.transpose() * of_vertex.axis();
@@ -184,7 +182,7 @@ void FeaturePairs::gather() noexcept {
         keep(face_vertices_, f, v);
       });
   gather_kind(tool_edges_, scene.edge_tree(),
-              [&](std::uint32_t e, std::uint32_t k) { keep(edge_edges_, e, k); });
+              [&](std::uint32_t e, const Vec3&, std::uint32_t k) { keep(edge_edges_, e, k); });
 }
 
 FeaturePairs::Posed::Posed(const FeatureTree& of, double turn)
@@ -200,7 +198,7 @@ void FeaturePairs::pose(Posed& tool, std::uint32_t node) noexcept {
   if (tool.gathering[node] == gathering_) return;
   tool.gathering[node] = gathering_;
   const Mat3 sizes = R_WT_.cwiseAbs();
-  // What holds the box, and those who ask how far it is go gathered_reach_ beyond it.
+  // A box along the axes of W that holds all that is nearer than gathered_reach_ to a box of the tool.
   const auto around = [&](const Box3& box_T) {
     const Vec3 centre = R_WT_ * box_T.center() + X_WT_.p;
     const Vec3 half = (sizes * box_T.sizes() / 2).array() + gathered_reach_;
@@ -234,7 +232,7 @@ void FeaturePairs::descend(Posed& tool, const FeatureTree& scene, std::uint32_t 
       for (const TreeFeature& feature : scene.of(of_scene))
         if (tool.feature_box_W[of_tool.first + i].intersects(feature.box) &&
             of_leaf[i].cone.opposes(tool.feature_axis_W[of_tool.first + i], feature.cone, tool.slack))
-          take(of_leaf[i].which, feature.which);
+          take(of_leaf[i].which, tool.feature_axis_W[of_tool.first + i], feature.which);
     return;
   }
   const bool split_tool = of_scene.count > 0 || (of_tool.count == 0 && of_tool.radius > of_scene.radius);
@@ -271,7 +269,7 @@ void FeaturePairs::vertex_on_face(Candidate& candidate) noexcept {
   const auto which = static_cast<unsigned>(closest.feature);
   const bool on_face = is_on(face, closest, height);
   const Vec3 nhat = on_face || !(distance > kLevel) ? face.nhat : Vec3((p - closest.point) / distance);
-  if (!on_side(tool_->around(candidate.tool), R_WT_.transpose() * nhat, 1, kSlack)) return;
+  if (!on_side(tool_->around(candidate.tool), R_WT_.transpose() * nhat, 1, kMostTurn)) return;
   if (on_face) {
     if (height >= -kDeepest) add(kVertexFace, candidate.tool, candidate.scene, p, nhat, height);
   } else if (which < 3) {
@@ -305,7 +303,7 @@ void FeaturePairs::face_on_vertex(Candidate& candidate) noexcept {
   const Vec3 nhat_T =
       on_face || !(distance > kLevel) ? Vec3(-face.nhat) : Vec3((closest.point - p) / distance);
   const Vec3 nhat_W = R_WT_ * nhat_T;
-  if (!on_side(scene_->around(candidate.scene), nhat_W, -1, kSlack)) return;
+  if (!on_side(scene_->around(candidate.scene), nhat_W, -1, kMostTurn)) return;
   const Vec3 closest_W = R_WT_ * closest.point + X_WT_.p;
   if (on_face) {
     if (height >= -kDeepest) add(kFaceVertex, candidate.tool, candidate.scene, closest_W, nhat_W, height);
@@ -335,8 +333,8 @@ void FeaturePairs::edge_on_edge(Candidate& candidate) noexcept {
   const double gap = nhat.dot(p - q);
   candidate.due = odometer_ + std::abs(gap);
   if (std::abs(gap) > reach_) return;
-  if (!on_side(of_scene.across, nhat, -1, kSlack) ||
-      !on_side(of_tool.across, R_WT_.transpose() * nhat, 1, kSlack))
+  if (!on_side(of_scene.across, nhat, -1, kMostTurn) ||
+      !on_side(of_tool.across, R_WT_.transpose() * nhat, 1, kMostTurn))
     return;
   if (gap >= -kDeepest) add(kEdgeEdge, candidate.tool, candidate.scene, p, nhat, gap);
 }
@@ -378,8 +376,12 @@ bool FeaturePairs::pierced(const FeatureMesh::Face& face, const std::array<Vec3,
 }
 
 std::size_t FeaturePairs::bytes() const {
-  return tool_->bytes() + scene_->bytes() + 3 * kMostCandidates * sizeof(Candidate) +
-         kMostPairs * sizeof(FeaturePair);
+  const auto of_posed = [](const Posed& tool) {
+    return tool.box_W.size() * (sizeof(std::uint32_t) + sizeof(Box3) + sizeof(Vec3)) +
+           tool.feature_box_W.size() * (sizeof(Box3) + sizeof(Vec3));
+  };
+  return tool_->bytes() + scene_->bytes() + of_posed(tool_vertices_) + of_posed(tool_edges_) +
+         of_posed(tool_faces_) + 3 * kMostCandidates * sizeof(Candidate) + kMostPairs * sizeof(FeaturePair);
 }
 
 }  // namespace fulcrum

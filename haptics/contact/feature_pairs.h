@@ -33,7 +33,7 @@ class FeaturePairs {
 public:
   static constexpr std::size_t kMostCandidates = 1u << 16;  // of each kind
   static constexpr std::size_t kMostPairs = 1u << 14;
-  static constexpr double kMostTurn = 0.03;  // rad
+  static constexpr double kMostTurn = 0.03;  // rad, a longer turn may meet what is no pair
   static constexpr double kDeepest = 50e-6;  // m, what has passed farther is no pair
 
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
@@ -60,12 +60,12 @@ private:
   // m: no point of the tool moves farther on a straight way from one pose to the other.
   double way(const Pose& from, const Pose& to) const noexcept;
   void gather() noexcept;
-  // Of a tree of the tool's, in W, as far as a gathering has come there.
+  // A tree of the tool's with its figures in W: of the nodes that the last gathering has visited.
   struct Posed {
     Posed(const FeatureTree& tree, double turn);
     const FeatureTree* tree;
-    NormalCone slack;                      // how far the tool may turn, and its features be off
-    std::vector<std::uint32_t> gathering;  // (nodes) in which its figures were made
+    NormalCone slack;                      // its angle: how far normals of a candidate may be from opposite
+    std::vector<std::uint32_t> gathering;  // (nodes) in which gathering_ a node's figures were made
     std::vector<Box3> box_W;               // (nodes)
     std::vector<Vec3> axis_W;              // (nodes x 3)
     std::vector<Box3> feature_box_W;       // (features)
@@ -90,11 +90,11 @@ private:
   std::shared_ptr<const FeatureMesh> tool_, scene_;
   Pose X_WT_;
   Mat3 R_WT_ = Mat3::Identity();
-  double reach_ = 0;            // m, of the look
-  double odometer_ = 0;         // m, no point of the tool has come farther from look to look
-  Pose X_WT_gathered_;          // where the candidates were gathered, with
-  double gathered_reach_ = -1;  // m
-  std::uint32_t gathering_ = 0;
+  double reach_ = 0;             // m, of the look
+  double odometer_ = 0;          // m, no point of the tool has come farther from look to look
+  Pose X_WT_gathered_;           // where the candidates were gathered, with
+  double gathered_reach_ = -1;   // m
+  std::uint32_t gathering_ = 0;  // how many there were
   Posed tool_vertices_, tool_edges_, tool_faces_;
   std::vector<Candidate> vertex_faces_, face_vertices_, edge_edges_;  // the tool's feature first
   std::vector<FeaturePair> pairs_;

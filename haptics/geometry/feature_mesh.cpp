@@ -144,12 +144,12 @@ void FeatureMesh::find_line_ends() {
   }
 }
 
-// Of a place beside the vertex the nearest face tells whether it is inside; where several are as near, the
-// one that faces it most does (J. A. Baerentzen, H. Aanaes, "Signed distance computation using the angle
-// weighted pseudonormal", IEEE TVCG 11(3), 2005, has the case that needs more than that).
+// The face nearest to a place beside the vertex tells on which side of the surface the place is; where
+// several are as near, since an edge or the vertex itself is nearest, the one whose plane is farthest from it
+// does.
 bool FeatureMesh::goes_on(std::uint32_t vertex, const Vec3& direction,
                           std::span<const std::uint32_t> faces) const {
-  // All lengths beside a corner count alike: its faces' edges are taken as of length 1.
+  // The place is 1 away, and the faces are taken as far larger: how long their edges are makes no difference.
   double nearest = 2, facing = 0;
   for (const std::uint32_t f : faces) {
     const Triangle& corners = faces_[f].corners;

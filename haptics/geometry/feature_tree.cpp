@@ -23,7 +23,6 @@ void FeatureTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t c
     middles.extend(feature->box.center());
   }
   nodes_[node].box = box;
-  nodes_[node].centre = box.center();
   nodes_[node].radius = 0.5 * box.diagonal().norm();
   if (count <= kLeaf) {
     NormalCone cone;

@@ -22,11 +22,10 @@ struct TreeFeature {
 class FeatureTree {
 public:
   struct Node {
-    Box3 box{};                  // m
-    Vec3 centre = Vec3::Zero();  // m
-    double radius = 0;           // m, about the centre
+    Box3 box{};         // m
+    double radius = 0;  // m, about the box's centre
     NormalCone cone{};
-    std::uint32_t first = 0;  // of an inner node: its children are this one and the next; else in features()
+    std::uint32_t first = 0;  // of an inner node: its children are nodes first and first + 1
     std::uint32_t count = 0;  // features of a leaf; 0: an inner node
   };
 

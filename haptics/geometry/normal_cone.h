@@ -9,8 +9,9 @@ namespace fulcrum {
 
 class NormalCone {
 public:
-  NormalCone() = default;  // none
-  explicit NormalCone(const Vec3& axis) : axis_(axis), angle_(0), cosine_(1) {}
+  NormalCone() = default;                // none
+  explicit NormalCone(const Vec3& axis)  // one direction
+      : axis_(axis), angle_(0), cosine_(1) {}
   NormalCone(const Vec3& axis, double angle);
 
   // A cone that holds all of these unit vectors, or all of two cones; a narrow one, not the narrowest.

@@ -20,7 +20,9 @@ constexpr double kSoftestShare = 1e-4;   // of the coupling's stiffness, however
 // Over the coupling's stiffness: conflicting rows share their depth at forces that are never felt, and
 // compatible ones give way by a ten thousandth of the coupling's own offset.
 constexpr double kSlackStiffness = 1e4;
-constexpr double kSlackStiffnessOfFeatures = 1e7;  // their rows know of no depth to share
+// The same on features, where a row that gives way has to stay well within its skin of 2 um while the hand is
+// centimetres away.
+constexpr double kSlackStiffnessOfFeatures = 1e7;
 
 Vec6 metric(const CouplingDesc& coupling) {
   Vec6 m;
@@ -80,7 +82,7 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
   qp_.set_metric(metric_);
   bool limited = false, settled = false;
   if (features_) {
-    if (!outcome_.in_band) faults |= kToolInside;  // where the tick began, and is out of at its end, maybe
+    if (!outcome_.in_band) faults |= kToolInside;  // as the tick began, though its end may be free
     const Rounds rounds = go_between_features(X_WG, faults);
     limited = rounds.limited;
     settled = rounds.settled;
@@ -166,8 +168,7 @@ Vec6 ConstrainedMotion::solve_rows(const Vec6& goal) noexcept {
     const bool pushed = next < before_count && before[next].point == contacts[i].point;
     multipliers_[i] = pushed ? before[next].multiplier : 0.0;
   }
-  const Vec6 step =
-      qp_.solve(goal, {rows_.data(), contacts.size()}, {multipliers_.data(), contacts.size()}).x;
+  Vec6 step = qp_.solve(goal, {rows_.data(), contacts.size()}, {multipliers_.data(), contacts.size()}).x;
   pushing_count_ = next = 0;
   for (std::size_t i = 0; i < contacts.size() && pushing_count_ < pushing_.size(); ++i) {
     if (!(multipliers_[i] > 0)) continue;
@@ -205,7 +206,7 @@ Vec6 ConstrainedMotion::rub_along(Vec6 step, const Vec6& under) noexcept {
   }
   // Points that no longer push no longer rub.
   step += (friction() - under).cwiseQuotient(metric_);
-  const Vec6 now = rub(metric_, friction_, step, {points.data(), pushing_count_});
+  Vec6 now = rub(metric_, friction_, step, {points.data(), pushing_count_});
   for (std::size_t i = 0; i < pushing_count_; ++i) pushing_[i].friction_W = points[i].force_W;
   return now;
 }
@@ -251,9 +252,10 @@ std::vector<BuiltPart> ConstrainedMotion::parts() const {
   std::vector<BuiltPart> parts{
       query_part(query_),
       {"response",
-       "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kMaxRounds) +
-           " rounds of " + std::to_string(kMaxContacts) + " rows a tick, points within " +
-           number_text(reach_ * 1e3) + " mm" +
+       "constraint: nearest free pose in the coupling's metric, at most " +
+           std::to_string(features_ ? kFeatureRounds : kMaxRounds) + " rounds of " +
+           std::to_string(kMaxContacts) + " rows a tick, " + (features_ ? "features" : "points") +
+           " within " + number_text((features_ ? kLongestPairReach : reach_) * 1e3) + " mm" +
            (friction_ > 0 ? ", friction " + number_text(friction_) : std::string()),
        sizeof(ConstrainedMotion)},
   };

@@ -10,7 +10,7 @@
 // as no shell point can have passed a wall, nor an edge of the scene the tool's, look again. Points within
 // reach_ of the scene are rows of the program, so that they slide along it; the others bound how far a round
 // may go. Where the scene gives the surfaces' features, these are looked at in place of points: rows are the
-// pairs of features that are near each other, and no round ends where the surfaces cross.
+// pairs of features that are near each other, and a tick ends where none of them has passed the other.
 
 #include <optional>
 
@@ -41,6 +41,8 @@ private:
   void prepare_features(const PlainScene& desc);
   void look_at_features(double reach) noexcept;
   void look_for_crossings() noexcept;
+  static constexpr int kFeatureRounds = 10;            // at most, in a tick
+  static constexpr double kLongestPairReach = 250e-6;  // m, and at most, where there are any
   struct Rounds {
     bool settled = false, limited = false;
   };

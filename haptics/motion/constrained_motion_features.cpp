@@ -2,8 +2,9 @@
 // that are near, and goes no farther than pairs are known to it. Where it turns or slides past a feature it
 // may end a few micrometres in: the next round solves with the pairs as they are there, gaps below zero among
 // them. What is still in after kMostMendings such rounds goes back to where it was last free, and takes
-// shorter steps. A tool that went into the scene all the same is found by looking for crossings, at a part of
-// its faces in each tick, and is the fault kToolInside.
+// shorter steps. What goes deeper than FeaturePairs::kDeepest in one round is no pair any more and counts as
+// free: such a tool is found within kTicksToSeeAll ticks, by a look for crossings at a part of its faces in
+// each, and is the fault kToolInside.
 
 #include <algorithm>
 #include <span>
@@ -16,14 +17,13 @@ namespace {
 
 constexpr double kSkin = 2e-6;               // m, above what a round errs by where it turns
 constexpr double kShortestReach = 50e-6;     // m, within which pairs are looked for, at least
-constexpr double kLongestReach = 250e-6;     // m, and at most, where there are any
 constexpr double kLongestFreeReach = 20e-3;  // m, and at most, where there are none
 constexpr double kSettledReach = 1e-6;       // m, a round that moves no point farther ends the tick
 constexpr double kKept = 1e-8;               // m, a pair that a step breaks by less is kept
 constexpr double kMended = 25e-6;            // m, what is in by less is left to the next round
 constexpr std::size_t kPairsAtOnce = 48;
 constexpr std::size_t kTicksToSeeAll = 64;  // in which all faces of the tool are looked at for crossings
-constexpr int kMostRounds = 10, kMostMendings = 3, kMostHalvings = 6, kMostTakings = 6;
+constexpr int kMostMendings = 3, kMostHalvings = 6, kMostTakings = 6;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void ConstrainedMotion::look_at_features(double reach) noexcept {
   outcome_.complete = complete;
 }
 
-// What is in stays so until no face is crossed.
+// A tool that crosses the scene counts as inside until a look at all of its faces finds no crossing.
 void ConstrainedMotion::look_for_crossings() noexcept {
   const std::size_t all = features_->faces();
   const bool whole = !looked_ || !outcome_.in_band;
@@ -64,7 +64,7 @@ ConstrainedMotion::Rounds ConstrainedMotion::go_between_features(const Pose& X_W
   bool has_been_free = features_->least_gap() >= 0;
   double longest = kLongestFreeReach;  // m, of a step
   int mendings = 0;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kFeatureRounds; ++round) {
     const Vec6 step = solve_pairs(X_WG);
     const double way = step.head<3>().norm() + step.tail<3>().norm() * tool_radius_;
     if (way < kSettledReach && features_->least_gap() >= 0) {
@@ -74,7 +74,7 @@ ConstrainedMotion::Rounds ConstrainedMotion::go_between_features(const Pose& X_W
     const double known = std::min(pair_reach_, longest);
     rounds.limited = way > known;
     // Enough for the next step to be as long, and no sudden multitude of pairs.
-    const double most = features_->none_near() ? kLongestFreeReach : kLongestReach;
+    const double most = features_->none_near() ? kLongestFreeReach : kLongestPairReach;
     const double next = std::clamp(1.25 * way, std::max(kShortestReach, 0.5 * pair_reach_),
                                    std::max(kShortestReach, std::min(4 * pair_reach_, most)));
     const Pose from = tool_.state().X_WT;
@@ -122,8 +122,8 @@ double ConstrainedMotion::gap_after(const FeaturePair& pair, const Vec6& step) c
          (pair.p_W - tool_.state().X_WT.p).cross(pair.nhat_W).dot(step.tail<3>());
 }
 
-// Of a step, the part that breaks no pair by more than the next round mends: a solution has not had room for
-// all rows, where there were too many.
+// 0 to 1: the part of a step that breaks no pair by more than the next round mends. The step is a solution
+// over kMaxContacts rows at most, and may break pairs for which there was no room.
 double ConstrainedMotion::kept_fraction(const Vec6& step) const noexcept {
   double fraction = 1;
   for (const FeaturePair& pair : features_->pairs()) {

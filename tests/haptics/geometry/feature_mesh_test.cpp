@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
+#include <bit>
+#include <cmath>
 
 #include "haptics/math/rotation.h"
 #include "tests/haptics/bake/shapes.h"
@@ -62,23 +63,21 @@ TEST(FeatureMesh, ABoxTouchesWithItsCornersHoweverManyVerticesItsSidesHave) {
   EXPECT_EQ(std::ranges::count_if(mesh.edges(), &FeatureMesh::Edge::flat), 6);
 }
 
+// m, from the axis of shapes::torus.
+double across(const Vec3& p) {
+  return std::hypot(p.x(), p.z());
+}
+
 TEST(FeatureMesh, NothingTouchesWithTheInsideOfARing) {
   constexpr double R = 0.01;
   const FeatureMesh mesh = features(shapes::torus(R, 0.004, 16, 12));
   int inside = 0, outside = 0;
   for (std::size_t v = 0; v < mesh.vertices().size(); ++v) {
-    const Vec3& p = mesh.vertices()[v];
-    // The ring's axis is the one along which it is thin.
-    Vec3 extent = Vec3::Zero();
-    for (const Vec3& q : mesh.vertices()) extent = extent.cwiseMax(q.cwiseAbs());
-    Eigen::Index axis = 0;
-    extent.minCoeff(&axis);
-    Vec3 across = p;
-    across[axis] = 0;
-    if (across.norm() < 0.8 * R) {
+    const double from_axis = across(mesh.vertices()[v]);
+    if (from_axis < 0.8 * R) {
       EXPECT_TRUE(mesh.vertex_normals()[v].none());
       ++inside;
-    } else if (across.norm() > 1.2 * R) {
+    } else if (from_axis > 1.2 * R) {
       EXPECT_FALSE(mesh.vertex_normals()[v].none());
       ++outside;
     }
@@ -103,6 +102,35 @@ TEST(FeatureMesh, ABoxGoesOnNowhere) {
       return face.rises_at_edges == 0 && face.rises_at_corners == 0;
     }));
   }
+}
+
+// A side's edge that is divided goes on from part to part, and ends at the box's corners alone.
+TEST(FeatureMesh, ADividedEdgeGoesOnBetweenItsParts) {
+  constexpr int n = 4, edges_of_a_box = 12;
+  const FeatureMesh mesh = features(shapes::grid_box(Vec3::Zero(), Vec3::Ones(), n));
+  int ends = 0;
+  for (const FeatureMesh::Edge& edge : mesh.edges()) ends += std::popcount(edge.goes_on);
+  EXPECT_EQ(ends, edges_of_a_box * (2 * n - 2));
+}
+
+// Around a ring's hole the surface rises beside the faces, and on the ring's outside beside none.
+TEST(FeatureMesh, ARingRisesInItsHoleAlone) {
+  constexpr double R = 0.01;
+  const FeatureMesh mesh = features(shapes::torus(R, 0.004, 16, 12));
+  int inside = 0, outside = 0;
+  for (const FeatureMesh::Face& face : mesh.faces()) {
+    Vec3 middle = Vec3::Zero();
+    for (const std::uint32_t v : face.corners) middle += mesh.vertices()[v] / 3;
+    if (across(middle) < 0.9 * R) {
+      EXPECT_NE(face.rises_at_edges, 0);
+      ++inside;
+    } else if (across(middle) > 1.1 * R) {
+      EXPECT_EQ(face.rises_at_edges, 0);
+      ++outside;
+    }
+  }
+  EXPECT_GT(inside, 10);
+  EXPECT_GT(outside, 10);
 }
 
 }  // namespace

@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 #include <vector>
 
-#include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
 
