@@ -80,7 +80,7 @@ Bits bits_of(__u16 type) {
   Bits bits{};
   const auto set = [&](unsigned code) { bits[code / 8] |= static_cast<std::uint8_t>(1U << code % 8); };
   if (type == 0)
-    for (const unsigned known : {EV_SYN, EV_KEY, EV_ABS}) set(known);
+    for (const unsigned known : std::array<unsigned, 3>{EV_SYN, EV_KEY, EV_ABS}) set(known);
   else
     for (Control& control : controls)
       if (control.type == type) set(control.code);
