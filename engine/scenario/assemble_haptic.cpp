@@ -154,6 +154,21 @@ std::optional<Error> assemble_edges(const Scenario& scenario, const BakeCache& c
   return std::nullopt;
 }
 
+// The triangles of both, in place of points.
+void assemble_features(HapticAssembly& result) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto features_of = [](const Solid& solid) {
+    return std::make_shared<const FeatureMesh>(solid.mesh, solid.neighbours);
+  };
+  result.scene.tool_features = features_of(result.tool_T);
+  result.scene.scene_features = features_of(result.scene_W);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  char note[96];
+  std::snprintf(note, sizeof note, "features (%zu triangles and %zu) made in %.2f s",
+                result.tool_T.mesh.triangles.size(), result.scene_W.mesh.triangles.size(), taken.count());
+  result.notes.emplace_back(note);
+}
+
 }  // namespace
 
 Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedModels& models,
@@ -207,7 +222,9 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result);
   scene.scene_field = std::make_shared<const DistanceField>(std::move(field->value));
 
-  if (scenario.edges > 0 && scenario.contact.response == ContactResponse::constraint) {
+  if (scenario.surface == ContactSurface::triangles) {
+    if (scene.contact.response == ContactResponse::constraint) assemble_features(result);
+  } else if (scenario.edges > 0 && scenario.contact.response == ContactResponse::constraint) {
     if (const auto error = assemble_edges(scenario, cache, progress, solids, result)) return *error;
   }
 

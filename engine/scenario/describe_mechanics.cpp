@@ -159,8 +159,12 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
     describe_contact(inner, scenario.contact);
     inner.number({"edges", "m",
                   "between points on the scene's sharp edges, which then stay out of the tool, "
-                  "under the response constraint; 0: none"},
+                  "under the response constraint on points; 0: none"},
                  scenario.edges, from_to(0, 1));
+    inner.choice_of({"surface", "",
+                     "what the response constraint measures contact on: the tool's points in the distance "
+                     "field, or the triangles of tool and scene as they are"},
+                    scenario.surface);
   });
   visitor.choice_of({"integrator", "", "how the tool moves through a tick"}, scenario.integrator);
   visitor.mapping({"coupling", "", "the virtual coupling between hand and tool"},

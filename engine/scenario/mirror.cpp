@@ -75,9 +75,10 @@ std::string why_not_mirrored(const Scenario& scenario) {
 
 void mirror(Scenario& scenario) {
   auto& [title, about, difficulty, time_limit, seed, tick_rate_Hz, left_handed, why_right_handed, models,
-         materials, tool, field, shell, contact, edges, integrator, coupling, velocity_estimator, device,
-         effects, impact, impact_material, impact_materials, holding_point, checkpoints, dwell, hard_touch,
-         hands, guide, sound, views, light, ambient, background, folder, overrides, texts] = scenario;
+         materials, tool, field, shell, contact, surface, edges, integrator, coupling, velocity_estimator,
+         device, effects, impact, impact_material, impact_materials, holding_point, checkpoints, dwell,
+         hard_touch, hands, guide, sound, views, light, ambient, background, folder, overrides, texts] =
+      scenario;
   mirror(tool);
   mirror(device);
   fulcrum::mirror(effects);

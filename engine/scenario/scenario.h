@@ -105,6 +105,10 @@ struct SourceTexts {
 // For whom a scenario is, among those beside it.
 enum class Difficulty { easy, medium, hard };
 
+// What the response constraint measures contact on: the tool's points in a distance field of the scene, or
+// the triangles of both as they are.
+enum class ContactSurface { points, triangles };
+
 // The slowest and the fastest loop that a scenario may ask for.
 inline constexpr double kSlowestTicks_Hz = 100, kFastestTicks_Hz = 20000;
 
@@ -123,7 +127,8 @@ struct Scenario {
   FieldDesc field;
   PointshellDesc shell{.deviation = 50e-6};
   ContactDesc contact;
-  double edges = 0;  // m, between points on the scene's sharp edges, under the response constraint; 0: none
+  ContactSurface surface = ContactSurface::points;
+  double edges = 0;  // m, between points on the scene's sharp edges, where contact is on points; 0: none
   Integrator integrator = SceneDesc{}.integrator;
   CouplingGains coupling;
   VelocityEstimatorDesc velocity_estimator;
@@ -154,6 +159,9 @@ struct Scenario {
 template <>
 inline constexpr std::array<std::string_view, 3> fulcrum::names_of<fulcrum::scenario::ModelRole>{
     "scene", "tool", "decor"};
+template <>
+inline constexpr std::array<std::string_view, 2> fulcrum::names_of<fulcrum::scenario::ContactSurface>{
+    "points", "triangles"};
 template <>
 inline constexpr std::array<std::string_view, 3> fulcrum::names_of<fulcrum::scenario::Difficulty>{
     "easy", "medium", "hard"};

@@ -1,8 +1,10 @@
 #include "haptics/contact/feature_pairs.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "haptics/math/rotation.h"
 
@@ -11,8 +13,11 @@ namespace {
 
 constexpr double kLevel = 1e-9;    // m, what lies this far beyond a plane lies on it
 constexpr double kGathered = 1.5;  // over the reach of a look: how far off the candidates are gathered
-constexpr double kNoSlack = 1e-6;  // rad, of rounding
-constexpr double kTurn = 0.02;     // rad, a tool that has turned farther has its candidates gathered anew
+constexpr double kLeastGathered = 100e-6;  // m, and at least
+constexpr double kNoSlack = 1e-6;          // rad, of rounding
+constexpr double kTurn = 0.02;  // rad, a tool that has turned farther has its candidates gathered anew
+constexpr double kAlmostParallel = 0.2;   // sine of the angle between two edges
+constexpr double kAboveFirstOrder = 1.1;  // how much faster than in the limit of small turns
 enum Kind : std::uint64_t { kVertexFace, kVertexEdge, kVertexVertex, kFaceVertex, kEdgeVertex, kEdgeEdge };
 
 struct ClosestOfEdges {
@@ -26,6 +31,10 @@ ClosestOfEdges closest_of_edges(const Vec3& a0, const Vec3& u, const Vec3& b0, c
   const double determinant = a * c - b * b;
   if (!(determinant > 1e-12 * a * c)) return {};
   return {(b * e - c * d) / determinant, (a * e - b * d) / determinant, true};
+}
+
+unsigned lowest_bit(unsigned bits) {
+  return static_cast<unsigned>(std::countr_zero(bits));
 }
 
 // m^2: of the segments from a0 along u and from b0 along v, ends included.
@@ -80,9 +89,9 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
                            std::shared_ptr<const FeatureMesh> scene_W)
     : tool_(std::move(tool_T)),
       scene_(std::move(scene_W)),
-      tool_vertices_(tool_->vertex_tree(), kMostTurn + kTurn),
-      tool_edges_(tool_->edge_tree(), 2 * kMostTurn + kTurn),  // both edges of a pair may be off by it
-      tool_faces_(tool_->face_tree(), kMostTurn + kTurn) {
+      tool_vertices_(tool_->vertex_tree()),
+      tool_edges_(tool_->edge_tree()),
+      tool_faces_(tool_->face_tree()) {
   for (std::vector<Candidate>* candidates : {&vertex_faces_, &face_vertices_, &edge_edges_})
     candidates->reserve(kMostCandidates);
   pairs_.reserve(kMostPairs);
@@ -92,15 +101,15 @@ bool FeaturePairs::look(const Pose& X_WT, double reach) noexcept {
   odometer_ += way(X_WT_, X_WT);
   X_WT_ = X_WT;
   R_WT_ = X_WT.q.toRotationMatrix();
-  reach_ = std::max(reach, kDeepest);
+  reach_ = reach;
   complete_ = true;
   pairs_.clear();
   least_gap_ = std::numeric_limits<double>::infinity();
-  // As long as what was gathered holds all that can have come within reach.
-  const bool holds = gathered_reach_ >= reach_ + way(X_WT_gathered_, X_WT) &&
+  // As long as what was gathered holds all that can have come within reach, or in.
+  const bool holds = gathered_reach_ >= std::max(reach_, kDeepest) + way(X_WT_gathered_, X_WT) &&
                      angle_between(X_WT_gathered_.q, X_WT.q) < kTurn;
   if (!holds) {
-    gathered_reach_ = kGathered * reach_;
+    gathered_reach_ = std::max(kGathered * reach_, kLeastGathered);
     X_WT_gathered_ = X_WT;
     gather();
   }
@@ -157,10 +166,11 @@ void FeaturePairs::gather() noexcept {
     return false;
   };
   gather_kind(
-      tool_vertices_, scene.face_tree(),
-      [&](std::uint32_t v, const Vec3& axis_W, std::uint32_t g) {
+      tool_vertices_, scene.face_tree(), kMostTurn + kTurn,
+      [&](std::uint32_t v, std::uint32_t g) {
         const FeatureMesh::Face& face = scene.faces()[g];
         const NormalCone& of_vertex = tool.vertex_normals()[v];
+        const Vec3 axis_W = R_WT_ * of_vertex.axis();
         if (!of_face(
                 scene, face, true,
                 [&](const NormalCone& cone) {
@@ -169,78 +179,85 @@ void FeaturePairs::gather() noexcept {
           return;
         keep(vertex_faces_, v, g);
       });
-  gather_kind(
-      tool_faces_, scene.vertex_tree(),
-      [&](std::uint32_t f, const Vec3&, std::uint32_t v) {
-        const FeatureMesh::Face& face = tool.faces()[f];
-        const NormalCone& of_vertex = scene.vertex_normals()[v];
-        const Vec3 axis_T = R_WT_.transpose() * of_vertex.axis();
-        if (!of_face(
-                tool, face, false,
-                [&](const NormalCone& cone) { return of_vertex.opposes(axis_T, cone, tool_faces_.slack); }))
-          return;
-        keep(face_vertices_, f, v);
-      });
-  gather_kind(tool_edges_, scene.edge_tree(),
-              [&](std::uint32_t e, const Vec3&, std::uint32_t k) { keep(edge_edges_, e, k); });
+  gather_kind(tool_faces_, scene.vertex_tree(), kMostTurn + kTurn, [&](std::uint32_t f, std::uint32_t v) {
+    const FeatureMesh::Face& face = tool.faces()[f];
+    const NormalCone& of_vertex = scene.vertex_normals()[v];
+    const Vec3 axis_T = R_WT_.transpose() * of_vertex.axis();
+    if (!of_face(tool, face, false,
+                 [&](const NormalCone& cone) { return of_vertex.opposes(axis_T, cone, tool_faces_.slack); }))
+      return;
+    keep(face_vertices_, f, v);
+  });
+  // Both edges of a pair may be off by kMostTurn.
+  gather_kind(tool_edges_, scene.edge_tree(), 2 * kMostTurn + kTurn, [&](std::uint32_t e, std::uint32_t k) {
+    if (could_oppose(tool.edges()[e], scene.edges()[k])) keep(edge_edges_, e, k);
+  });
 }
 
-FeaturePairs::Posed::Posed(const FeatureTree& of, double turn)
-    : tree(&of),
-      slack(Vec3::UnitX(), turn),
-      gathering(of.nodes()),
-      box_W(of.nodes()),
-      axis_W(of.nodes()),
-      feature_box_W(of.features()),
-      feature_axis_W(of.features()) {}
-
-void FeaturePairs::pose(Posed& tool, std::uint32_t node) noexcept {
-  if (tool.gathering[node] == gathering_) return;
-  tool.gathering[node] = gathering_;
-  const Mat3 sizes = R_WT_.cwiseAbs();
-  // A box along the axes of W that holds all that is nearer than gathered_reach_ to a box of the tool.
-  const auto around = [&](const Box3& box_T) {
-    const Vec3 centre = R_WT_ * box_T.center() + X_WT_.p;
-    const Vec3 half = (sizes * box_T.sizes() / 2).array() + gathered_reach_;
-    return Box3(centre - half, centre + half);
+// Whether the common perpendicular of two edges can be a normal of both before the tool has turned by kTurn.
+// It turns faster than they do, and of edges that are almost parallel a lot faster.
+bool FeaturePairs::could_oppose(const FeatureMesh::Edge& of_tool,
+                                const FeatureMesh::Edge& of_scene) const noexcept {
+  const Vec3 u = R_WT_ * (tool_->vertices()[of_tool.to] - tool_->vertices()[of_tool.from]);
+  const Vec3 v = scene_->vertices()[of_scene.to] - scene_->vertices()[of_scene.from];
+  const Vec3 across = u.cross(v);
+  const double sine = std::sqrt(across.squaredNorm() / (u.squaredNorm() * v.squaredNorm()));
+  if (sine < kAlmostParallel) return true;
+  const Vec3 nhat = across.normalized();
+  const double slack = kMostTurn + kTurn * (1 + kAboveFirstOrder / sine);
+  const auto opposes = [&](double sign) {
+    return on_side(of_scene.across, nhat, -sign, slack) &&
+           on_side(of_tool.across, R_WT_.transpose() * nhat, sign, slack);
   };
-  const FeatureTree::Node& of_tool = tool.tree->node(node);
-  tool.box_W[node] = around(of_tool.box);
-  tool.axis_W[node] = R_WT_ * of_tool.cone.axis();
-  for (std::uint32_t i = 0; i < of_tool.count; ++i) {
-    const TreeFeature& feature = tool.tree->of(of_tool)[i];
-    tool.feature_box_W[of_tool.first + i] = around(feature.box);
-    tool.feature_axis_W[of_tool.first + i] = R_WT_ * feature.cone.axis();
-  }
+  return opposes(1) || opposes(-1);
+}
+
+FeaturePairs::Posed::Posed(const FeatureTree& tree)
+    : groups(tree.groups()), gathering(groups.size()), bounds_W(groups.size()) {}
+
+const Bounds4& FeaturePairs::pose(Posed& tool, std::uint32_t group) noexcept {
+  Bounds4& bounds_W = tool.bounds_W[group];
+  if (tool.gathering[group] == gathering_) return bounds_W;
+  tool.gathering[group] = gathering_;
+  bounds_W = tool.groups[group].bounds.moved(R_WT_, X_WT_.p, gathered_reach_, tool.slack);
+  return bounds_W;
 }
 
 template <class Take>
-void FeaturePairs::gather_kind(Posed& tool, const FeatureTree& scene, const Take& take) noexcept {
-  if (!tool.tree->empty() && !scene.empty()) descend(tool, scene, 0, 0, take);
+void FeaturePairs::gather_kind(Posed& tool, const FeatureTree& scene, double slack,
+                               const Take& take) noexcept {
+  if (tool.groups.empty() || scene.groups().empty()) return;
+  tool.slack = NormalCone(Vec3::UnitX(), slack);
+  const Bounds4& all = pose(tool, 0);
+  for (unsigned i = 0; i < 4; ++i)
+    for (unsigned meeting = scene.groups()[0].bounds.meeting(all[i]); meeting != 0; meeting &= meeting - 1)
+      descend(tool, scene, {0, i}, {0, lowest_bit(meeting)}, take);
 }
 
+// Two lanes that meet.
 template <class Take>
-void FeaturePairs::descend(Posed& tool, const FeatureTree& scene, std::uint32_t tool_node,
-                           std::uint32_t scene_node, const Take& take) noexcept {
-  pose(tool, tool_node);
-  const FeatureTree::Node &of_tool = tool.tree->node(tool_node), &of_scene = scene.node(scene_node);
-  if (!tool.box_W[tool_node].intersects(of_scene.box)) return;
-  if (!of_tool.cone.opposes(tool.axis_W[tool_node], of_scene.cone, tool.slack)) return;
-  if (of_tool.count > 0 && of_scene.count > 0) {
-    const std::span<const TreeFeature> of_leaf = tool.tree->of(of_tool);
-    for (std::uint32_t i = 0; i < of_tool.count; ++i)
-      for (const TreeFeature& feature : scene.of(of_scene))
-        if (tool.feature_box_W[of_tool.first + i].intersects(feature.box) &&
-            of_leaf[i].cone.opposes(tool.feature_axis_W[of_tool.first + i], feature.cone, tool.slack))
-          take(of_leaf[i].which, tool.feature_axis_W[of_tool.first + i], feature.which);
+void FeaturePairs::descend(Posed& tool, const FeatureTree& scene, Lane of_tool, Lane of_scene,
+                           const Take& take) noexcept {
+  const std::uint32_t tool_child = tool.groups[of_tool.group].children[of_tool.lane],
+                      scene_child = scene.groups()[of_scene.group].children[of_scene.lane];
+  const bool tool_ends = (tool_child & FeatureTree::kFeature) != 0,
+             scene_ends = (scene_child & FeatureTree::kFeature) != 0;
+  if (tool_ends && scene_ends) {
+    take(tool_child ^ FeatureTree::kFeature, scene_child ^ FeatureTree::kFeature);
     return;
   }
-  const bool split_tool = of_scene.count > 0 || (of_tool.count == 0 && of_tool.radius > of_scene.radius);
-  for (std::uint32_t child = 0; child < 2; ++child)
-    if (split_tool)
-      descend(tool, scene, of_tool.first + child, scene_node, take);
+  const Bounds tool_W = tool.bounds_W[of_tool.group][of_tool.lane],
+               scene_W = scene.groups()[of_scene.group].bounds[of_scene.lane];
+  const bool splits_scene = tool_ends || (!scene_ends && scene_W.size() > tool_W.size());
+  unsigned meeting = splits_scene ? scene.groups()[scene_child].bounds.meeting(tool_W)
+                                  : pose(tool, tool_child).meeting(scene_W);
+  for (; meeting != 0; meeting &= meeting - 1) {
+    const unsigned lane = lowest_bit(meeting);
+    if (splits_scene)
+      descend(tool, scene, of_tool, {scene_child, lane}, take);
     else
-      descend(tool, scene, tool_node, of_scene.first + child, take);
+      descend(tool, scene, {tool_child, lane}, of_scene, take);
+  }
 }
 
 void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W,
@@ -253,19 +270,27 @@ void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t sce
   least_gap_ = std::min(least_gap_, gap);
 }
 
+double FeaturePairs::due(double gap) const noexcept {
+  return odometer_ + std::max({gap, -gap - kDeepest, 0.0});
+}
+
+bool FeaturePairs::is_far(double gap) const noexcept {
+  return gap > reach_ || gap < -std::max(reach_, kDeepest);
+}
+
 void FeaturePairs::vertex_on_face(Candidate& candidate) noexcept {
   const std::span<const Vec3> scene = scene_->vertices();
   const FeatureMesh::Face& face = scene_->faces()[candidate.scene];
   const Vec3 p = in_world(candidate.tool);
   const Vec3& corner = scene[face.corners[0]];
   const double height = face.nhat.dot(p - corner);
-  candidate.due = odometer_ + std::abs(height);
-  if (std::abs(height) > reach_) return;
+  candidate.due = due(height);
+  if (is_far(height)) return;
   const TrianglePoint closest =
       closest_on_triangle(p, corner, scene[face.corners[1]], scene[face.corners[2]]);
   const double distance = std::sqrt(closest.squared);
-  candidate.due = odometer_ + distance;
-  if (distance > reach_) return;
+  candidate.due = due(std::copysign(distance, height));
+  if (is_far(std::copysign(distance, height))) return;
   const auto which = static_cast<unsigned>(closest.feature);
   const bool on_face = is_on(face, closest, height);
   const Vec3 nhat = on_face || !(distance > kLevel) ? face.nhat : Vec3((p - closest.point) / distance);
@@ -291,12 +316,12 @@ void FeaturePairs::face_on_vertex(Candidate& candidate) noexcept {
   const Vec3 p = R_WT_.transpose() * (p_W - X_WT_.p);
   const Vec3& corner = tool[face.corners[0]];
   const double height = face.nhat.dot(p - corner);
-  candidate.due = odometer_ + std::abs(height);
-  if (std::abs(height) > reach_) return;
+  candidate.due = due(height);
+  if (is_far(height)) return;
   const TrianglePoint closest = closest_on_triangle(p, corner, tool[face.corners[1]], tool[face.corners[2]]);
   const double distance = std::sqrt(closest.squared);
-  candidate.due = odometer_ + distance;
-  if (distance > reach_) return;
+  candidate.due = due(std::copysign(distance, height));
+  if (is_far(std::copysign(distance, height))) return;
   const auto which = static_cast<unsigned>(closest.feature);
   const bool on_face = is_on(face, closest, height);
   if (which >= 3 && !on_face) return;  // vertex on vertex: found from there
@@ -331,8 +356,8 @@ void FeaturePairs::edge_on_edge(Candidate& candidate) noexcept {
   Vec3 nhat = u.cross(v).normalized();
   if (nhat.dot(scene_->edge_normals()[candidate.scene].axis()) < 0) nhat = -nhat;
   const double gap = nhat.dot(p - q);
-  candidate.due = odometer_ + std::abs(gap);
-  if (std::abs(gap) > reach_) return;
+  candidate.due = due(gap);
+  if (is_far(gap)) return;
   if (!on_side(of_scene.across, nhat, -1, kMostTurn) ||
       !on_side(of_tool.across, R_WT_.transpose() * nhat, 1, kMostTurn))
     return;
@@ -340,45 +365,51 @@ void FeaturePairs::edge_on_edge(Candidate& candidate) noexcept {
 }
 
 bool FeaturePairs::crosses(std::size_t first_face, std::size_t count) const noexcept {
+  const NormalCone everywhere(Vec3::UnitX(), std::numbers::pi);
   const std::size_t end = std::min(first_face + count, faces());
   for (std::size_t f = first_face; f < end; ++f) {
     const FeatureMesh::Face& face = tool_->faces()[f];
     const std::array corners{in_world(face.corners[0]), in_world(face.corners[1]), in_world(face.corners[2])};
     Box3 box(corners[0], corners[0]);
     box.extend(corners[1]).extend(corners[2]);
-    if (pierced(face, corners, box, 0)) return true;
+    if (pierced(face, corners, Bounds::of(box, everywhere), 0)) return true;
   }
   return false;
 }
 
-bool FeaturePairs::pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners, const Box3& box,
-                           std::uint32_t scene_node) const noexcept {
-  const FeatureTree& tree = scene_->face_tree();
-  const FeatureTree::Node& node = tree.node(scene_node);
-  if (!box.intersects(node.box)) return false;
-  if (node.count == 0)
-    return pierced(face, corners, box, node.first) || pierced(face, corners, box, node.first + 1);
+bool FeaturePairs::pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners,
+                           const Bounds& bounds_W, std::uint32_t scene_group) const noexcept {
+  const FeatureTree::Group& group = scene_->face_tree().groups()[scene_group];
+  for (unsigned meeting = group.bounds.meeting(bounds_W); meeting != 0; meeting &= meeting - 1) {
+    const std::uint32_t child = group.children[lowest_bit(meeting)];
+    const bool found = (child & FeatureTree::kFeature) != 0
+                           ? pierced(face, corners, child ^ FeatureTree::kFeature)
+                           : pierced(face, corners, bounds_W, child);
+    if (found) return true;
+  }
+  return false;
+}
+
+// An edge of one of the faces through the other.
+bool FeaturePairs::pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners,
+                           std::uint32_t scene_face) const noexcept {
+  const FeatureMesh::Face& of_scene = scene_->faces()[scene_face];
+  const auto scene = [&](unsigned i) -> const Vec3& { return scene_->vertices()[of_scene.corners[i % 3]]; };
   const Vec3 nhat = R_WT_ * face.nhat;
-  for (const TreeFeature& feature : tree.of(node)) {
-    if (!box.intersects(feature.box)) continue;
-    const FeatureMesh::Face& of_scene = scene_->faces()[feature.which];
-    const auto scene = [&](unsigned i) -> const Vec3& { return scene_->vertices()[of_scene.corners[i % 3]]; };
-    for (unsigned e = 0; e < 3; ++e) {
-      if (!tool_->edges()[face.edges[e]].flat &&
-          pierces(corners[e], corners[(e + 1) % 3], scene(0), scene(1), scene(2), of_scene.nhat))
-        return true;
-      if (!scene_->edges()[of_scene.edges[e]].flat &&
-          pierces(scene(e), scene(e + 1), corners[0], corners[1], corners[2], nhat))
-        return true;
-    }
+  for (unsigned e = 0; e < 3; ++e) {
+    if (!tool_->edges()[face.edges[e]].flat &&
+        pierces(corners[e], corners[(e + 1) % 3], scene(0), scene(1), scene(2), of_scene.nhat))
+      return true;
+    if (!scene_->edges()[of_scene.edges[e]].flat &&
+        pierces(scene(e), scene(e + 1), corners[0], corners[1], corners[2], nhat))
+      return true;
   }
   return false;
 }
 
 std::size_t FeaturePairs::bytes() const {
   const auto of_posed = [](const Posed& tool) {
-    return tool.box_W.size() * (sizeof(std::uint32_t) + sizeof(Box3) + sizeof(Vec3)) +
-           tool.feature_box_W.size() * (sizeof(Box3) + sizeof(Vec3));
+    return tool.groups.size() * (sizeof(std::uint32_t) + sizeof(Bounds4));
   };
   return tool_->bytes() + scene_->bytes() + of_posed(tool_vertices_) + of_posed(tool_edges_) +
          of_posed(tool_faces_) + 3 * kMostCandidates * sizeof(Candidate) + kMostPairs * sizeof(FeaturePair);

@@ -38,8 +38,8 @@ public:
 
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
 
-  // The pairs nearer than `reach` m, at least kDeepest, with the tool at X_WT. False: there were more than
-  // fit.
+  // The pairs nearer than `reach` m, and those that have passed each other, with the tool at X_WT. False:
+  // there were more than fit.
   bool look(const Pose& X_WT, double reach) noexcept;
   std::span<const FeaturePair> pairs() const { return pairs_; }
   double least_gap() const { return least_gap_; }  // m, of the pairs; infinite: there are none
@@ -57,32 +57,40 @@ private:
     std::uint32_t tool, scene;
     double due;  // m, on the odometer: until then the two cannot have come together
   };
+  // m, on the odometer: what is that far apart now is not measured anew before it comes into a look's reach,
+  // nor, once it has passed, before it is no deeper than kDeepest.
+  double due(double gap) const noexcept;
+  bool is_far(double gap) const noexcept;  // at this look
   // m: no point of the tool moves farther on a straight way from one pose to the other.
   double way(const Pose& from, const Pose& to) const noexcept;
   void gather() noexcept;
-  // A tree of the tool's with its figures in W: of the nodes that the last gathering has visited.
+  // A tree of the tool's, and its groups in W: those that the last gathering has visited.
   struct Posed {
-    Posed(const FeatureTree& tree, double turn);
-    const FeatureTree* tree;
+    explicit Posed(const FeatureTree& tree);
+    std::span<const FeatureTree::Group> groups;
     NormalCone slack;                      // its angle: how far normals of a candidate may be from opposite
-    std::vector<std::uint32_t> gathering;  // (nodes) in which gathering_ a node's figures were made
-    std::vector<Box3> box_W;               // (nodes)
-    std::vector<Vec3> axis_W;              // (nodes x 3)
-    std::vector<Box3> feature_box_W;       // (features)
-    std::vector<Vec3> feature_axis_W;      // (features x 3)
+    std::vector<std::uint32_t> gathering;  // (groups) in which gathering_ a group's bounds were made
+    std::vector<Bounds4> bounds_W;         // (groups)
   };
-  void pose(Posed& tool, std::uint32_t node) noexcept;
+  const Bounds4& pose(Posed& tool, std::uint32_t group) noexcept;
+  // One lane of a group of either tree.
+  struct Lane {
+    std::uint32_t group;
+    unsigned lane;
+  };
   template <class Take>
-  void descend(Posed& tool, const FeatureTree& scene, std::uint32_t tool_node, std::uint32_t scene_node,
-               const Take& take) noexcept;
+  void descend(Posed& tool, const FeatureTree& scene, Lane of_tool, Lane of_scene, const Take& take) noexcept;
   template <class Take>
-  void gather_kind(Posed& tool, const FeatureTree& scene, const Take& take) noexcept;
+  void gather_kind(Posed& tool, const FeatureTree& scene, double slack, const Take& take) noexcept;
   void keep(std::vector<Candidate>& candidates, std::uint32_t tool, std::uint32_t scene) noexcept;
   void vertex_on_face(Candidate& candidate) noexcept;
   void face_on_vertex(Candidate& candidate) noexcept;
   void edge_on_edge(Candidate& candidate) noexcept;
-  bool pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners, const Box3& box,
-               std::uint32_t scene_node) const noexcept;
+  bool could_oppose(const FeatureMesh::Edge& of_tool, const FeatureMesh::Edge& of_scene) const noexcept;
+  bool pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners, const Bounds& bounds_W,
+               std::uint32_t scene_group) const noexcept;
+  bool pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners,
+               std::uint32_t scene_face) const noexcept;
   Vec3 in_world(std::uint32_t tool_vertex) const { return R_WT_ * tool_->vertices()[tool_vertex] + X_WT_.p; }
   void add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W, const Vec3& nhat_W,
            double gap) noexcept;

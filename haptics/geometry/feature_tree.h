@@ -8,8 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "haptics/geometry/normal_cone.h"
-#include "haptics/geometry/triangle_mesh.h"
+#include "haptics/geometry/bounds.h"
 
 namespace fulcrum {
 
@@ -21,31 +20,25 @@ struct TreeFeature {
 
 class FeatureTree {
 public:
-  struct Node {
-    Box3 box{};         // m
-    double radius = 0;  // m, about the box's centre
-    NormalCone cone{};
-    std::uint32_t first = 0;  // of an inner node: its children are nodes first and first + 1
-    std::uint32_t count = 0;  // features of a leaf; 0: an inner node
+  static constexpr std::uint32_t kFeature = 1u << 31;  // of a child: the rest is a feature's `which`
+  static constexpr std::uint32_t kNone = ~0u;          // no child
+  // Up to four children, each another group or a feature.
+  struct Group {
+    Bounds4 bounds;
+    std::array<std::uint32_t, 4> children{kNone, kNone, kNone, kNone};
   };
 
   FeatureTree() = default;
   explicit FeatureTree(std::vector<TreeFeature> features);
 
-  bool empty() const { return features_.empty(); }
-  std::size_t nodes() const { return nodes_.size(); }
-  std::size_t features() const { return features_.size(); }
-  const Node& node(std::uint32_t i) const { return nodes_[i]; }  // 0: all of it
-  std::span<const TreeFeature> of(const Node& leaf) const {
-    return std::span(features_).subspan(leaf.first, leaf.count);
-  }
-  std::size_t bytes() const;
+  std::span<const Group> groups() const { return groups_; }  // the first one holds all; none without features
+  std::size_t bytes() const { return groups_.size() * sizeof(Group); }
 
 private:
-  void split(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+  struct Part;
+  Part plant(std::span<TreeFeature> features);
 
-  std::vector<TreeFeature> features_;
-  std::vector<Node> nodes_;
+  std::vector<Group> groups_;
 };
 
 }  // namespace fulcrum

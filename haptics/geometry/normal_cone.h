@@ -21,6 +21,8 @@ public:
   bool none() const { return angle_ < 0; }
   const Vec3& axis() const { return axis_; }  // (3) unit
   double angle() const { return angle_; }     // rad, between the axis and what lies farthest from it
+  double cosine() const { return cosine_; }   // of it
+  double sine() const { return sine_; }
 
   // Whether one of these directions, and one of the other's, are opposite but for `slack`'s angle. axis: this
   // cone's, in the other's frame.

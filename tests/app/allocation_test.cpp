@@ -108,6 +108,16 @@ TEST(Allocation, NoTickWithImpactsAllocates) {
   EXPECT_EQ(allocations_in(*prepared, "clumsy"), 0);
 }
 
+TEST(Allocation, NoTickOnTrianglesAllocates) {
+  for (const std::string hand : {"expert", "clumsy"}) {
+    const std::optional<app::Prepared> prepared =
+        app::prepare("tutorial", std::vector<std::string>{"contact.surface=triangles"});
+    ASSERT_TRUE(prepared);
+    ASSERT_TRUE(prepared->haptic.scene.tool_features);
+    EXPECT_EQ(allocations_in(*prepared, hand), 0) << hand;
+  }
+}
+
 TEST(Allocation, NoTickThatVibratesAtTheFingerAllocates) {
   for (const std::string model : {"two_channel", "rumble_pad"}) {
     const std::optional<app::Prepared> prepared =

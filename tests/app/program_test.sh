@@ -60,6 +60,9 @@ said=$("$FULCRUM" explain piping --set response=penalty 2>&1) || fail "explain w
 grep -q 'no constraint solver is built' <<<"$said" || fail "springs: a constraint solver is built: $said"
 grep -q 'tool field' <<<"$said" && fail "springs need no field of the tool"
 expect 0 'edges .* contact.edges is 0' "$FULCRUM" explain piping --set contact.edges=0
+expect_each 0 'features .*themselves' 'query .*contact.surface is triangles' 'edges .*contact.surface is triangles' -- \
+  "$FULCRUM" explain tutorial --set contact.surface=triangles
+expect 0 'features .* contact.surface is points' "$FULCRUM" explain tutorial
 expect 2 'vibrates at impacts' "$FULCRUM" run piping --headless --circle
 expect 0 'good' "$FULCRUM" check piping
 

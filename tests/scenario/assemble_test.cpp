@@ -150,6 +150,27 @@ TEST_F(Assemble, CarriesTheScenarioIntoTheScene) {
   EXPECT_EQ(haptic->scene_W.components.size(), 1u);
 }
 
+TEST_F(Assemble, MeasuresContactOnTrianglesWhereTheSceneSaysSo) {
+  Scenario scenario = read(kCoarse);
+  const auto models = load_models(scenario);
+  ASSERT_TRUE(models) << models.error().sentence;
+  const auto on_points = assemble_haptic(scenario, *models, cache_);
+  ASSERT_TRUE(on_points) << on_points.error().sentence;
+  EXPECT_FALSE(on_points->scene.tool_features || on_points->scene.scene_features);
+  scenario.surface = ContactSurface::triangles;
+  scenario.contact.response = ContactResponse::constraint;
+  const auto on_triangles = assemble_haptic(scenario, *models, cache_);
+  ASSERT_TRUE(on_triangles) << on_triangles.error().sentence;
+  ASSERT_TRUE(on_triangles->scene.tool_features && on_triangles->scene.scene_features);
+  EXPECT_EQ(on_triangles->scene.tool_features->faces().size(), on_triangles->tool_T.mesh.triangles.size());
+  EXPECT_EQ(on_triangles->scene.scene_features->faces().size(), on_triangles->scene_W.mesh.triangles.size());
+  // Another response looks points up.
+  scenario.contact.response = ContactResponse::quasi_static;
+  const auto otherwise = assemble_haptic(scenario, *models, cache_);
+  ASSERT_TRUE(otherwise) << otherwise.error().sentence;
+  EXPECT_FALSE(otherwise->scene.tool_features);
+}
+
 TEST_F(Assemble, TellsAboutTheBakes) {
   const Scenario scenario = read(kCoarse);
   const auto models = load_models(scenario);

@@ -17,8 +17,8 @@ namespace fulcrum::app {
 namespace {
 
 // What the response looks things up in, as often as it moves the tool: its time is the response's.
-constexpr std::array<std::string_view, 7> kReadByResponse{"field",      "pointshell", "query", "edges",
-                                                          "edge query", "tool field", "voxels"};
+constexpr std::array<std::string_view, 8> kReadByResponse{"field",      "pointshell", "query",  "edges",
+                                                          "edge query", "tool field", "voxels", "features"};
 
 std::string human_bytes(std::uint64_t bytes) {
   char text[32];

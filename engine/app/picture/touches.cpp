@@ -49,17 +49,37 @@ std::optional<ContactQuery> edge_query(const PlainScene& scene) {
 TouchFinder::TouchFinder(const PlainScene& scene)
     : radius_(std::max(scene.tool_shell->max_radius_m, 1e-6)),
       margin_(std::min(kMargin, scene.scene_field->band_m())),
-      query_(scene.tool_shell, scene.scene_field),
       edges_(edge_query(scene)),
       regions_(scene.contact.region_radius) {
+  if (scene.tool_features) {
+    features_.emplace(scene.tool_features, scene.scene_features);
+    margin_ = FeaturePairs::kDeepest;
+    return;
+  }
+  query_.emplace(scene.tool_shell, scene.scene_field);
   if (scene.tool_field) margin_ = std::min(margin_, scene.tool_field->band_m());
+}
+
+void TouchFinder::look(const Pose& X_WT) {
+  if (!features_) {
+    query_->run(X_WT, contacts_, margin_);
+    if (edges_) edges_->add(X_WT, contacts_, margin_);
+    return;
+  }
+  features_->look(X_WT, margin_);
+  std::vector<FeaturePair> nearest(features_->pairs().begin(), features_->pairs().end());
+  std::ranges::sort(nearest, {}, &FeaturePair::gap);
+  nearest.resize(std::min(nearest.size(), kMaxContacts));
+  contacts_.clear();
+  for (const FeaturePair& pair : nearest)
+    contacts_.add(
+        {.point = pair.number(), .p_W = pair.p_W, .nhat_W = pair.nhat_W, .depth = -pair.gap, .overlap = {}});
 }
 
 std::vector<Touch> TouchFinder::find(const TickRecord& record) {
   const double pushed = record.contact_F_T_W.force.norm();
   if (!(pushed > kLeastForce) || !std::isfinite(pushed) || !record.X_WT.is_finite()) return {};
-  query_.run(record.X_WT, contacts_, margin_);
-  if (edges_) edges_->add(record.X_WT, contacts_, margin_);
+  look(record.X_WT);
   const std::span<const Contact> contacts = contacts_.contacts();
   const std::array<double, kMaxContacts> force = share(contacts, record, radius_);
   const std::span<const std::uint16_t> region_of = regions_.find(contacts);

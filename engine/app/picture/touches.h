@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "haptics/contact/feature_pairs.h"
 #include "haptics/contact/query.h"
 #include "haptics/contact/regions.h"
 #include "haptics/scene/plain_scene.h"
@@ -31,9 +32,12 @@ public:
   std::vector<Touch> find(const TickRecord& record);
 
 private:
-  double radius_;  // m, of the tool
-  double margin_;  // m, farther from the scene nothing touches
-  ContactQuery query_;
+  void look(const Pose& X_WT);
+
+  double radius_;                         // m, of the tool
+  double margin_;                         // m, farther from the scene nothing touches
+  std::optional<FeaturePairs> features_;  // where contact is measured on triangles; else:
+  std::optional<ContactQuery> query_;
   std::optional<ContactQuery> edges_;  // of the scene, against the tool
   RegionTracker regions_;
   ContactSet contacts_;

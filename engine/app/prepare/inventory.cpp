@@ -50,7 +50,18 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (response != ContactResponse::voxel) add("response voxel", "the scenario names another");
   if (response == ContactResponse::constraint && scene.contact.friction == 0)
     add("friction", "contact.friction is 0");
-  if (response == ContactResponse::constraint && !scene.scene_edges) add("edges", "contact.edges is 0");
+  if (response == ContactResponse::constraint) {
+    if (scene.tool_features)
+      add("query", "contact.surface is triangles: no points are looked up");
+    else
+      add("features", prepared.scenario.surface == scenario::ContactSurface::points
+                          ? "contact.surface is points"
+                          : "in place of the response direct contact is on points");
+    if (scene.tool_features)
+      add("edges", "contact.surface is triangles, which have their own");
+    else if (!scene.scene_edges)
+      add("edges", "contact.edges is 0");
+  }
   if (massless(response)) add("integrator", "the tool has no mass under the scenario's response");
   if (!scene.device.renders_torque) add("torque motors", "the device '" + scene.device.name + "' has none");
   if (!scene.device.renders_force) add("force motors", "the device '" + scene.device.name + "' has none");

@@ -1,0 +1,156 @@
+// Bounds that are moved hold what they held, whatever single precision rounds, and little more; a tree has
+// each feature once, within the bounds of all groups above it.
+
+#include "haptics/geometry/feature_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "haptics/math/pose.h"
+#include "haptics/math/rotation.h"
+
+namespace fulcrum {
+namespace {
+
+class Dice {
+public:
+  double from_to(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+  Vec3 in_cube(double half) { return Vec3(from_to(-half, half), from_to(-half, half), from_to(-half, half)); }
+  Vec3 direction() {
+    Vec3 way = in_cube(1);
+    while (way.norm() < 0.1 || way.norm() > 1) way = in_cube(1);
+    return way.normalized();
+  }
+  // A unit vector at that angle (rad) of another.
+  Vec3 beside(const Vec3& axis, double angle) {
+    const Vec3 across = axis.cross(direction()).normalized();
+    return std::cos(angle) * axis + std::sin(angle) * across;
+  }
+  Pose pose() { return {turn_by(from_to(0, 3), direction()), in_cube(0.3)}; }
+
+private:
+  std::mt19937 random_{7};
+};
+
+Bounds at(const Vec3& p, const Vec3& axis) {
+  return Bounds::of(Box3(p, p), NormalCone(axis));
+}
+
+class MovedBounds : public testing::Test {
+protected:
+  static constexpr double kReach = 1e-4, kSlack = 0.05;
+  static constexpr unsigned kLane = 2;
+
+  void roll() {
+    const Vec3 low = dice.in_cube(0.02);
+    box_T = Box3(low, low + Vec3(dice.from_to(0, 0.01), dice.from_to(0, 0.01), dice.from_to(0, 0.01)));
+    axis_T = dice.direction();
+    angle = dice.from_to(0, 1.4);
+    X_WT = dice.pose();
+    Bounds4 four;
+    four.set(kLane, Bounds::of(box_T, NormalCone(axis_T, angle)));
+    moved = four.moved(X_WT.q.toRotationMatrix(), X_WT.p, kReach, NormalCone(Vec3::UnitX(), kSlack));
+  }
+  Vec3 place_T() {
+    return box_T.min() +
+           Vec3(dice.from_to(0, 1), dice.from_to(0, 1), dice.from_to(0, 1)).cwiseProduct(box_T.sizes());
+  }
+  bool meets(const Vec3& p_W, const Vec3& axis_W) const {
+    return (moved.meeting(at(p_W, axis_W)) >> kLane & 1u) != 0;
+  }
+
+  Dice dice;
+  Box3 box_T;
+  Vec3 axis_T = Vec3::UnitX();
+  double angle = 0;
+  Pose X_WT;
+  Bounds4 moved;
+};
+
+TEST_F(MovedBounds, HoldWhatIsWithinReachAndOpposite) {
+  for (int trial = 0; trial < 20'000; ++trial) {
+    roll();
+    const Vec3 p_W = X_WT * place_T() + dice.from_to(0, kReach) * dice.direction();
+    const Vec3 opposite_W = -(X_WT.q * dice.beside(axis_T, dice.from_to(0, angle + kSlack)));
+    ASSERT_TRUE(meets(p_W, opposite_W)) << trial;
+    EXPECT_EQ(moved.meeting(at(p_W, opposite_W)), 1u << kLane) << "a lane that holds nothing";
+  }
+}
+
+TEST_F(MovedBounds, HoldLittleMore) {
+  constexpr double kMargin = 2e-6;  // m, of rounding at 0.3 m from the origin
+  for (int trial = 0; trial < 20'000; ++trial) {
+    roll();
+    const Vec3 inside_W = X_WT * place_T();
+    const Vec3 opposite_W = -(X_WT.q * axis_T);
+    EXPECT_FALSE(meets(inside_W, -(X_WT.q * dice.beside(axis_T, angle + kSlack + 0.01)))) << trial;
+    Box3 box_W;
+    for (unsigned corner = 0; corner < 8; ++corner)
+      box_W.extend(X_WT * box_T.corner(static_cast<Box3::CornerType>(corner)));
+    const auto axis = static_cast<Eigen::Index>(trial % 3);
+    Vec3 outside_W = inside_W;
+    outside_W[axis] = box_W.max()[axis] + kReach + kMargin;
+    EXPECT_FALSE(meets(outside_W, opposite_W)) << trial;
+    outside_W[axis] = box_W.min()[axis] - kReach - kMargin;
+    EXPECT_FALSE(meets(outside_W, opposite_W)) << trial;
+  }
+}
+
+TEST_F(MovedBounds, OfAllDirectionsStayThat) {
+  Bounds4 four;
+  four.set(kLane, Bounds::of(Box3(Vec3::Zero(), Vec3::Zero()), NormalCone(Vec3::UnitX(), std::numbers::pi)));
+  moved = four.moved(Mat3::Identity(), Vec3::Zero(), kReach, NormalCone(Vec3::UnitX(), kSlack));
+  for (int trial = 0; trial < 100; ++trial) EXPECT_TRUE(meets(Vec3::Zero(), dice.direction()));
+}
+
+class FeatureTreeTest : public testing::Test {
+protected:
+  void grow(std::size_t count) {
+    features.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 p = dice.in_cube(0.1);
+      features.push_back({static_cast<std::uint32_t>(i), Box3(p, p + Vec3(1e-3, 1e-3, 1e-3)),
+                          NormalCone(dice.direction(), 0.1)});
+    }
+    tree = FeatureTree(features);
+    seen.assign(count, 0);
+    if (!tree.groups().empty()) walk(0, {});
+  }
+  // `above`: the lanes that lead here.
+  void walk(std::uint32_t group, std::vector<Bounds4> above) {
+    for (unsigned lane = 0; lane < 4; ++lane) {
+      const std::uint32_t child = tree.groups()[group].children[lane];
+      if (child == FeatureTree::kNone) continue;
+      std::vector<Bounds4> path = above;
+      path.emplace_back().set(0, tree.groups()[group].bounds[lane]);
+      if ((child & FeatureTree::kFeature) == 0) {
+        walk(child, path);
+        continue;
+      }
+      const TreeFeature& feature = features.at(child ^ FeatureTree::kFeature);
+      ++seen[feature.which];
+      for (const Bounds4& bounds : path)
+        for (const Vec3& p : {feature.box.min(), feature.box.max()})
+          EXPECT_EQ(bounds.meeting(at(p, -dice.beside(feature.cone.axis(), 0.1))), 1u);
+    }
+  }
+
+  Dice dice;
+  std::vector<TreeFeature> features;
+  FeatureTree tree;
+  std::vector<int> seen;
+};
+
+TEST_F(FeatureTreeTest, HasEachFeatureOnceWithinAllBoundsAboveIt) {
+  for (const std::size_t count : {0u, 1u, 2u, 3u, 4u, 5u, 16u, 17u, 1000u}) {
+    grow(count);
+    EXPECT_EQ(std::ranges::count(seen, 1), static_cast<std::ptrdiff_t>(count));
+  }
+}
+
+}  // namespace
+}  // namespace fulcrum
