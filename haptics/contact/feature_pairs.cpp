@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "haptics/math/rotation.h"
 
@@ -97,21 +96,26 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
   pairs_.reserve(kMostPairs);
 }
 
-bool FeaturePairs::look(const Pose& X_WT, double reach) noexcept {
+bool FeaturePairs::look(const Pose& X_WT, double reach, std::size_t most) noexcept {
   odometer_ += way(X_WT_, X_WT);
   X_WT_ = X_WT;
   R_WT_ = X_WT.q.toRotationMatrix();
   reach_ = reach;
+  most_ = std::min(most, kMostCandidates);
   complete_ = true;
   pairs_.clear();
   least_gap_ = std::numeric_limits<double>::infinity();
   // As long as what was gathered holds all that can have come within reach, or in.
-  const bool holds = gathered_reach_ >= std::max(reach_, kDeepest) + way(X_WT_gathered_, X_WT) &&
+  const bool holds = gathered_ && gathered_reach_ >= std::max(reach_, kDeepest) + way(X_WT_gathered_, X_WT) &&
                      angle_between(X_WT_gathered_.q, X_WT.q) < kTurn;
   if (!holds) {
     gathered_reach_ = std::max(kGathered * reach_, kLeastGathered);
     X_WT_gathered_ = X_WT;
     gather();
+    if (!complete_) {
+      gathered_ = false;
+      return false;
+    }
   }
   const double due = odometer_ + reach_;
   for (Candidate& candidate : vertex_faces_)
@@ -124,7 +128,7 @@ bool FeaturePairs::look(const Pose& X_WT, double reach) noexcept {
     const double out = odometer_ + gathered_reach_;
     for (std::vector<Candidate>* candidates : {&vertex_faces_, &face_vertices_, &edge_edges_})
       std::erase_if(*candidates, [out](const Candidate& candidate) { return candidate.due > out; });
-    if (!complete_) gathered_reach_ = -1;
+    gathered_ = complete_;
   }
   return complete_;
 }
@@ -139,7 +143,7 @@ double FeaturePairs::way(const Pose& from, const Pose& to) const noexcept {
 
 void FeaturePairs::keep(std::vector<Candidate>& candidates, std::uint32_t tool,
                         std::uint32_t scene) noexcept {
-  if (candidates.size() == kMostCandidates)
+  if (candidates.size() == most_)
     complete_ = false;
   else
     candidates.push_back({tool, scene, odometer_});
@@ -219,7 +223,8 @@ const Bounds4& FeaturePairs::pose(Posed& tool, std::uint32_t group) noexcept {
   Bounds4& bounds_W = tool.bounds_W[group];
   if (tool.gathering[group] == gathering_) return bounds_W;
   tool.gathering[group] = gathering_;
-  bounds_W = tool.groups[group].bounds.moved(R_WT_, X_WT_.p, gathered_reach_, tool.slack);
+  bounds_W = tool.groups[group].bounds.moved(X_WT_gathered_.q.toRotationMatrix(), X_WT_gathered_.p,
+                                             gathered_reach_, tool.slack);
   return bounds_W;
 }
 
@@ -252,6 +257,7 @@ void FeaturePairs::descend(Posed& tool, const FeatureTree& scene, Lane of_tool, 
   unsigned meeting = splits_scene ? scene.groups()[scene_child].bounds.meeting(tool_W)
                                   : pose(tool, tool_child).meeting(scene_W);
   for (; meeting != 0; meeting &= meeting - 1) {
+    if (!complete_) return;
     const unsigned lane = lowest_bit(meeting);
     if (splits_scene)
       descend(tool, scene, of_tool, {scene_child, lane}, take);
@@ -364,44 +370,72 @@ void FeaturePairs::edge_on_edge(Candidate& candidate) noexcept {
   if (gap >= -kDeepest) add(kEdgeEdge, candidate.tool, candidate.scene, p, nhat, gap);
 }
 
-bool FeaturePairs::crosses(std::size_t first_face, std::size_t count) const noexcept {
-  const NormalCone everywhere(Vec3::UnitX(), std::numbers::pi);
-  const std::size_t end = std::min(first_face + count, faces());
-  for (std::size_t f = first_face; f < end; ++f) {
-    const FeatureMesh::Face& face = tool_->faces()[f];
-    const std::array corners{in_world(face.corners[0]), in_world(face.corners[1]), in_world(face.corners[2])};
-    Box3 box(corners[0], corners[0]);
-    box.extend(corners[1]).extend(corners[2]);
-    if (pierced(face, corners, Bounds::of(box, everywhere), 0)) return true;
-  }
+bool FeaturePairs::crosses() noexcept {
+  for (unsigned part = 0; part < kParts; ++part)
+    if (crosses(part)) return true;
   return false;
 }
 
-bool FeaturePairs::pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners,
-                           const Bounds& bounds_W, std::uint32_t scene_group) const noexcept {
-  const FeatureTree::Group& group = scene_->face_tree().groups()[scene_group];
-  for (unsigned meeting = group.bounds.meeting(bounds_W); meeting != 0; meeting &= meeting - 1) {
-    const std::uint32_t child = group.children[lowest_bit(meeting)];
-    const bool found = (child & FeatureTree::kFeature) != 0
-                           ? pierced(face, corners, child ^ FeatureTree::kFeature)
-                           : pierced(face, corners, bounds_W, child);
-    if (found) return true;
+bool FeaturePairs::crosses(unsigned part) noexcept {
+  if (tool_faces_.groups.empty() || scene_->face_tree().groups().empty()) return false;
+  // Three levels down the tool's tree: to the lane that the part's digits say. Where a branch is shorter, the
+  // rest of its digits are 0.
+  Lane of_tool{0, part / 16 % 4};
+  pose(tool_faces_, 0);
+  for (const unsigned digit : {part / 4 % 4, part % 4}) {
+    const std::uint32_t child = tool_faces_.groups[of_tool.group].children[of_tool.lane];
+    if (child == FeatureTree::kNone) return false;
+    if ((child & FeatureTree::kFeature) == 0) {
+      of_tool = {child, digit};
+      pose(tool_faces_, child);
+    } else if (digit != 0) {
+      return false;
+    }
+  }
+  if (tool_faces_.groups[of_tool.group].children[of_tool.lane] == FeatureTree::kNone) return false;
+  const Bounds tool_W = tool_faces_.bounds_W[of_tool.group][of_tool.lane];
+  for (unsigned near = scene_->face_tree().groups()[0].bounds.overlapping(tool_W); near != 0;
+       near &= near - 1)
+    if (crosses(of_tool, {0, lowest_bit(near)})) return true;
+  return false;
+}
+
+// Of two lanes that overlap. The tool's bounds are those of where the candidates were gathered, and hold what
+// has moved since.
+bool FeaturePairs::crosses(Lane of_tool, Lane of_scene) noexcept {
+  const std::span<const FeatureTree::Group> scene = scene_->face_tree().groups();
+  const std::uint32_t tool_child = tool_faces_.groups[of_tool.group].children[of_tool.lane],
+                      scene_child = scene[of_scene.group].children[of_scene.lane];
+  const bool tool_ends = (tool_child & FeatureTree::kFeature) != 0,
+             scene_ends = (scene_child & FeatureTree::kFeature) != 0;
+  if (tool_ends && scene_ends)
+    return cross(tool_child ^ FeatureTree::kFeature, scene_child ^ FeatureTree::kFeature);
+  const Bounds tool_W = tool_faces_.bounds_W[of_tool.group][of_tool.lane],
+               scene_W = scene[of_scene.group].bounds[of_scene.lane];
+  const bool splits_scene = tool_ends || (!scene_ends && scene_W.size() > tool_W.size());
+  unsigned near = splits_scene ? scene[scene_child].bounds.overlapping(tool_W)
+                               : pose(tool_faces_, tool_child).overlapping(scene_W);
+  for (; near != 0; near &= near - 1) {
+    const unsigned lane = lowest_bit(near);
+    if (splits_scene ? crosses(of_tool, {scene_child, lane}) : crosses({tool_child, lane}, of_scene))
+      return true;
   }
   return false;
 }
 
 // An edge of one of the faces through the other.
-bool FeaturePairs::pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners,
-                           std::uint32_t scene_face) const noexcept {
-  const FeatureMesh::Face& of_scene = scene_->faces()[scene_face];
+bool FeaturePairs::cross(std::uint32_t tool_face, std::uint32_t scene_face) const noexcept {
+  const FeatureMesh::Face &of_tool = tool_->faces()[tool_face], &of_scene = scene_->faces()[scene_face];
   const auto scene = [&](unsigned i) -> const Vec3& { return scene_->vertices()[of_scene.corners[i % 3]]; };
-  const Vec3 nhat = R_WT_ * face.nhat;
+  const std::array tool{in_world(of_tool.corners[0]), in_world(of_tool.corners[1]),
+                        in_world(of_tool.corners[2])};
+  const Vec3 nhat = R_WT_ * of_tool.nhat;
   for (unsigned e = 0; e < 3; ++e) {
-    if (!tool_->edges()[face.edges[e]].flat &&
-        pierces(corners[e], corners[(e + 1) % 3], scene(0), scene(1), scene(2), of_scene.nhat))
+    if (!tool_->edges()[of_tool.edges[e]].flat &&
+        pierces(tool[e], tool[(e + 1) % 3], scene(0), scene(1), scene(2), of_scene.nhat))
       return true;
     if (!scene_->edges()[of_scene.edges[e]].flat &&
-        pierces(scene(e), scene(e + 1), corners[0], corners[1], corners[2], nhat))
+        pierces(scene(e), scene(e + 1), tool[0], tool[1], tool[2], nhat))
       return true;
   }
   return false;

@@ -39,16 +39,17 @@ public:
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
 
   // The pairs nearer than `reach` m, and those that have passed each other, with the tool at X_WT. False:
-  // there were more than fit.
-  bool look(const Pose& X_WT, double reach) noexcept;
+  // there were more than fit, or more candidates of a kind than `most`.
+  bool look(const Pose& X_WT, double reach, std::size_t most = kMostCandidates) noexcept;
   std::span<const FeaturePair> pairs() const { return pairs_; }
   double least_gap() const { return least_gap_; }  // m, of the pairs; infinite: there are none
   bool none_near() const;
 
-  // Whether, at the last look's pose, an edge of one goes through a face of the other: of these of the tool's
-  // faces alone. A tool that is wholly inside of the scene crosses nothing.
-  bool crosses(std::size_t first_face, std::size_t count) const noexcept;
-  std::size_t faces() const { return tool_->faces().size(); }  // the tool's
+  // Whether, at the last look's pose, an edge of one goes through a face of the other: any, or of a part of
+  // the tool's faces alone. A tool that is wholly inside of the scene crosses nothing.
+  static constexpr unsigned kParts = 64;
+  bool crosses() noexcept;
+  bool crosses(unsigned part) noexcept;
   std::size_t bytes() const;
 
 private:
@@ -87,10 +88,8 @@ private:
   void face_on_vertex(Candidate& candidate) noexcept;
   void edge_on_edge(Candidate& candidate) noexcept;
   bool could_oppose(const FeatureMesh::Edge& of_tool, const FeatureMesh::Edge& of_scene) const noexcept;
-  bool pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners, const Bounds& bounds_W,
-               std::uint32_t scene_group) const noexcept;
-  bool pierced(const FeatureMesh::Face& face, const std::array<Vec3, 3>& corners,
-               std::uint32_t scene_face) const noexcept;
+  bool crosses(Lane of_tool, Lane of_scene) noexcept;
+  bool cross(std::uint32_t tool_face, std::uint32_t scene_face) const noexcept;
   Vec3 in_world(std::uint32_t tool_vertex) const { return R_WT_ * tool_->vertices()[tool_vertex] + X_WT_.p; }
   void add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W, const Vec3& nhat_W,
            double gap) noexcept;
@@ -99,9 +98,11 @@ private:
   Pose X_WT_;
   Mat3 R_WT_ = Mat3::Identity();
   double reach_ = 0;             // m, of the look
+  std::size_t most_ = 0;         // candidates, likewise
   double odometer_ = 0;          // m, no point of the tool has come farther from look to look
-  Pose X_WT_gathered_;           // where the candidates were gathered, with
-  double gathered_reach_ = -1;   // m
+  bool gathered_ = false;        // the candidates are all that there are
+  Pose X_WT_gathered_;           // where they were gathered, with
+  double gathered_reach_ = 0;    // m
   std::uint32_t gathering_ = 0;  // how many there were
   Posed tool_vertices_, tool_edges_, tool_faces_;
   std::vector<Candidate> vertex_faces_, face_vertices_, edge_edges_;  // the tool's feature first

@@ -128,10 +128,14 @@ Bounds4 Bounds4::moved(const Mat3& R, const Vec3& p, double reach, const NormalC
   return result;
 }
 
-unsigned Bounds4::meeting(const Bounds& one) const noexcept {
+unsigned Bounds4::overlapping(const Bounds& one) const noexcept {
   Mask near = ~Mask{};
   for (std::size_t i = 0; i < 3; ++i) near &= (load(low_[i]) <= one.high[i]) & (load(high_[i]) >= one.low[i]);
-  const unsigned overlap = bits_of(near);
+  return bits_of(near);
+}
+
+unsigned Bounds4::meeting(const Bounds& one) const noexcept {
+  const unsigned overlap = overlapping(one);
   if (overlap == 0) return 0;
   // Opposite as far as the angles of both cones together: cos(a + b) <= -axis . axis', or a + b is half a
   // turn or more.

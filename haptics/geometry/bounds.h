@@ -31,6 +31,7 @@ public:
   Bounds4 moved(const Mat3& R, const Vec3& p, double reach, const NormalCone& slack) const noexcept;
   // Bit i: its boxes overlap those of lane i, and of its cone and lane i's some directions are opposite.
   unsigned meeting(const Bounds& one) const noexcept;
+  unsigned overlapping(const Bounds& one) const noexcept;  // the same of the boxes alone
 
 private:
   using Lanes = std::array<float, 4>;

@@ -21,7 +21,7 @@ constexpr double kSettledReach = 1e-6;       // m, a round that moves no point f
 constexpr double kKept = 1e-8;               // m, a pair that a step breaks by less is kept
 constexpr double kMended = 25e-6;            // m, what is in by less is left to the next round
 constexpr std::size_t kPairsAtOnce = 48;
-constexpr std::size_t kTicksToSeeAll = 64;  // in which all faces of the tool are looked at for crossings
+constexpr std::size_t kFarCandidates = 1024;  // of each kind
 constexpr int kMostMendings = 3, kMostHalvings = 6, kMostTakings = 6;
 
 }  // namespace
@@ -34,14 +34,11 @@ FeatureMotion::FeatureMotion(const PlainScene& desc)
   taken_.reserve(kMaxContacts);
   broken_.reserve(FeaturePairs::kMostPairs);
   levers_W_.reserve(FeaturePairs::kMostPairs);
+  look(reach_);
+  crosses_ = features_.crosses();
 }
 
 ToolAnswer FeatureMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
-  if (!looked_) {
-    look(reach_);
-    look_for_crossings();
-  }
-  looked_ = true;
   if (crosses_) faults |= kToolInside;  // as the tick began, though its end may be free
   tool_.begin(X_WG);
   const Rounds rounds = go(X_WG, faults);
@@ -54,22 +51,21 @@ ToolAnswer FeatureMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint
 }
 
 void FeatureMotion::look(double reach) noexcept {
-  complete_ = features_.look(tool_.state().X_WT, reach);
-  while (!complete_ && reach > kShortestReach) {
-    reach = std::max(kShortestReach, 0.5 * reach);
-    complete_ = features_.look(tool_.state().X_WT, reach);
-  }
+  // What is far is looked at only while there is little of it.
+  const auto sees = [&] {
+    return features_.look(tool_.state().X_WT, reach,
+                          reach > kLongestReach ? kFarCandidates : FeaturePairs::kMostCandidates);
+  };
+  for (complete_ = sees(); !complete_ && reach > kShortestReach; complete_ = sees())
+    reach = std::max(kShortestReach, 0.25 * reach);
   reach_ = reach;
 }
 
-// A tool that crosses the scene counts as inside until a look at all of its faces finds no crossing.
+// A part of the tool's faces in each tick. A tool that crosses the scene counts as inside until a look at all
+// of them finds no crossing.
 void FeatureMotion::look_for_crossings() noexcept {
-  const std::size_t all = features_.faces();
-  const bool whole = !looked_ || crosses_;
-  const std::size_t count = whole ? all : 1 + all / kTicksToSeeAll;
-  if (next_face_ >= all) next_face_ = 0;
-  crosses_ = features_.crosses(whole ? 0 : next_face_, count);
-  next_face_ += count;
+  crosses_ = crosses_ ? features_.crosses() : features_.crosses(next_part_);
+  next_part_ = (next_part_ + 1) % FeaturePairs::kParts;
 }
 
 FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults) noexcept {

@@ -6,8 +6,8 @@
 // or slides past a feature it may end a few micrometres in: the next round solves with the pairs as they are
 // there, gaps below zero among them. What is still in after kMostMendings such rounds goes back to where it
 // was last free, and takes shorter steps. What goes deeper than FeaturePairs::kDeepest in one round is no
-// pair any more and counts as free: such a tool is found within kTicksToSeeAll ticks, by a look for crossings
-// at a part of its faces in each, and is the fault kToolInside.
+// pair any more and counts as free: such a tool is found within FeaturePairs::kParts ticks, by a look for
+// crossings at a part of its faces in each, and is the fault kToolInside.
 
 #include <utility>
 #include <vector>
@@ -48,10 +48,9 @@ private:
   std::vector<Vec3> levers_W_;        // (pairs x 3) m, (p - p_T) x nhat: how a turn opens it
   std::vector<std::pair<double, std::uint32_t>> broken_;  // m, and which pair
   double reach_;                                          // m, of the last look
-  std::size_t next_face_ = 0;                             // of the tool, to be looked at for crossings
-  bool looked_ = false;
-  bool complete_ = true;  // the last look had room for all that was near
-  bool crosses_ = false;  // as far as it is known
+  unsigned next_part_ = 0;                                // of the tool, to be looked at for crossings
+  bool complete_ = true;                                  // the last look had room for all that was near
+  bool crosses_ = false;                                  // as far as it is known
 };
 
 }  // namespace fulcrum

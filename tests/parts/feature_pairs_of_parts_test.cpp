@@ -37,7 +37,7 @@ void look_at(const Fit& fit, int poses) {
                     fit.X_WT.p + size * Vec3(any(), any(), any())};
     const double depth = judge.at(X_WT);
     ASSERT_TRUE(pairs.look(X_WT, 100e-6)) << fit.name;
-    const bool crossed = pairs.crosses(0, pairs.faces());
+    const bool crossed = pairs.crosses();
     if (depth > kSeen && depth < kDeepest) {
       EXPECT_LT(pairs.least_gap(), 0) << fit.name << ' ' << i << ' ' << 1e6 * depth << " um";
       EXPECT_TRUE(crossed) << fit.name << ' ' << i;

@@ -58,10 +58,10 @@ TEST(FeaturePairs, TheNearestIsAsFarAsTheSurfacesAre) {
     const double truth = std::min(least(tool, scene, X_WT), least(scene, tool, X_WT.inverse()));
     ASSERT_TRUE(pairs.look(X_WT, 0.004));
     if (truth < -1e-4) {
-      EXPECT_TRUE(pairs.crosses(0, pairs.faces())) << i;
+      EXPECT_TRUE(pairs.crosses()) << i;
       ++crossed;
     } else if (truth > 1e-6 && truth < 0.0039) {
-      EXPECT_FALSE(pairs.crosses(0, pairs.faces())) << i;
+      EXPECT_FALSE(pairs.crosses()) << i;
       ASSERT_FALSE(pairs.pairs().empty()) << i;
       const double nearest = std::ranges::min_element(pairs.pairs(), {}, &FeaturePair::gap)->gap;
       EXPECT_LE(nearest, truth + 1e-12) << i;
@@ -91,7 +91,7 @@ TEST(FeaturePairs, AreTheSameHoweverOneCameThere) {
       return all;
     };
     EXPECT_EQ(named(on_the_way.pairs()), named(at_once.pairs())) << i;
-    EXPECT_EQ(on_the_way.crosses(0, on_the_way.faces()), at_once.crosses(0, at_once.faces())) << i;
+    EXPECT_EQ(on_the_way.crosses(), at_once.crosses()) << i;
   }
 }
 
@@ -102,7 +102,7 @@ TEST(FeaturePairs, MovingAsidePressesNoPairTogether) {
   const Solid plate = shapes::solid_of(shapes::box(Vec3(-1e-2, -1e-3, -1e-2), Vec3(1e-2, 0, 1e-2)));
   FeaturePairs pairs(features(cube), features(plate));
   ASSERT_TRUE(pairs.look({Quat::Identity(), Vec3(0.0011, 5e-6, 0.0003)}, 5e-5));
-  EXPECT_FALSE(pairs.crosses(0, pairs.faces()));
+  EXPECT_FALSE(pairs.crosses());
   EXPECT_GE(pairs.pairs().size(), 4u);
   for (const FeaturePair& pair : pairs.pairs()) {
     EXPECT_NEAR(pair.gap, 5e-6, 1e-12);
