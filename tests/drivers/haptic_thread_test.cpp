@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -165,7 +166,12 @@ private:
 TEST(HapticThread, WhatItAsksTheSystemForIsSeen) {
   const std::optional<std::set<int>> calls = calls_with(std::make_unique<Asking>());
   if (!calls) GTEST_SKIP() << "this system does not let a thread's calls be watched (seccomp)";
-  EXPECT_EQ(*calls, (std::set<int>{SYS_write, SYS_sched_yield}));
+  const std::set<int> asked{SYS_write, SYS_sched_yield};
+#ifdef FULCRUM_THREAD_SANITIZER
+  EXPECT_TRUE(std::ranges::includes(*calls, asked));
+#else
+  EXPECT_EQ(*calls, asked);
+#endif
 }
 
 }  // namespace
