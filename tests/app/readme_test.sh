@@ -49,7 +49,7 @@ done < <(sed '/^```/,/^```/d' "$readme" | grep -E '^    [a-z]')
 
 # Commands within sentences are commands of the program.
 for named in $(grep -oE '`(fulcrum|tools/bench) [a-z][a-z-]*' "$readme" | sed 's/.* //' | sort -u); do
-  [ "$named" = contact ] || [ "$named" = window ] || expect 0 '.' fulcrum "$named" --help
+  [ "$named" = contact ] || [ "$named" = parts ] || [ "$named" = window ] || expect 0 '.' fulcrum "$named" --help
 done
 
 [ $failures = 0 ] && echo "all good: $seen commands"
