@@ -21,7 +21,10 @@ constexpr double kSettledReach = 1e-6;       // m, a round that moves no point f
 constexpr double kKept = 1e-8;               // m, a pair that a step breaks by less is kept
 constexpr double kMended = 25e-6;            // m, what is in by less is left to the next round
 constexpr std::size_t kPairsAtOnce = 48;
-constexpr std::size_t kFarCandidates = 1024;  // of each kind
+constexpr double kNearReach = 60e-6;           // m, within which all is looked at, however much it is
+constexpr std::size_t kNearCandidates = 2048;  // of each kind, at most, beyond kNearReach
+constexpr std::size_t kFarCandidates = 1024;   // and beyond kLongestReach
+constexpr double kWider = 1.1;                 // in each tick: how fast a reach that was too wide grows again
 constexpr int kMostMendings = 3, kMostHalvings = 6, kMostTakings = 6;
 
 }  // namespace
@@ -30,7 +33,8 @@ FeatureMotion::FeatureMotion(const PlainScene& desc)
     : tool_(desc, kFeatureSlack, std::max(desc.tool_features->radius(), kSettledReach)),
       features_(desc.tool_features, desc.scene_features),
       is_taken_(FeaturePairs::kMostPairs),
-      reach_(kShortestReach) {
+      reach_(kShortestReach),
+      widest_(kLongestFreeReach) {
   taken_.reserve(kMaxContacts);
   broken_.reserve(FeaturePairs::kMostPairs);
   levers_W_.reserve(FeaturePairs::kMostPairs);
@@ -51,13 +55,17 @@ ToolAnswer FeatureMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint
 }
 
 void FeatureMotion::look(double reach) noexcept {
-  // What is far is looked at only while there is little of it.
+  // What is farther is looked at only while there is little of it.
   const auto sees = [&] {
-    return features_.look(tool_.state().X_WT, reach,
-                          reach > kLongestReach ? kFarCandidates : FeaturePairs::kMostCandidates);
+    const std::size_t most = reach > kLongestReach ? kFarCandidates
+                             : reach > kNearReach  ? kNearCandidates
+                                                   : FeaturePairs::kMostCandidates;
+    return features_.look(tool_.state().X_WT, reach, most);
   };
-  for (complete_ = sees(); !complete_ && reach > kShortestReach; complete_ = sees())
+  for (complete_ = sees(); !complete_ && reach > kShortestReach; complete_ = sees()) {
     reach = std::max(kShortestReach, 0.25 * reach);
+    widest_ = reach;
+  }
   reach_ = reach;
 }
 
@@ -70,6 +78,7 @@ void FeatureMotion::look_for_crossings() noexcept {
 
 FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults) noexcept {
   Rounds rounds;
+  widest_ = std::min(kWider * widest_, kLongestFreeReach);
   Pose free = tool_.state().X_WT;
   bool has_been_free = features_.least_gap() >= 0;
   double longest = kLongestFreeReach;  // m, of a step
@@ -83,10 +92,10 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
     }
     const double known = std::min(reach_, longest);
     rounds.limited = way > known;
-    // Enough for the next step to be as long, and no sudden multitude of pairs.
+    // Enough for the next step to be as long, no sudden multitude of pairs, and not far where there is much.
     const double most = features_.none_near() ? kLongestFreeReach : kLongestReach;
-    const double next = std::clamp(1.25 * way, std::max(kShortestReach, 0.5 * reach_),
-                                   std::max(kShortestReach, std::min(4 * reach_, most)));
+    const double wanted = std::max(0.5 * reach_, std::min({1.25 * way, 4 * reach_, most}));
+    const double next = std::clamp(wanted, kShortestReach, std::max(widest_, kNearReach));
     const Pose from = tool_.state().X_WT;
     const double deepest = std::min(-kMended, features_.least_gap() - kMended);
     const double turn = step.tail<3>().norm();

@@ -48,6 +48,7 @@ private:
   std::vector<Vec3> levers_W_;        // (pairs x 3) m, (p - p_T) x nhat: how a turn opens it
   std::vector<std::pair<double, std::uint32_t>> broken_;  // m, and which pair
   double reach_;                                          // m, of the last look
+  double widest_;                                         // m, beyond it there was too much to look at
   unsigned next_part_ = 0;                                // of the tool, to be looked at for crossings
   bool complete_ = true;                                  // the last look had room for all that was near
   bool crosses_ = false;                                  // as far as it is known
