@@ -111,6 +111,7 @@ bool FeaturePairs::look(const Pose& X_WT, double reach, std::size_t most) noexce
   if (!holds) {
     gathered_reach_ = std::max(kGathered * reach_, kLeastGathered);
     X_WT_gathered_ = X_WT;
+    R_WT_gathered_ = R_WT_;
     gather();
     if (!complete_) {
       gathered_ = false;
@@ -223,8 +224,7 @@ const Bounds4& FeaturePairs::pose(Posed& tool, std::uint32_t group) noexcept {
   Bounds4& bounds_W = tool.bounds_W[group];
   if (tool.gathering[group] == gathering_) return bounds_W;
   tool.gathering[group] = gathering_;
-  bounds_W = tool.groups[group].bounds.moved(X_WT_gathered_.q.toRotationMatrix(), X_WT_gathered_.p,
-                                             gathered_reach_, tool.slack);
+  bounds_W = tool.groups[group].bounds.moved(R_WT_gathered_, X_WT_gathered_.p, gathered_reach_, tool.slack);
   return bounds_W;
 }
 

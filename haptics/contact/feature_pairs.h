@@ -39,7 +39,8 @@ public:
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
 
   // The pairs nearer than `reach` m, and those that have passed each other, with the tool at X_WT. False:
-  // there were more than fit, or more candidates of a kind than `most`.
+  // there were more than fit, or more candidates of a kind than `most`; then
+  // what pairs() has is not all of it, or nothing.
   bool look(const Pose& X_WT, double reach, std::size_t most = kMostCandidates) noexcept;
   std::span<const FeaturePair> pairs() const { return pairs_; }
   double least_gap() const { return least_gap_; }  // m, of the pairs; infinite: there are none
@@ -97,11 +98,12 @@ private:
   std::shared_ptr<const FeatureMesh> tool_, scene_;
   Pose X_WT_;
   Mat3 R_WT_ = Mat3::Identity();
-  double reach_ = 0;             // m, of the look
-  std::size_t most_ = 0;         // candidates, likewise
-  double odometer_ = 0;          // m, no point of the tool has come farther from look to look
-  bool gathered_ = false;        // the candidates are all that there are
-  Pose X_WT_gathered_;           // where they were gathered, with
+  double reach_ = 0;       // m, of the look
+  std::size_t most_ = 0;   // candidates, likewise
+  double odometer_ = 0;    // m, no point of the tool has come farther from look to look
+  bool gathered_ = false;  // the candidates are all that there are
+  Pose X_WT_gathered_;     // where they were gathered, with
+  Mat3 R_WT_gathered_ = Mat3::Identity();
   double gathered_reach_ = 0;    // m
   std::uint32_t gathering_ = 0;  // how many there were
   Posed tool_vertices_, tool_edges_, tool_faces_;

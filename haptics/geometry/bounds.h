@@ -29,7 +29,8 @@ public:
   // Boxes that hold all that is nearer than `reach` m to these once they are turned and moved; cones turned,
   // and wider by `slack`'s angle.
   Bounds4 moved(const Mat3& R, const Vec3& p, double reach, const NormalCone& slack) const noexcept;
-  // Bit i: its boxes overlap those of lane i, and of its cone and lane i's some directions are opposite.
+  // Bit i: the box of `one` and that of lane i overlap, and some direction of its cone is opposite to one of
+  // lane i's.
   unsigned meeting(const Bounds& one) const noexcept;
   unsigned overlapping(const Bounds& one) const noexcept;  // the same of the boxes alone
 
