@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "haptics/bake/t_junctions.h"
+
 namespace fulcrum {
 namespace {
 
@@ -97,13 +99,6 @@ private:
   std::vector<std::uint32_t> left_;
   Vec3 normal_ = Vec3::Zero();
 };
-
-double least_height(const TriangleMesh& mesh, const Triangle& corner) {
-  const Vec3 &a = mesh.vertices[corner[0]], &b = mesh.vertices[corner[1]], &c = mesh.vertices[corner[2]];
-  const double longest =
-      std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-  return (b - a).cross(c - a).norm() / longest;
-}
 
 }  // namespace
 

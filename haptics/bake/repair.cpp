@@ -4,22 +4,24 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "haptics/bake/holes.h"
 #include "haptics/bake/patch_visibility.h"
 #include "haptics/bake/patches.h"
 #include "haptics/bake/redundant_patches.h"
 #include "haptics/bake/sentence.h"
+#include "haptics/bake/t_junctions.h"
 #include "haptics/bake/weld.h"
 
 namespace fulcrum {
 namespace {
 
-constexpr double kCrack = 1e-5;       // of the soup's diagonal: what is nearer was meant to meet
-constexpr double kWidestHole = 0.25;  // of the body's diagonal
-constexpr double kSheet = 0.5;        // a side that sees this share of what the other sees is not inside
-constexpr std::size_t kTold = 5;      // holes and sheets each; the others together
+constexpr double kCrack = 1e-5;        // of the soup's diagonal: what is nearer was meant to meet
+constexpr double kExported = 0.5e-6;   // m, likewise, as programs round; but
+constexpr double kWidestCrack = 1e-4;  // of the diagonal
+constexpr double kWidestHole = 0.25;   // of the body's diagonal
+constexpr double kSheet = 0.5;         // a side that sees this share of what the other sees is not inside
+constexpr std::size_t kTold = 5;       // holes and sheets each; the others together
 
 Box3 bounds_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   Box3 box;
@@ -51,7 +53,6 @@ public:
 
   Result<Repaired> run() {
     close();
-    drop_repeated();
     if (std::optional<Error> error = orient()) return *error;
     if (std::optional<Error> error = drop_sheets()) return *error;
     if (std::optional<Error> error = fill()) return *error;
@@ -60,56 +61,68 @@ public:
 
 private:
   TriangleMesh& mesh() { return result_.mesh; }
+  static std::string from(const Mended& mended) {
+    return (mended.count == 1 ? "at " : "the first at ") + spell(mended.place);
+  }
   void tell(std::string sentence) { result_.notes.push_back(std::move(sentence)); }
 
+  // What is there twice hides an open edge, and what has been joined or cut may be there twice.
   void close() {
     Box3 box;
     for (const Triangle& corner : mesh().triangles)
       for (const std::uint32_t v : corner) box.extend(mesh().vertices[v]);
-    const double width = kCrack * box.diagonal().norm();
-    if (const std::size_t moved = close_cracks(mesh(), width); moved > 0)
+    const double diagonal = box.diagonal().norm();
+    const double width = std::max(kCrack * diagonal, std::min(kExported, kWidestCrack * diagonal));
+    Mended repeated;
+    drop_repeated(repeated);
+    const Mended dropped = drop_slivers(mesh(), width);
+    const Mended moved = close_cracks(mesh(), width);
+    drop_repeated(repeated);
+    const Mended cut = cut_at_t_junctions(mesh(), width);
+    drop_repeated(repeated);
+    if (repeated.count > 0)
+      tell(count(repeated.count, "triangle repeats another and is", "triangles repeat others and are") +
+           " left out, " + from(repeated) + ".");
+    if (dropped.count > 0)
+      tell(count(dropped.count, "triangle without height is", "triangles without height are") +
+           " left out, " + from(dropped) + ".");
+    if (moved.count > 0)
       tell("Cracks narrower than " + spell_mm(width) +
-           " have been closed: " + count(moved, "vertex", "vertices") + " moved.");
+           " have been closed: " + count(moved.count, "vertex", "vertices") + " moved, " + from(moved) + ".");
+    if (cut.count > 0)
+      tell("Edges have been cut where corners of other triangles lie on them: " +
+           count(cut.count, "place", "places") + ", " + from(cut) + ".");
   }
 
-  // Same corners, whichever way round: which way is right is found out later.
-  void drop_repeated() {
-    std::set<Triangle> known;
-    std::vector<bool> gone(mesh().triangles.size());
-    for (std::size_t t = 0; t < gone.size(); ++t) {
-      Triangle corner = mesh().triangles[t];
-      std::sort(corner.begin(), corner.end());
-      gone[t] = !known.insert(corner).second;
-    }
-    const std::size_t before = gone.size();
+  void drop_repeated(Mended& repeated) {
+    const std::vector<bool> gone = repeated_triangles(mesh());
+    for (std::size_t t = 0; t < gone.size(); ++t)
+      if (gone[t]) repeated.add(mesh().vertices[mesh().triangles[t][0]]);
     remove(mesh(), gone);
-    if (before > mesh().triangles.size())
-      tell(count(before - mesh().triangles.size(), "triangle repeats another and is",
-                 "triangles repeat others and are") +
-           " left out.");
   }
 
   // An open patch faces the side that sees more, if it was wound both ways or others meet it; else it is
   // taken at its word: a cavity with a hole in it must not become a body.
   std::optional<Error> orient() {
+    const std::vector<Triangle> before = mesh().triangles;
     auto patches = cut_into_patches(mesh());
     if (!patches) return patches.error();
     patches_ = std::move(*patches);
     visibility_ = measure_visibility(mesh(), patches_);
-    std::size_t turned = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-      Patch& patch = patches_[i];
+      const Patch& patch = patches_[i];
       if (visibility_[i].back > visibility_[i].front && (patch.turned > 0 || patch.joined)) {
         for (const std::uint32_t t : patch.triangles) turn(mesh().triangles[t]);
         std::swap(visibility_[i].front, visibility_[i].back);
-        patch.turned = patch.triangles.size() - patch.turned;
       }
-      turned += patch.turned;
     }
-    if (turned > 0)
-      tell(count(turned, "triangle was wound against the rest and has",
+    Mended turned;
+    for (std::size_t t = 0; t < before.size(); ++t)
+      if (mesh().triangles[t] != before[t]) turned.add(mesh().vertices[before[t][0]]);
+    if (turned.count > 0)
+      tell(count(turned.count, "triangle was wound against the rest and has",
                  "triangles were wound against the rest and have") +
-           " been turned.");
+           " been turned, " + from(turned) + ".");
     return std::nullopt;
   }
 

@@ -8,6 +8,7 @@
 #include "haptics/bake/repair.h"
 #include "haptics/bake/sentence.h"
 #include "haptics/bake/surfaces.h"
+#include "haptics/bake/t_junctions.h"
 #include "haptics/bake/weld.h"
 
 namespace fulcrum {
@@ -15,16 +16,54 @@ namespace {
 
 constexpr double kFlat = 1e-12;  // volume over the cube of the diagonal: below it is rounding
 
-// The bodies that do not close are repaired, each other one stays as it is. Answers the notes.
+Box3 box_of(const TriangleMesh& mesh) {
+  Box3 box;
+  for (const Vec3& p : mesh.vertices) box.extend(p);
+  return box;
+}
+
+bool is_flat(double volume_m3, const Box3& bounds) {
+  const double diagonal = bounds.diagonal().norm();
+  return std::abs(volume_m3) <= kFlat * diagonal * diagonal * diagonal;
+}
+
+// (triangles) which have no height, or no triangle across one of their edges.
+std::vector<bool> faulty_triangles(const TriangleMesh& welded, const std::vector<std::uint32_t>& across) {
+  const double height = kWithoutHeight * box_of(welded).diagonal().norm();
+  std::vector<bool> faulty(welded.triangles.size());
+  for (std::uint32_t t = 0; t < faulty.size(); ++t)
+    faulty[t] = across[3 * t] == kNoIndex || across[3 * t + 1] == kNoIndex || across[3 * t + 2] == kNoIndex ||
+                least_height(welded, welded.triangles[t]) <= height;
+  return faulty;
+}
+
+// (triangles) m^3, at the number that stands for a body: what it bounds.
+std::vector<double> volumes_of(const TriangleMesh& welded, Sets& bodies) {
+  std::vector<double> volumes(welded.triangles.size());
+  for (std::uint32_t t = 0; t < welded.triangles.size(); ++t) {
+    const std::uint32_t body = bodies.find(t);
+    const Vec3& origin = welded.vertices[welded.triangles[body][0]];
+    const auto corner = [&](std::size_t i) { return Vec3(welded.vertices[welded.triangles[t][i]] - origin); };
+    volumes[body] += corner(0).dot(corner(1).cross(corner(2))) / 6;
+  }
+  return volumes;
+}
+
+// The bodies that have faulty triangles are repaired, and those that bound nothing, which may be what hangs
+// in a hole of theirs; each other one stays as it is. Answers the notes.
 Result<std::vector<std::string>> repair_bodies(TriangleMesh& welded, const EdgeFans& fans,
-                                               const std::vector<std::uint32_t>& across) {
+                                               const std::vector<bool>& faulty_triangle) {
   Sets bodies(welded.triangles.size());
   fans.for_each([&bodies](std::span<const HalfEdge> fan) {
     for (const HalfEdge& edge : fan) bodies.join(fan[0].place / 3, edge.place / 3);
   });
   std::vector<bool> faulty(welded.triangles.size());  // by the number that stands for the body
-  for (std::uint32_t h = 0; h < across.size(); ++h)
-    if (across[h] == kNoIndex) faulty[bodies.find(h / 3)] = true;
+  const Box3 box = box_of(welded);
+  const std::vector<double> volumes = volumes_of(welded, bodies);
+  for (std::uint32_t t = 0; t < faulty_triangle.size(); ++t) {
+    const std::uint32_t body = bodies.find(t);
+    if (faulty_triangle[t] || is_flat(volumes[body], box)) faulty[body] = true;
+  }
   TriangleMesh broken{welded.vertices, {}};
   std::vector<Triangle> whole;
   for (std::uint32_t t = 0; t < welded.triangles.size(); ++t)
@@ -47,11 +86,6 @@ double area_of(const Solid& solid, const SolidComponent& component) {
   return area;
 }
 
-bool is_flat(const SolidComponent& component) {
-  const double diagonal = component.bounds.diagonal().norm();
-  return std::abs(component.volume_m3) <= kFlat * diagonal * diagonal * diagonal;
-}
-
 // Mending leaves scraps where single triangles hung in a hole; anything else that is flat was meant.
 std::optional<Error> drop_flat(Solid& solid, bool is_mended) {
   std::vector<std::vector<std::uint32_t>> groups;
@@ -60,7 +94,7 @@ std::optional<Error> drop_flat(Solid& solid, bool is_mended) {
   std::size_t scraps = 0;
   for (std::uint32_t k = 0; k < solid.components.size(); ++k) {
     const SolidComponent& component = solid.components[k];
-    if (!is_flat(component)) {
+    if (!is_flat(component.volume_m3, component.bounds)) {
       groups.push_back({k});
     } else if (is_mended && area_of(solid, component) <= kScrap * whole) {
       ++scraps;
@@ -101,8 +135,9 @@ Result<Solid> build_solid(const TriangleMesh& soup) {
   bool is_mended = false;
   std::optional<EdgeFans> fans(welded.triangles);
   std::vector<std::uint32_t> across = pair_edges(welded, *fans);
-  if (std::find(across.begin(), across.end(), kNoIndex) != across.end()) {
-    Result<std::vector<std::string>> repaired = repair_bodies(welded, *fans, across);
+  const std::vector<bool> faulty = faulty_triangles(welded, across);
+  if (std::find(faulty.begin(), faulty.end(), true) != faulty.end()) {
+    Result<std::vector<std::string>> repaired = repair_bodies(welded, *fans, faulty);
     if (!repaired) return repaired.error();
     notes = std::move(*repaired);
     is_mended = true;

@@ -72,7 +72,21 @@ TriangleMesh weld(const TriangleMesh& soup, std::uint32_t& dropped) {
   return welded;
 }
 
-std::size_t close_cracks(TriangleMesh& mesh, double width_m) {
+std::vector<bool> repeated_triangles(const TriangleMesh& welded) {
+  std::vector<std::pair<Triangle, std::uint32_t>> by_corners;
+  for (std::uint32_t t = 0; t < welded.triangles.size(); ++t) {
+    Triangle corners = welded.triangles[t];
+    std::sort(corners.begin(), corners.end());
+    by_corners.emplace_back(corners, t);
+  }
+  std::sort(by_corners.begin(), by_corners.end());
+  std::vector<bool> repeated(welded.triangles.size());
+  for (std::size_t i = 1; i < by_corners.size(); ++i)
+    repeated[by_corners[i].second] = by_corners[i].first == by_corners[i - 1].first;
+  return repeated;
+}
+
+Mended close_cracks(TriangleMesh& mesh, double width_m) {
   std::vector<std::uint32_t> open;  // vertices, by rising x
   EdgeFans(mesh.triangles).for_each([&open](std::span<const HalfEdge> fan) {
     if (fan.size() != 1) return;
@@ -93,8 +107,10 @@ std::size_t close_cracks(TriangleMesh& mesh, double width_m) {
   for (Triangle& corner : mesh.triangles)
     for (std::uint32_t& v : corner) v = sets.find(v);
   std::erase_if(mesh.triangles, collapsed);
-  return static_cast<std::size_t>(
-      std::count_if(open.begin(), open.end(), [&sets](std::uint32_t v) { return sets.find(v) != v; }));
+  Mended mended;
+  for (const std::uint32_t v : open)
+    if (sets.find(v) != v) mended.add(mesh.vertices[v]);
+  return mended;
 }
 
 Sets::Sets(std::size_t n) : parent_(n) {

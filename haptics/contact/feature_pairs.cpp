@@ -67,11 +67,12 @@ bool is_on(const FeatureMesh::Face& face, const TrianglePoint& closest, double h
   return rises && closest.squared - height * height <= FeaturePairs::kDeepest * FeaturePairs::kDeepest;
 }
 
-// Whether the place lies on the edge, or on its line where that goes on.
+// Whether the place lies on the edge, or on its line where that goes on. Parts of one edge overlap by kFlat,
+// so that none comes through between them.
 bool is_on(const FeatureMesh::Edge& edge, double part, double length) {
   const double before = -part * length, beyond = (part - 1) * length;
-  return before <= ((edge.goes_on & 1u) != 0 ? FeaturePairs::kDeepest : 0) &&
-         beyond <= ((edge.goes_on & 2u) != 0 ? FeaturePairs::kDeepest : 0);
+  return before <= ((edge.goes_on & 1u) != 0 ? FeaturePairs::kDeepest : FeatureMesh::kFlat) &&
+         beyond <= ((edge.goes_on & 2u) != 0 ? FeaturePairs::kDeepest : FeatureMesh::kFlat);
 }
 
 // Whether what lies that way of a vertex or an edge (unit directions) is on one side of the plane across nhat

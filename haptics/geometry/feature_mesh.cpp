@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr double kStraight = 1e-6;  // rad, a vertex that stands out by less is none to touch with
+constexpr double kSameLine = 0.01;  // rad, of edges that are one, but for the rounding of where it was cut
 
 // Of all planes through a vertex that have these edges (unit) on their inner side: the cube about the vertex,
 // each of its sides cut by every edge's plane.
@@ -136,11 +137,24 @@ void FeatureMesh::find_line_ends() {
   std::vector<std::vector<std::uint32_t>> faces_around(vertices_.size());
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     for (const std::uint32_t v : faces_[f].corners) faces_around[v].push_back(f);
+  std::vector<std::vector<Vec3>> convex_around(vertices_.size());  // unit, away from the vertex
+  for (const Edge& edge : edges_) {
+    if (!edge.convex) continue;
+    const Vec3 along = (vertices_[edge.to] - vertices_[edge.from]).stableNormalized();
+    convex_around[edge.from].push_back(along);
+    convex_around[edge.to].push_back(-along);
+  }
+  // Where the next edge of the same line begins, the line is that one's.
+  const auto is_continued = [&](std::uint32_t vertex, const Vec3& along) {
+    return std::any_of(convex_around[vertex].begin(), convex_around[vertex].end(),
+                       [&](const Vec3& next) { return (next - along).norm() < kSameLine; });
+  };
   for (Edge& edge : edges_) {
     if (!edge.convex) continue;
     const Vec3 along = (vertices_[edge.to] - vertices_[edge.from]).stableNormalized();
-    if (goes_on(edge.from, -along, faces_around[edge.from])) edge.goes_on |= 1u;
-    if (goes_on(edge.to, along, faces_around[edge.to])) edge.goes_on |= 2u;
+    if (!is_continued(edge.from, -along) && goes_on(edge.from, -along, faces_around[edge.from]))
+      edge.goes_on |= 1u;
+    if (!is_continued(edge.to, along) && goes_on(edge.to, along, faces_around[edge.to])) edge.goes_on |= 2u;
   }
 }
 

@@ -23,7 +23,8 @@ public:
     bool convex = false;  // the surface bends away from its outside there
     // The surface bends so little there that either side's face lies within kFlat of the other's plane.
     bool flat = false;
-    // Bit 0: beyond `from`, bit 1: beyond `to`, its line goes on in the solid or along the surface.
+    // Bit 0: beyond `from`, bit 1: beyond `to`, its line goes on in the solid or along the surface, and no
+    // other edge has it there.
     std::uint8_t goes_on = 0;
     bool concave() const { return !convex && !flat; }
   };

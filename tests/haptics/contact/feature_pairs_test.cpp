@@ -74,6 +74,35 @@ TEST(FeaturePairs, TheNearestIsAsFarAsTheSurfacesAre) {
 }
 
 // What one look leaves over for the next does not change what that finds.
+// A side that is divided touches as a whole one does: across the places where its edges are cut, and no
+// farther than they reach.
+TEST(FeaturePairs, ADividedBoxTouchesAsAWholeOneDoes) {
+  const Vec3 low(-0.003, -0.002, -0.004), high(0.003, 0.002, 0.004);
+  constexpr double kPart = 20e-6;  // m, of the finest edges: less than kDeepest
+  FeaturePairs whole(features(brick()), features(shapes::solid_of(shapes::box(low, high))));
+  // Two boxes of parts, of which the second's are short about its middle.
+  TriangleMesh mesh = shapes::grid_box(low, high, 8);
+  FeaturePairs coarse(features(brick()), features(shapes::solid_of(mesh)));
+  for (Vec3& p : mesh.vertices)
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      if (std::abs(p[axis]) < 0.9 * high[axis])
+        p[axis] = std::copysign(1.0, p[axis]) * kPart * std::abs(p[axis]) / high[axis];
+  FeaturePairs fine(features(brick()), features(shapes::solid_of(mesh)));
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> place(-0.008, 0.008), turn(-3, 3);
+  int apart = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Pose X_WT{quaternion_exp(Vec3(turn(random), turn(random), turn(random))),
+                    Vec3(place(random), place(random), place(random))};
+    ASSERT_TRUE(whole.look(X_WT, 0.002) && coarse.look(X_WT, 0.002) && fine.look(X_WT, 0.002));
+    if (whole.pairs().empty() || whole.crosses() || whole.least_gap() < 0) continue;
+    EXPECT_NEAR(coarse.least_gap(), whole.least_gap(), 1e-9) << i;
+    EXPECT_NEAR(fine.least_gap(), whole.least_gap(), 1e-9) << i;
+    ++apart;
+  }
+  EXPECT_GT(apart, 100);
+}
+
 TEST(FeaturePairs, AreTheSameHoweverOneCameThere) {
   const auto tool = features(brick()), scene = features(ring());
   FeaturePairs on_the_way(tool, scene);
