@@ -27,9 +27,13 @@ struct LoadedModels {
   std::vector<std::string> notes;  // sentences: the tool's model was recentred, by how much
   std::vector<std::string>
       repaired;  // sentences: what was wrong with the tool's surface, and what was guessed
+  std::vector<std::string> warnings;  // sentences: a model may be in another unit
 };
 
 Result<LoadedModels> load_models(const Scenario& scenario);
+
+// What is touched, as the models' files have it, mended; its frame is W.
+Result<Solid> build_scene_solid(const Scenario& scenario, const LoadedModels& models);
 
 struct HandScript {
   std::string name;

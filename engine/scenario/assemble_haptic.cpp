@@ -32,25 +32,6 @@ struct Solids {
   Solid scene, tool;
 };
 
-// What the models that are touched look like together; their frame is W.
-Result<Solid> scene_solid(const Scenario& scenario, const LoadedModels& models) {
-  TriangleMesh all;
-  std::string names;
-  for (std::size_t i = 0; i < scenario.models.size(); ++i) {
-    if (scenario.models[i].role != ModelRole::scene) continue;
-    names += (names.empty() ? "" : ", ") + scenario.models[i].file.where;
-    const TriangleMesh mesh = as_made(scenario, models.models[i]);
-    const auto first = static_cast<std::uint32_t>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const Triangle& t : mesh.triangles)
-      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  auto solid = build_solid(all);
-  if (!solid) return Error{names + ": the models that are touched: " + solid.error().sentence};
-  for (std::string& note : solid->notes) note.insert(0, "the models that are touched: ");
-  return solid;
-}
-
 // Of the models that are touched, by their numbers. otherwise: of those that name none.
 std::vector<ImpactMaterial> materials_of(const Scenario& scenario, const std::string& otherwise) {
   std::vector<ImpactMaterial> materials;
@@ -154,6 +135,33 @@ std::optional<Error> assemble_edges(const Scenario& scenario, const BakeCache& c
   return std::nullopt;
 }
 
+// The response measures contact on triangles.
+bool on_triangles(const Scenario& scenario) {
+  return scenario.surface == ContactSurface::triangles &&
+         scenario.contact.response == ContactResponse::constraint;
+}
+
+// The tool's points, and the scene's field to look them up in.
+std::optional<Error> assemble_points(const Scenario& scenario, const BakeCache& cache,
+                                     const BakeProgress& progress, const Solids& solids,
+                                     HapticAssembly& result) {
+  Baking shell_baking("pointshell", progress);
+  auto shell = cache.pointshell(solids.tool, scenario.shell);
+  take_image(scenario, shell);
+  if (!shell) return Error{"the tool's pointshell: " + shell.error().sentence};
+  shell_baking.finish(*shell, std::to_string(shell->value.size()) + " points", result);
+  result.scene.tool_shell = std::make_shared<const Pointshell>(std::move(shell->value));
+
+  Baking field_baking("distance field", progress);
+  auto field =
+      cache.field(solids.scene, scenario.field, [&](double fraction) { field_baking.tell(fraction); });
+  take_image(scenario, field);
+  if (!field) return Error{"the scene's distance field: " + field.error().sentence};
+  field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result);
+  result.scene.scene_field = std::make_shared<const DistanceField>(std::move(field->value));
+  return std::nullopt;
+}
+
 // The triangles of both, in place of points.
 void assemble_features(HapticAssembly& result) {
   const auto begin = std::chrono::steady_clock::now();
@@ -169,14 +177,39 @@ void assemble_features(HapticAssembly& result) {
   result.notes.emplace_back(note);
 }
 
+// What reads the tool's points and the scene's field beside the response: impacts are told apart by it, and
+// the sound of a scene follows the deepest point.
+bool reads_points(const Scenario& scenario) {
+  return may_ask_for_impacts(scenario.effects) || scenario.sound.has_value();
+}
+
 }  // namespace
+
+Result<Solid> build_scene_solid(const Scenario& scenario, const LoadedModels& models) {
+  TriangleMesh all;
+  std::string names;
+  for (std::size_t i = 0; i < scenario.models.size(); ++i) {
+    if (scenario.models[i].role != ModelRole::scene) continue;
+    names += (names.empty() ? "" : ", ") + scenario.models[i].file.where;
+    const TriangleMesh mesh = as_made(scenario, models.models[i]);
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const Triangle& t : mesh.triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  auto solid = build_solid(all);
+  if (!solid) return Error{names + ": the models that are touched: " + solid.error().sentence};
+  for (std::string& note : solid->notes) note.insert(0, "the models that are touched: ");
+  return solid;
+}
 
 Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedModels& models,
                                        const BakeCache& cache, const BakeProgress& progress) {
   HapticAssembly result;
   result.notes = models.notes;
+  result.warnings = models.warnings;
   result.tool_T = models.tool_T;
-  auto solid = scene_solid(scenario, models);
+  auto solid = build_scene_solid(scenario, models);
   if (!solid) return solid.error();
   const Solids solids{std::move(*solid), scenario.left_handed ? mirrored(models.tool_T) : models.tool_T};
   result.scene_W = scenario.left_handed ? mirrored(solids.scene) : solids.scene;
@@ -206,27 +239,15 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
   for (const std::string& warning : advice_on_effects(scene, scene)) result.warnings.push_back(warning);
 
-  Baking shell_baking("pointshell", progress);
-  auto shell = cache.pointshell(solids.tool, scenario.shell);
-  take_image(scenario, shell);
-  if (!shell) return Error{"the tool's pointshell: " + shell.error().sentence};
-  shell_baking.finish(*shell, std::to_string(shell->value.size()) + " points", result);
-  scene.tool_shell = std::make_shared<const Pointshell>(std::move(shell->value));
-  couple_without_motors(scene);
-
-  Baking field_baking("distance field", progress);
-  auto field =
-      cache.field(solids.scene, scenario.field, [&](double fraction) { field_baking.tell(fraction); });
-  take_image(scenario, field);
-  if (!field) return Error{"the scene's distance field: " + field.error().sentence};
-  field_baking.finish(*field, std::to_string(field->value.bytes() >> 20) + " MiB", result);
-  scene.scene_field = std::make_shared<const DistanceField>(std::move(field->value));
-
-  if (scenario.surface == ContactSurface::triangles) {
-    if (scene.contact.response == ContactResponse::constraint) assemble_features(result);
+  if (!on_triangles(scenario) || reads_points(scenario)) {
+    if (const auto error = assemble_points(scenario, cache, progress, solids, result)) return *error;
+  }
+  if (on_triangles(scenario)) {
+    assemble_features(result);
   } else if (scenario.edges > 0 && scenario.contact.response == ContactResponse::constraint) {
     if (const auto error = assemble_edges(scenario, cache, progress, solids, result)) return *error;
   }
+  couple_without_motors(scene);
 
   result.task = {scenario.checkpoints, scenario.dwell, scenario.tool.touch_point - models.p_MT,
                  scenario.tool.touch_name, scenario.hard_touch};

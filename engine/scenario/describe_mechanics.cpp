@@ -162,8 +162,8 @@ void describe_mechanics(KeyVisitor& visitor, Scenario& scenario) {
                   "under the response constraint on points; 0: none"},
                  scenario.edges, from_to(0, 1));
     inner.choice_of({"surface", "",
-                     "what the response constraint measures contact on: the tool's points in the distance "
-                     "field, or the triangles of tool and scene as they are"},
+                     "what the response constraint measures contact on: the triangles of tool and scene as "
+                     "they are, or the tool's points in the distance field, for less of a tick"},
                     scenario.surface);
   });
   visitor.choice_of({"integrator", "", "how the tool moves through a tick"}, scenario.integrator);

@@ -106,7 +106,7 @@ struct SourceTexts {
 enum class Difficulty { easy, medium, hard };
 
 // What the response constraint measures contact on: the tool's points in a distance field of the scene, or
-// the triangles of both as they are.
+// the triangles of both as they are. Other responses look points up.
 enum class ContactSurface { points, triangles };
 
 // The slowest and the fastest loop that a scenario may ask for.
@@ -127,7 +127,7 @@ struct Scenario {
   FieldDesc field;
   PointshellDesc shell{.deviation = 50e-6};
   ContactDesc contact;
-  ContactSurface surface = ContactSurface::points;
+  ContactSurface surface = ContactSurface::triangles;
   double edges = 0;  // m, between points on the scene's sharp edges, where contact is on points; 0: none
   Integrator integrator = SceneDesc{}.integrator;
   CouplingGains coupling;

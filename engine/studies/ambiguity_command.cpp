@@ -46,7 +46,9 @@ analysis::ambiguity::AmbiguityStudy study_of(const Prepared& prepared) {
 int ambiguity_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::ambiguity::kAmbiguityCsvName,
                                         analysis::ambiguity::kAmbiguityPageName};
-  const std::optional<Prepared> prepared = prepare(options.scenario, options.overrides);
+  std::vector<std::string> overrides = options.overrides;
+  overrides.emplace_back("contact.surface=points");  // the tool's points are the places where it is struck
+  const std::optional<Prepared> prepared = prepare(options.scenario, overrides);
   if (!prepared) return kError;
   const std::optional<std::filesystem::path> folder = report_folder("ambiguity", options, files);
   if (!folder) return kError;

@@ -106,9 +106,9 @@ public:
     for (const Pair& pair : pairs_) state_[pair.mine] = State::crossing;
     for (std::size_t i = 0; i < pairs_.size(); i = end_of(i)) add(pairs_[i].mine, i, end_of(i));
     for (std::size_t i = 0; i < pairs_.size(); i = end_of(i)) enter_behind(pairs_[i].mine);
-    // Behind a surface that crosses itself a walk over edges does not reach everywhere.
+    // Where a surface that crossed itself was cut, a walk over edges does not reach everywhere.
     for (const SolidComponent& mine : surface_.components)
-      if (!mine.shell.triangles.empty()) try_all(mine);
+      if (was_cut(mine)) try_all(mine);
       // A surface that crosses nothing lies behind the other one whole, or not at all.
       else if (!crosses(mine) &&
                solid_.components[component].bounds.contains(corners(mine.first_triangle)[0]))
@@ -138,6 +138,14 @@ private:
     const auto first = std::lower_bound(pairs_.begin(), pairs_.end(), mine.first_triangle,
                                         [](const Pair& pair, std::uint32_t t) { return pair.mine < t; });
     return first != pairs_.end() && first->mine < mine.first_triangle + mine.triangle_count;
+  }
+
+  bool was_cut(const SolidComponent& mine) const {
+    const auto begin = surface_.neighbours.begin() + mine.first_triangle;
+    return !mine.shell.triangles.empty() &&
+           std::any_of(begin, begin + mine.triangle_count, [](const Triangle& across) {
+             return std::find(across.begin(), across.end(), Solid::kNoNeighbour) != across.end();
+           });
   }
 
   double depth_at(const Vec3& p, std::uint32_t& hint) {
@@ -306,7 +314,7 @@ void search(const Solid& surface, const Solid& solid, const TriangleDistance& di
 
 }  // namespace
 
-OverlapDepth::OverlapDepth(const Solid& scene_W, const Solid& tool_T, const DistanceField& field)
+OverlapDepth::OverlapDepth(const Solid& scene_W, const Solid& tool_T, const DistanceField* field)
     : scene_W_(scene_W), tool_T_(tool_T), field_(field), to_scene_(scene_W), to_tool_(tool_T) {
   for (const Vec3& p_T : tool_T.mesh.vertices) reach_ = std::max(reach_, p_T.norm());
 }
@@ -314,21 +322,20 @@ OverlapDepth::OverlapDepth(const Solid& scene_W, const Solid& tool_T, const Dist
 DeepestOverlap OverlapDepth::at(const Pose& X_WT, const Limits& limits) const {
   DeepestOverlap found;
   const Pose X_TW = X_WT.inverse();
-  if (field_.distance(X_WT.p) - field_.local_error_m(X_WT.p) > reach_) {
+  if (is_clear(X_WT.p, reach_) && (field_ != nullptr || to_scene_.signed_distance(X_WT.p) > 0)) {
     found.clearance = clearance(X_WT);
     return found;
   }
 
   std::vector<Pair> of_tool, of_scene;
   std::vector<std::uint32_t> near;
-  const auto is_clear = [&](const Vec3& centre_T, double radius) {
-    const Vec3 centre = X_WT * centre_T;
-    return field_.distance(centre) - field_.local_error_m(centre) > radius;
+  const auto part_is_clear = [&](const Vec3& centre_T, double radius) {
+    return is_clear(X_WT * centre_T, radius);
   };
   const auto meet = [&](std::uint32_t t) {
     const Corners3 corners_T = corners_of(tool_T_.mesh, t);
     const Vec3 centre_T = centre_of(corners_T);
-    if (is_clear(centre_T, radius_about(corners_T, centre_T))) return;
+    if (part_is_clear(centre_T, radius_about(corners_T, centre_T))) return;
     const Corners3 corners = placed(corners_T, X_WT);
     near.clear();
     to_scene_.tree().near_box(to_scene_.tree().whole(), box_of(corners), near);
@@ -338,7 +345,7 @@ DeepestOverlap OverlapDepth::at(const Pose& X_WT, const Limits& limits) const {
       of_scene.push_back({s, t});
     }
   };
-  to_tool_.tree().visit_unless(to_tool_.tree().whole(), is_clear, meet);
+  to_tool_.tree().visit_unless(to_tool_.tree().whole(), part_is_clear, meet);
   search(tool_T_, scene_W_, to_scene_, X_WT, std::move(of_tool), limits, found);
   const double depth = found.depth;
   search(scene_W_, tool_T_, to_tool_, X_TW, std::move(of_scene), limits, found);
@@ -348,11 +355,20 @@ DeepestOverlap OverlapDepth::at(const Pose& X_WT, const Limits& limits) const {
   return found;
 }
 
+bool OverlapDepth::is_clear(const Vec3& p_W, double radius) const {
+  if (field_ != nullptr) return field_->distance(p_W) - field_->local_error_m(p_W) > radius;
+  const TriangleTree& tree = to_scene_.tree();
+  return tree.nearest(tree.whole(), p_W, radius * radius, TriangleTree::kNone).triangle ==
+         TriangleTree::kNone;
+}
+
 double OverlapDepth::clearance(const Pose& X_WT) const {
   std::uint32_t hint = TriangleTree::kNone;
   const auto distance_at = [&](const Vec3& p_W) {
-    const FieldSample seen = field_.sample(p_W);
-    if (seen.in_band || seen.distance < 0) return seen.distance - field_.local_error_m(p_W);
+    if (field_ != nullptr) {
+      const FieldSample seen = field_->sample(p_W);
+      if (seen.in_band || seen.distance < 0) return seen.distance - field_->local_error_m(p_W);
+    }
     const TriangleTree& tree = to_scene_.tree();
     const auto nearest = tree.nearest(tree.whole(), p_W, std::numeric_limits<double>::infinity(), hint);
     hint = nearest.triangle;

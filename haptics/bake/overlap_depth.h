@@ -37,9 +37,9 @@ public:
     std::int64_t distances = std::numeric_limits<std::int64_t>::max();  // where the search stops, short of it
   };
 
-  // field: of scene_W; it leaves out at once what of the tool is clear of the scene. All three must outlive
-  // this.
-  OverlapDepth(const Solid& scene_W, const Solid& tool_T, const DistanceField& field);
+  // field: of scene_W, or none; with one, what of the tool is clear of the scene is left out sooner. All
+  // three must outlive this.
+  OverlapDepth(const Solid& scene_W, const Solid& tool_T, const DistanceField* field);
 
   // The bound holds whatever the limits; where `above` is larger than it the depth is 0.
   DeepestOverlap at(const Pose& X_WT, const Limits& limits) const;
@@ -49,10 +49,12 @@ public:
 
 private:
   double clearance(const Pose& X_WT) const;
+  // The scene's surface does not come into the ball. Where there is a field it is outside, too.
+  bool is_clear(const Vec3& p_W, double radius) const;
 
   const Solid& scene_W_;
   const Solid& tool_T_;
-  const DistanceField& field_;
+  const DistanceField* field_;
   TriangleDistance to_scene_, to_tool_;
   double reach_ = 0;
 };

@@ -73,6 +73,16 @@ bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs) {
   return asks;
 }
 
+bool may_ask_for_impacts(const EffectDescs& descs) {
+  bool asks = false;
+  for_each_effect(
+      descs,
+      [&]<class T>(Entry<T>, const std::optional<typename T::Desc>& desc) {
+        asks = asks || (desc && T::kAsksForImpacts);
+      });
+  return asks;
+}
+
 bool pushes_while_clutched(const PlainScene& scene, const EffectDescs& descs) {
   bool pushes = false;
   for_each_built(scene, descs, [&]<class T>(Entry<T>, const typename T::Desc&) {

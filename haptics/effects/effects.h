@@ -64,6 +64,9 @@ std::vector<std::unique_ptr<Effect>> build_effects(const PlainScene& scene, cons
 // Whether one of those asks for impacts.
 bool asks_for_impacts(const PlainScene& scene, const EffectDescs& descs);
 
+// Whether one that the scene names does, on a device that can use it.
+bool may_ask_for_impacts(const EffectDescs& descs);
+
 // Whether one of those pushes the handle while the clutch is pressed.
 bool pushes_while_clutched(const PlainScene& scene, const EffectDescs& descs);
 

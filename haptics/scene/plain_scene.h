@@ -2,8 +2,10 @@
 // A scene without its effects, as plain data: the tool and what it touches, the hand's device, and what
 // stands between them. Effects are built on it (effects/effects.h), and know no more of each other.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "haptics/actuation/allocator.h"
 #include "haptics/contact/contact_desc.h"
@@ -25,6 +27,7 @@ namespace fulcrum {
 struct PlainScene {
   double tick_s = 1e-3;
   ToolDesc tool;
+  // Both or neither: contact by points.
   std::shared_ptr<const Pointshell> tool_shell;
   std::shared_ptr<const DistanceField> scene_field;
   // For a constraint, both or neither: what of the scene could go in between the shell's points, against the
@@ -46,6 +49,24 @@ struct PlainScene {
   std::shared_ptr<const ObjectMap> scene_objects{};  // where it matters; null: the scene is one object
   std::optional<HoldingPointDesc> holding_point{};
 };
+
+// m, from a place of the tool's (3, in T) to its farthest point.
+inline double tool_reach(const PlainScene& scene, const Vec3& p_T) {
+  double reach = 0;
+  const auto count = [&](std::span<const Vec3> points) {
+    for (const Vec3& q_T : points) reach = std::max(reach, (q_T - p_T).norm());
+  };
+  if (scene.tool_shell)
+    count(scene.tool_shell->positions);
+  else
+    count(scene.tool_features->vertices());
+  return reach;
+}
+
+// m, the same from T's origin.
+inline double tool_radius(const PlainScene& scene) {
+  return scene.tool_shell ? scene.tool_shell->max_radius_m : scene.tool_features->radius();
+}
 
 // (3) m, in T: of the places where the tool can be held, the one that is farthest from its centre of mass.
 // scene: with a holding point.

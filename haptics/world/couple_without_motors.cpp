@@ -16,7 +16,7 @@ void couple_without_motors(SceneDesc& desc) {
   desc.contact.response = ContactResponse::constraint;
   desc.contact.levels.clear();
   desc.coupling.stiffness = desc.contact.stiffness;
-  const double reach = desc.tool_shell->max_radius_m;
+  const double reach = tool_radius(desc);
   desc.coupling.angular_stiffness =
       std::max(desc.coupling.angular_stiffness, kAngularShare * desc.contact.stiffness * reach * reach);
 }

@@ -136,11 +136,19 @@ std::optional<Error> refuse_own_columns(TickRecord blank) {
 }  // namespace
 
 Result<World> World::build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> own) {
-  if (!desc.tool_shell || desc.tool_shell->size() == 0)
+  if (!desc.tool_features && (!desc.tool_shell || desc.tool_shell->size() == 0))
     return Error{"The tool has no pointshell, so nothing could touch: give a model with the role 'tool'."};
-  if (!desc.scene_field)
+  if (!desc.scene_features && !desc.scene_field)
     return Error{
         "The scene has no distance field, so nothing could be touched: give a model with the role 'scene'."};
+  if (!desc.tool_shell != !desc.scene_field)
+    return Error{
+        "The tool's pointshell needs the scene's distance field, and the other way about: give both or "
+        "neither."};
+  if (!desc.scene_field && detects_impacts(desc))
+    return Error{
+        "Impacts are told apart by the scene's distance field: give it, and the tool's pointshell, beside "
+        "the features."};
   if (auto error = refuse_figures(desc)) return *error;
   const ToolDesc& tool = desc.tool;
   const Eigen::SelfAdjointEigenSolver<Mat3> principal(tool.inertia_T);

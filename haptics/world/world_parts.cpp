@@ -103,13 +103,25 @@ std::size_t bytes_of(const Pointshell& shell) {
 }  // namespace
 
 std::vector<BuiltPart> World::parts() const {
-  const Pointshell& shell = *desc_.tool_shell;
-  std::vector<BuiltPart> parts{
-      field_part("field", *desc_.scene_field),
-      {"pointshell",
-       std::to_string(shell.size()) + " points, no surface farther than " +
-           number_text(shell.covering_radius_m * 1e3) + " mm from one",
-       bytes_of(shell)},
+  std::vector<BuiltPart> parts;
+  if (desc_.tool_shell) {
+    const Pointshell& shell = *desc_.tool_shell;
+    parts = {field_part("field", *desc_.scene_field),
+             {"pointshell",
+              std::to_string(shell.size()) + " points, no surface farther than " +
+                  number_text(shell.covering_radius_m * 1e3) + " mm from one",
+              bytes_of(shell)}};
+  }
+  if (desc_.scene_edges) {
+    const Pointshell& edges = *desc_.scene_edges;
+    parts.push_back(
+        {"edges", std::to_string(edges.size()) + " points on the scene's sharp edges", bytes_of(edges)});
+    parts.push_back(field_part("tool field", *desc_.tool_field));
+  }
+  const std::vector<BuiltPart> motion = motion_->parts();
+  parts.insert(parts.end(), motion.begin(), motion.end());
+  if (coupled(desc_.contact.response)) parts.push_back(coupling_part(desc_));
+  const std::vector<BuiltPart> always{
       {"estimator",
        std::string("velocity by ").append(name_of(desc_.velocity.kind)) + ", delay " +
            number_text(input_.velocity().delay() * 1e3) + " ms",
@@ -122,22 +134,13 @@ std::vector<BuiltPart> World::parts() const {
        sizeof(Guard) + sizeof(EncoderMotion) + sizeof(PassivityObserver) + sizeof(PassivityController) +
            sizeof(OutputLimit)},
   };
-  if (coupled(desc_.contact.response)) parts.insert(parts.begin() + 2, coupling_part(desc_));
-  if (desc_.scene_edges) {
-    const Pointshell& edges = *desc_.scene_edges;
-    parts.insert(
-        parts.begin() + 2,
-        {{"edges", std::to_string(edges.size()) + " points on the scene's sharp edges", bytes_of(edges)},
-         field_part("tool field", *desc_.tool_field)});
-  }
+  parts.insert(parts.end(), always.begin(), always.end());
   if (desc_.mapping.drift > 0) parts.push_back(drift_part(desc_.mapping));
   if (impacts_) parts.push_back(impact_part(desc_));
   if (desc_.holding_point) parts.push_back(holding_part(desc_));
   for (const auto& effect : effects_) parts.push_back(effect->part());
   for (const TransientSource source : transient_sources(desc_, desc_))
     parts.push_back(budget_part(figures_of(source).name, *output_.budget(source)));
-  const std::vector<BuiltPart> motion = motion_->parts();
-  parts.insert(parts.begin() + (desc_.scene_edges ? 4 : 2), motion.begin(), motion.end());
   return parts;
 }
 

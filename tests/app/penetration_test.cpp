@@ -22,7 +22,7 @@ public:
         tool_T_(*build_solid(shapes::rotated(shapes::box(Vec3::Constant(-0.005), Vec3::Constant(0.005)),
                                              Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX()))))),
         field_(*bake_field(scene_W_, {.voxel_m = 2e-3, .threads = 1})),
-        overlap_(scene_W_, tool_T_, field_) {}
+        overlap_(scene_W_, tool_T_, &field_) {}
 
   void tick(const Pose& X_WT, app::PenetrationMeter& meter) {
     TickRecord record;
@@ -36,7 +36,7 @@ public:
     }
   }
   app::Penetration measured(const app::PenetrationMeter& meter) const {
-    return meter.deepest(scene_W_, tool_T_, field_);
+    return meter.deepest(scene_W_, tool_T_, &field_);
   }
   double deepest() const { return deepest_; }
   double at() const { return at_; }
@@ -74,11 +74,7 @@ TEST(Penetration, ARunWithoutContactHasNone) {
   for (int i = 0; i < 500; ++i) run.tick({Quat::Identity(), {0, 0.03 + 1e-5 * i, 0}}, meter);
   EXPECT_EQ(run.measured(meter).depth, 0.0);
   EXPECT_LE(run.measured(meter).within, 1.1e-6);
-  EXPECT_EQ(app::PenetrationMeter(kTick)
-                .deepest(Solid{}, Solid{},
-                         *bake_field(*build_solid(shapes::box(Vec3::Zero(), Vec3::Ones())), {.voxel_m = 0.1}))
-                .depth,
-            0.0);
+  EXPECT_EQ(app::PenetrationMeter(kTick).deepest(Solid{}, Solid{}, nullptr).depth, 0.0);
 }
 
 // A minute of swift strokes two millimetres over the scene: a few poses are enough to know that none touched

@@ -65,6 +65,7 @@ expect_each 0 'features .*themselves' 'query .*contact.surface is triangles' 'ed
 expect 0 'features .* contact.surface is points' "$FULCRUM" explain tutorial
 expect 2 'vibrates at impacts' "$FULCRUM" run piping --headless --circle
 expect 0 'good' "$FULCRUM" check piping
+expect 0 '^\[\]$' "$FULCRUM" check piping --json
 
 # --- runs; where the picture does not matter it is a small one, which is sooner drawn
 small=(--size 160x90)

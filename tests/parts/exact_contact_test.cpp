@@ -26,11 +26,6 @@ SceneDesc on_triangles(const Fit& fit) {
   SceneDesc desc;
   const Result<Solid> tool = build_solid(fit.tool_T), scene = build_solid(fit.scene_W);
   EXPECT_TRUE(tool && scene) << fit.name;
-  auto shell = bake_pointshell(*tool, {});
-  auto field = bake_field(*scene, {});
-  EXPECT_TRUE(shell && field) << fit.name;
-  desc.tool_shell = std::make_shared<const Pointshell>(std::move(*shell));
-  desc.scene_field = std::make_shared<const DistanceField>(std::move(*field));
   desc.tool_features = std::make_shared<const FeatureMesh>(tool->mesh, tool->neighbours);
   desc.scene_features = std::make_shared<const FeatureMesh>(scene->mesh, scene->neighbours);
   desc.tool.X_WT_start = fit.X_WT;
@@ -120,15 +115,45 @@ TEST(ExactContact, AToolThatStartsInAWallIsLetOutAndSaysSo) {
 
 TEST(ExactContact, NeedsBothAndAConstraint) {
   const std::vector<Fit> all = fits();
-  const SceneDesc good = on_triangles(*std::ranges::find(all, "square peg 4 mm", &Fit::name));
-  SceneDesc half = good, springs = good, edges = good;
+  const Fit& fit = *std::ranges::find(all, "square peg 4 mm", &Fit::name);
+  const SceneDesc good = on_triangles(fit);
+  const auto refusal = [](const SceneDesc& desc) { return World::build(desc).error().sentence; };
+  SceneDesc half = good, springs = good, points = good;
   half.tool_features = nullptr;
+  EXPECT_NE(refusal(half).find("no pointshell"), std::string::npos) << refusal(half);
+  points.tool_shell = std::make_shared<const Pointshell>(*bake_pointshell(*build_solid(fit.tool_T), {}));
+  EXPECT_NE(refusal(points).find("both or neither"), std::string::npos) << refusal(points);
+  points.scene_field = std::make_shared<const DistanceField>(*bake_field(*build_solid(fit.scene_W), {}));
+  EXPECT_TRUE(World::build(points));
+  half.tool_shell = points.tool_shell;
+  half.scene_field = points.scene_field;
+  EXPECT_NE(refusal(half).find("both or neither"), std::string::npos) << refusal(half);
   springs.contact.response = ContactResponse::penalty;
-  EXPECT_NE(World::build(half).error().sentence.find("both or neither"), std::string::npos);
-  edges.scene_edges = good.tool_shell;
-  edges.tool_field = good.scene_field;
-  EXPECT_NE(World::build(edges).error().sentence.find("leave them out"), std::string::npos);
-  EXPECT_NE(World::build(springs).error().sentence.find("the response constraint alone"), std::string::npos);
+  EXPECT_NE(refusal(springs).find("the response constraint alone"), std::string::npos) << refusal(springs);
+  SceneDesc edges = points, impacts = good;
+  edges.scene_edges = points.tool_shell;
+  edges.tool_field = points.scene_field;
+  EXPECT_NE(refusal(edges).find("leave them out"), std::string::npos) << refusal(edges);
+  impacts.impact_vibration.emplace();
+  impacts.device.renders_force = true;
+  EXPECT_NE(refusal(impacts).find("Impacts are told apart"), std::string::npos) << refusal(impacts);
+}
+
+// What nothing reads changes nothing.
+TEST(ExactContact, IsTheSameWithPointsBesideIt) {
+  const std::vector<Fit> all = fits();
+  const Fit& fit = *std::ranges::find(all, "square peg 4 mm", &Fit::name);
+  const SceneDesc without = on_triangles(fit);
+  SceneDesc with = without;
+  with.tool_shell = std::make_shared<const Pointshell>(*bake_pointshell(*build_solid(fit.tool_T), {}));
+  with.scene_field = std::make_shared<const DistanceField>(*bake_field(*build_solid(fit.scene_W), {}));
+  Result<World> a = World::build(without), b = World::build(with);
+  ASSERT_TRUE(a && b);
+  for (int i = 0; i < 100; ++i) {
+    const Pose X{fit.X_WT.q, fit.X_WT.p + 1e-3 * std::sin(0.1 * i) * fit.across_W};
+    const Pose here = tick(*a, without, X).record.X_WT, there = tick(*b, with, X).record.X_WT;
+    ASSERT_TRUE(here.p == there.p && here.q.coeffs() == there.q.coeffs()) << i;
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/world/world.h"
 #include "tests/scenario/example.h"
 
 namespace fulcrum::scenario::test {
@@ -72,7 +73,8 @@ protected:
   BakeCache cache_{folder_.root() / "cache"};
 };
 
-const std::vector<std::string> kCoarse{"field.voxel=0.004", "field.band=0.012", "shell.spacing=0.003"};
+const std::vector<std::string> kCoarse{"contact.surface=points", "field.voxel=0.004", "field.band=0.012",
+                                       "shell.spacing=0.003"};
 
 TEST_F(Assemble, PutsTheToolOnItsCentreOfMass) {
   auto overrides = kCoarse;
@@ -164,6 +166,14 @@ TEST_F(Assemble, MeasuresContactOnTrianglesWhereTheSceneSaysSo) {
   ASSERT_TRUE(on_triangles->scene.tool_features && on_triangles->scene.scene_features);
   EXPECT_EQ(on_triangles->scene.tool_features->faces().size(), on_triangles->tool_T.mesh.triangles.size());
   EXPECT_EQ(on_triangles->scene.scene_features->faces().size(), on_triangles->scene_W.mesh.triangles.size());
+  EXPECT_FALSE(on_triangles->scene.tool_shell || on_triangles->scene.scene_field);
+  EXPECT_TRUE(World::build(on_triangles->scene));
+  // Impacts are told apart in the field, on whatever device asks for them.
+  Scenario with_impacts = scenario;
+  with_impacts.effects.braking_pulse.emplace();
+  const auto struck = assemble_haptic(with_impacts, *models, cache_);
+  ASSERT_TRUE(struck) << struck.error().sentence;
+  EXPECT_TRUE(struck->scene.tool_features && struck->scene.tool_shell && struck->scene.scene_field);
   // Another response looks points up.
   scenario.contact.response = ContactResponse::quasi_static;
   const auto otherwise = assemble_haptic(scenario, *models, cache_);
@@ -203,12 +213,27 @@ TEST_F(Assemble, TellsWhatWasRepaired) {
   const auto haptic = assemble_haptic(scenario, *models, cache_);
   ASSERT_TRUE(haptic) << haptic.error().sentence;
   ASSERT_EQ(haptic->repaired.size(), 2u);
-  EXPECT_TRUE(haptic->repaired[0].ends_with(
-      "model 'peg': 1 triangle was wound against the rest and has been turned."))
+  constexpr const char* kTurned = "1 triangle was wound against the rest and has been turned, at (";
+  EXPECT_NE(haptic->repaired[0].find(std::string("model 'peg': ") + kTurned), std::string::npos)
       << haptic->repaired[0];
-  EXPECT_EQ(haptic->repaired[1],
-            "the models that are touched: 1 triangle was wound against the rest and has been turned.");
+  EXPECT_TRUE(haptic->repaired[1].starts_with(std::string("the models that are touched: ") + kTurned))
+      << haptic->repaired[1];
   EXPECT_NEAR(haptic->scene.scene_field->distance(Vec3(0, -0.005, 0)), -0.005, 1e-4);
+}
+
+// A block of 200 mm that was exported in millimetres as if they were metres, and a peg that was scaled twice.
+TEST_F(Assemble, QuestionsTheSizeOfAModel) {
+  EXPECT_TRUE(load_models(read(kCoarse))->warnings.empty());
+  folder_.write("scenarios/peg/block.glb", box_glb({-100.0F, -20.0F, -100.0F}, {100.0F, 0.0F, 100.0F}));
+  folder_.write("scenarios/peg/peg.glb", box_glb({-5e-6F, 0.0F, -5e-6F}, {5e-6F, 4e-5F, 5e-6F}));
+  const auto models = load_models(read(kCoarse));
+  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_EQ(models->warnings.size(), 2u);
+  EXPECT_NE(models->warnings[0].find("model 'block': it is 284 m across; is that meant?"), std::string::npos)
+      << models->warnings[0];
+  EXPECT_NE(models->warnings[1].find("model 'peg': it is 42.4 um across"), std::string::npos)
+      << models->warnings[1];
+  EXPECT_TRUE(models->warnings[1].ends_with(".")) << models->warnings[1];
 }
 
 TEST_F(Assemble, DrawsTheToolAboutItsCentreOfMass) {
@@ -392,7 +417,7 @@ TEST_F(Assemble, NamesThePlaceOfWhatIsWrong) {
   EXPECT_TRUE(missing.error().sentence.starts_with("--set models.peg.file=none.glb: model 'peg': "))
       << missing.error().sentence;
 
-  const auto thin = read({"field.voxel=0.02", "field.band=0.06"});
+  const auto thin = read({"contact.surface=points", "field.voxel=0.02", "field.band=0.06"});
   const auto refused = assemble_haptic(thin, *models, cache_);
   ASSERT_FALSE(refused);
   EXPECT_TRUE(refused.error().sentence.starts_with("the scene's distance field: "))

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "drivers/registry.h"
 #include "engine/app/cli/exit_code.h"
@@ -17,8 +18,11 @@ namespace fulcrum::app {
 namespace {
 
 // What the response looks things up in, as often as it moves the tool: its time is the response's.
-constexpr std::array<std::string_view, 8> kReadByResponse{"field",      "pointshell", "query",  "edges",
-                                                          "edge query", "tool field", "voxels", "features"};
+bool is_read_by_response(const SceneDesc& scene, std::string_view part) {
+  constexpr std::array<std::string_view, 7> points{"field",      "pointshell", "query", "edges",
+                                                   "edge query", "tool field", "voxels"};
+  return scene.tool_features ? part == "features" : std::ranges::find(points, part) != points.end();
+}
 
 std::string human_bytes(std::uint64_t bytes) {
   char text[32];
@@ -149,7 +153,7 @@ int explain_command(const ExplainOptions& options) {
     if (item.kind != "haptics") continue;
     if (cost != costs->end())
       item.tick_us = cost->second;
-    else if (std::ranges::find(kReadByResponse, item.name) != kReadByResponse.end())
+    else if (is_read_by_response(world->desc(), item.name))
       item.counted_in = "response";
   }
   const double tick_us = costs->at("tick");

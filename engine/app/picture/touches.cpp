@@ -47,8 +47,8 @@ std::optional<ContactQuery> edge_query(const PlainScene& scene) {
 }  // namespace
 
 TouchFinder::TouchFinder(const PlainScene& scene)
-    : radius_(std::max(scene.tool_shell->max_radius_m, 1e-6)),
-      margin_(std::min(kMargin, scene.scene_field->band_m())),
+    : radius_(std::max(tool_radius(scene), 1e-6)),
+      margin_(kMargin),
       edges_(edge_query(scene)),
       regions_(scene.contact.region_radius) {
   if (scene.tool_features) {
@@ -57,6 +57,7 @@ TouchFinder::TouchFinder(const PlainScene& scene)
     return;
   }
   query_.emplace(scene.tool_shell, scene.scene_field);
+  margin_ = std::min(margin_, scene.scene_field->band_m());
   if (scene.tool_field) margin_ = std::min(margin_, scene.tool_field->band_m());
 }
 

@@ -51,8 +51,12 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (response == ContactResponse::constraint && scene.contact.friction == 0)
     add("friction", "contact.friction is 0");
   if (response == ContactResponse::constraint) {
+    if (!scene.tool_shell) {
+      add("field", "contact.surface is triangles, and neither impacts nor sound read it");
+      add("pointshell", "contact.surface is triangles, and neither impacts nor sound read it");
+    }
     if (scene.tool_features)
-      add("query", "contact.surface is triangles: no points are looked up");
+      add("query", "contact.surface is triangles: the response looks no points up");
     else
       add("features", prepared.scenario.surface == scenario::ContactSurface::points
                           ? "contact.surface is points"

@@ -20,9 +20,7 @@ std::optional<audio::SceneSound> scene_sound(const Prepared& prepared, const Sce
   sound.pitch = entry->pitch;
   sound.slide = entry->slide;
   sound.tick_s = scene.tick_s;
-  const Vec3 p_TH = scene.tool.X_HT.inverse().p;
-  for (const Vec3& p_T : scene.tool_shell->positions)
-    sound.reach = std::max(sound.reach, (p_T - p_TH).norm());
+  sound.reach = tool_reach(scene, scene.tool.X_HT.inverse().p);
   sound.materials = prepared.haptic.heard;
   sound.objects = prepared.haptic.objects;
   sound.tool_shell = scene.tool_shell;

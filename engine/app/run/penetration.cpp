@@ -167,7 +167,7 @@ private:
 }  // namespace
 
 Penetration PenetrationMeter::deepest(const Solid& scene_W, const Solid& tool_T,
-                                      const DistanceField& field) const {
+                                      const DistanceField* field) const {
   if (samples_.empty()) return {};
   const OverlapDepth overlap(scene_W, tool_T, field);
   DeepestTick search(samples_, overlap);

@@ -28,7 +28,8 @@ public:
 
   void note(const TickRecord& record);
 
-  Penetration deepest(const Solid& scene_W, const Solid& tool_T, const DistanceField& field) const;
+  // field: of scene_W, or none.
+  Penetration deepest(const Solid& scene_W, const Solid& tool_T, const DistanceField* field) const;
 
 private:
   struct Sample {

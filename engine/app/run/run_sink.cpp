@@ -104,7 +104,7 @@ RunSink::Outcome RunSink::finish() {
   for (std::size_t i = 0; i < prepared_.haptic.task.checkpoints.size(); ++i)
     summary.checkpoints.push_back({prepared_.haptic.task.checkpoints[i].name, task.reached[i]});
   const Penetration deepest = penetration_.deepest(prepared_.haptic.scene_W, prepared_.haptic.tool_T,
-                                                   *prepared_.haptic.scene.scene_field);
+                                                   prepared_.haptic.scene.scene_field.get());
   summary.max_penetration_m = deepest.depth;
   summary.max_penetration_within_m = deepest.within;
   if (deepest.depth > 0) {

@@ -23,7 +23,7 @@ constexpr render::Extent kSecondView{1600, 1000};       // px, that marks in it 
 
 // m: what the trainee has to hit most exactly; where there is no task, a twentieth of the tool.
 double finest_detail(const Prepared& prepared) {
-  double finest = prepared.haptic.scene.tool_shell->max_radius_m / 20;
+  double finest = tool_radius(prepared.haptic.scene) / 20;
   const std::vector<scenario::Checkpoint>& checkpoints = prepared.haptic.task.checkpoints;
   if (!checkpoints.empty()) finest = std::ranges::min(checkpoints, {}, &scenario::Checkpoint::radius).radius;
   return finest;

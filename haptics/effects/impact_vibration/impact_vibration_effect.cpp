@@ -9,13 +9,10 @@ namespace fulcrum {
 namespace {
 
 ImpactSurroundings impact_surroundings(const PlainScene& scene) {
-  const Vec3 p_TH = scene.tool.X_HT.inverse().p;
-  double reach = 0;
-  for (const Vec3& p_T : scene.tool_shell->positions) reach = std::max(reach, (p_T - p_TH).norm());
   const DeviceDesc& device = scene.device;
   const double peak = figures_of(TransientSource::impact_vibration).peak;
   return {.tick_s = scene.tick_s,
-          .reach = reach,
+          .reach = tool_reach(scene, scene.tool.X_HT.inverse().p),
           .mapping = scene.mapping,
           .largest_force = device.renders_force ? peak * device.max_force : 0.0,
           .largest_torque = device.renders_torque ? peak * device.max_torque : 0.0,

@@ -13,7 +13,7 @@ constexpr double kSlowest_Hz = 80;
 TorqueSurroundings torque_surroundings(const PlainScene& scene) {
   return {
       .tick_s = scene.tick_s,
-      .tool_reach = scene.tool_shell->max_radius_m,
+      .tool_reach = tool_radius(scene),
       .max_force = scene.coupling.max_force,
       .max_torque = scene.coupling.max_torque,
       .renders_force = scene.device.renders_force,

@@ -25,7 +25,7 @@ void audit_clumsy(const app::Prepared& prepared, double seconds, double deepest)
   }
   EXPECT_GT(audit.crossings(), 1000u) << "it was to touch";
   EXPECT_EQ(audit.passages(), 0u) << audit.first_passage();
-  const app::Penetration worst = meter.deepest(haptic.scene_W, haptic.tool_T, *haptic.scene.scene_field);
+  const app::Penetration worst = meter.deepest(haptic.scene_W, haptic.tool_T, haptic.scene.scene_field.get());
   EXPECT_LT(worst.depth, deepest) << "at " << worst.at << " s";
   EXPECT_EQ(faults & kStoppingFaults, 0u);
   // Springs held from tick to tick give out a few millijoules here, and the observer says so.
