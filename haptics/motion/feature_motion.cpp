@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "haptics/math/functions.h"
 #include "haptics/math/number_text.h"
 #include "haptics/safety/faults.h"
 
@@ -14,10 +15,11 @@ constexpr double kLongestReach = 250e-6;  // m, and at most, where there are any
 // Over the coupling's stiffness: a row that gives way stays well within its skin while the hand is
 // centimetres away.
 constexpr double kFeatureSlack = 1e7;
-constexpr double kFeatureSkin = 2e-6;        // m, above what a round errs by where it turns
+constexpr double kThinnestSkin = 0.1e-6, kThickestSkin = 2e-6;  // m
 constexpr double kShortestReach = 15e-6;     // m, within which pairs are looked for, at least
 constexpr double kLongestFreeReach = 20e-3;  // m, and at most, where there are none
 constexpr double kSettledReach = 1e-6;       // m, a round that moves no point farther ends the tick
+constexpr double kStill = 1e-7;              // m, and one that moves none by this moves none at all
 constexpr double kKept = 1e-8;               // m, a pair that a step breaks by less is kept
 constexpr double kMended = 25e-6;            // m, what is in by less is left to the next round
 constexpr std::size_t kPairsAtOnce = 48;
@@ -34,7 +36,8 @@ FeatureMotion::FeatureMotion(const PlainScene& desc)
       features_(desc.tool_features, desc.scene_features),
       is_taken_(FeaturePairs::kMostPairs),
       reach_(kShortestReach),
-      widest_(kLongestFreeReach) {
+      widest_(kLongestFreeReach),
+      skin_(kThinnestSkin) {
   taken_.reserve(kMaxContacts);
   broken_.reserve(FeaturePairs::kMostPairs);
   levers_W_.reserve(FeaturePairs::kMostPairs);
@@ -88,6 +91,7 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
     const double way = step.head<3>().norm() + step.tail<3>().norm() * tool_.radius();
     if (way < kSettledReach && features_.least_gap() >= 0) {
       rounds.settled = true;
+      if (way > kStill) take_last(step);
       return rounds;
     }
     const double known = std::min(reach_, longest);
@@ -107,6 +111,8 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
         faults |= kNotFinite;
         return rounds;
       }
+      // Above what a round as long errs by where it turns.
+      skin_ = std::min(kThinnestSkin + math::square(fraction * turn) * tool_.radius(), kThickestSkin);
       look(next);
       if (complete_ && features_.least_gap() >= deepest) break;
       rounds.limited = true;
@@ -135,6 +141,17 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
   return rounds;
 }
 
+// So small a step that the forces at its beginning are those at its end.
+void FeatureMotion::take_last(const Vec6& step) noexcept {
+  const Pose from = tool_.state().X_WT;
+  if (tool_.move(step * kept_fraction(step))) {
+    look(reach_);
+    if (complete_ && features_.least_gap() >= 0) return;
+  }
+  tool_.put(from);
+  look(reach_);
+}
+
 // m, the gap of a pair after the step, as the pair's plane tells it.
 double FeatureMotion::gap_after(std::size_t which, const Vec6& step) const noexcept {
   const FeaturePair& pair = features_.pairs()[which];
@@ -160,7 +177,7 @@ bool FeatureMotion::take_pairs(const Vec6& step) noexcept {
   broken_.clear();
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     if (is_taken_[i]) continue;
-    const double left = gap_after(i, step) - kFeatureSkin;
+    const double left = gap_after(i, step) - skin_;
     if (left < -kKept) broken_.emplace_back(left, i);
   }
   const std::size_t count = std::min({kPairsAtOnce, broken_.size(), kMaxContacts - taken_.size()});
@@ -191,9 +208,8 @@ Vec6 FeatureMotion::solve(const Pose& X_WG) noexcept {
   for (const FeaturePair& pair : features_.pairs())
     levers_W_.emplace_back((pair.p_W - tool_.state().X_WT.p).cross(pair.nhat_W));
   Vec6 step = tool_.to_goal(X_WG);
-  for (int taking = 0; taking < kMostTakings && take_pairs(step); ++taking)
-    step = tool_.solve(X_WG, kFeatureSkin);
-  if (taken_.empty()) tool_.solve(X_WG, kFeatureSkin);  // nothing pushes, and nothing rubs
+  for (int taking = 0; taking < kMostTakings && take_pairs(step); ++taking) step = tool_.solve(X_WG, skin_);
+  if (taken_.empty()) tool_.solve(X_WG, skin_);  // nothing pushes, and nothing rubs
   return step;
 }
 

@@ -35,6 +35,7 @@ private:
   };
   Rounds go(const Pose& X_WG, std::uint32_t& faults) noexcept;
   void look(double reach) noexcept;
+  void take_last(const Vec6& step) noexcept;
   void look_for_crossings() noexcept;
   double gap_after(std::size_t which, const Vec6& step) const noexcept;
   double kept_fraction(const Vec6& step) const noexcept;
@@ -49,6 +50,7 @@ private:
   std::vector<std::pair<double, std::uint32_t>> broken_;  // m, and which pair
   double reach_;                                          // m, of the last look
   double widest_;                                         // m, beyond it there was too much to look at
+  double skin_;                                           // m, rows keep the tool this far out
   unsigned next_part_ = 0;                                // of the tool, to be looked at for crossings
   bool complete_ = true;                                  // the last look had room for all that was near
   bool crosses_ = false;                                  // as far as it is known

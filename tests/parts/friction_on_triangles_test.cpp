@@ -1,0 +1,150 @@
+// Coulomb friction of a constraint on triangles, against what statics says of a block on a floor and on a
+// slope, of a disc that is spun and of a sleeve that is pulled askew along a rod.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "haptics/bake/solid.h"
+#include "haptics/math/rotation.h"
+#include "haptics/world/world.h"
+#include "tests/parts/flat.h"
+
+namespace fulcrum::parts {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kStiffness = 800;  // N/m
+
+// A tool on a scene, in a hand that pulls by springs alone, far below where they saturate.
+SceneDesc rubbing(const TriangleMesh& tool_T, const TriangleMesh& scene_W, double friction,
+                  double angular_stiffness) {
+  SceneDesc desc;
+  const auto features = [](const TriangleMesh& mesh) {
+    const Result<Solid> solid = build_solid(mesh);
+    EXPECT_TRUE(solid) << solid.error().sentence;
+    return std::make_shared<const FeatureMesh>(solid->mesh, solid->neighbours);
+  };
+  desc.tool_features = features(tool_T);
+  desc.scene_features = features(scene_W);
+  desc.tool.weight = false;
+  desc.contact.friction = friction;
+  desc.coupling = {.stiffness = kStiffness,
+                   .angular_stiffness = angular_stiffness,
+                   .damping_ratio = 0,
+                   .max_force = 5000,
+                   .max_torque = 500};
+  desc.device.kinematics = Kinematics::none;
+  desc.device.renders_force = false;
+  desc.device.senses_rotation = true;
+  return desc;
+}
+
+TickRecord tick_once(World& world, const SceneDesc& desc, const Pose& X_WT) {
+  DeviceSample sample;
+  sample.X_DH = desc.mapping.handle_in_device(X_WT * desc.tool.X_HT.inverse());
+  sample.connected = true;
+  return step(world, sample, {}).record;
+}
+
+TriangleMesh block(const Vec2& size, double low, double high) {
+  std::vector<Vec2> corners = circle(1, 4, kPi / 4);
+  for (Vec2& p : corners) p = p.cwiseQuotient(p.cwiseAbs()).cwiseProduct(size / 2);
+  return extruded(star(corners), low, high);
+}
+
+TriangleMesh floor() {
+  return block({0.4, 0.4}, -0.02, 0);
+}
+
+// Pressed down and dragged along: it sticks up to the cone, and then lags behind the hand by just that.
+TEST(FrictionOnTriangles, HoldsABlockUpToItsCone) {
+  for (const double coefficient : {0.1, 0.5, 1.0}) {
+    SceneDesc desc = rubbing(block({0.02, 0.02}, 0, 0.01), floor(), coefficient, 50);
+    Result<World> world = World::build(desc);
+    ASSERT_TRUE(world) << world.error().sentence;
+    const double depth = 2e-3, cone = coefficient * depth;  // m of the coupling's offset
+    TickRecord record;
+    for (int i = 0; i < 100; ++i) record = tick_once(*world, desc, {Quat::Identity(), {0, 0, -depth}});
+    const Vec3 begin = record.X_WT.p;
+    for (int i = 0; i < 400; ++i)
+      record =
+          tick_once(*world, desc, {Quat::Identity(), {std::min(1.0, i / 100.0) * 0.9 * cone, 0, -depth}});
+    EXPECT_LT((record.X_WT.p - begin).norm(), 1e-6) << coefficient;
+    for (int i = 0; i < 600; ++i)
+      record = tick_once(*world, desc,
+                         {Quat::Identity(), {0.9 * cone + 1e-2 * cone * i, 1e-2 * cone * i, -depth}});
+    const Vec3 lag = Vec3((0.9 + 5.99) * cone, 5.99 * cone, 0) - record.X_WT.p;
+    EXPECT_NEAR(std::hypot(lag.x(), lag.y()), cone, 0.02 * cone) << coefficient;
+    EXPECT_NEAR(record.contact_F_T_W.force.z(), kStiffness * depth, 0.01 * kStiffness * depth);
+    EXPECT_LT(record.depth_max, 1e-6);
+  }
+}
+
+// Pulled straight down onto a slope: below atan(mu) it stays, and above it slides until what pulls it along
+// is within the cone of what presses it on.
+TEST(FrictionOnTriangles, HoldsABlockOnASlopeUpToItsAngle) {
+  constexpr double coefficient = 0.3, depth = 3e-3;
+  for (const double degrees : {5.0, 15.0, 16.0, 17.5, 25.0}) {
+    const double angle = degrees * kPi / 180;
+    const Quat tilt = quaternion_exp(Vec3(0, angle, 0));
+    SceneDesc desc =
+        rubbing(block({0.02, 0.02}, 0, 0.01), moved(floor(), Eigen::Isometry3d(tilt)), coefficient, 50);
+    desc.tool.X_WT_start = {tilt, tilt * Vec3(0, 0, 1e-6)};
+    Result<World> world = World::build(desc);
+    ASSERT_TRUE(world) << world.error().sentence;
+    TickRecord record;
+    for (int i = 0; i < 600; ++i)
+      record = tick_once(*world, desc, {tilt, Vec3(0, 0, -depth * std::min(1.0, i / 200.0))});
+    const double slid = (tilt.conjugate() * record.X_WT.p).x();
+    const double truth = depth * std::max(0.0, std::sin(angle) - coefficient * std::cos(angle));
+    EXPECT_NEAR(slid, truth, 2e-6 + 0.01 * truth) << degrees;
+  }
+}
+
+// It touches with its rim, whose corners are at R: more torque than friction has there turns it.
+TEST(FrictionOnTriangles, HoldsADiscUpToItsTorque) {
+  constexpr double R = 0.01, depth = 2e-3, coefficient = 0.3, k_R = 2;
+  SceneDesc desc = rubbing(extruded(star(circle(R, 24)), 0, 0.004), floor(), coefficient, k_R);
+  Result<World> world = World::build(desc);
+  ASSERT_TRUE(world) << world.error().sentence;
+  constexpr double most = coefficient * kStiffness * depth * R;
+  TickRecord record;
+  for (int i = 0; i < 100; ++i) record = tick_once(*world, desc, {Quat::Identity(), {0, 0, -depth}});
+  for (int i = 1; i <= 300; ++i) {
+    const double angle = 2 * most / k_R * i / 300;
+    record = tick_once(*world, desc, {quaternion_exp(Vec3(0, 0, angle)), {0, 0, -depth}});
+    ASSERT_NEAR(record.coupling_F_T_W.torque.z(), std::min(most, k_R * angle), 0.01 * most) << i;
+  }
+}
+
+// A load beside a rod tips the sleeve, which presses with two edges that are L apart: what both can hold is
+// 2 mu M / L, however large the load is. Where that is more than the load the sleeve jams.
+TEST(FrictionOnTriangles, ASleeveJamsWhereItsLoadIsFarOff) {
+  constexpr double L = 0.02, width = 0.008, coefficient = 0.3, k_R = 50, gap = 10e-6, load = 2;
+  const auto outline = [](double across) {
+    std::vector<Vec2> corners = circle(1, 4, kPi / 4);
+    for (Vec2& p : corners) p *= across / 2 / p.cwiseAbs().maxCoeff();
+    return corners;
+  };
+  for (const double torque : {0.03, 0.06, 0.09, 0.15}) {
+    SceneDesc desc = rubbing(extruded(ring(outline(width + 2 * gap), outline(3 * width)), -L / 2, L / 2),
+                             extruded(star(outline(width)), -0.2, 0.2), coefficient, k_R);
+    Result<World> world = World::build(desc);
+    ASSERT_TRUE(world) << world.error().sentence;
+    TickRecord record;
+    for (int i = 0; i < 1000; ++i) {  // tipped first, and then pulled
+      const double tipped = std::min(1.0, i / 100.0), pulled = std::clamp((i - 200) / 200.0, 0.0, 1.0);
+      const Pose goal{quaternion_exp(Vec3(0, tipped * torque / k_R, 0)), {0, 0, -pulled * load / kStiffness}};
+      record = tick_once(*world, desc, goal);
+    }
+    const double M = std::abs(record.coupling_F_T_W.torque.y()), F = -record.coupling_F_T_W.force.z();
+    EXPECT_NEAR(F, std::min(load, 2 * coefficient * M / L), 0.02 * load) << torque;
+  }
+}
+
+}  // namespace
+}  // namespace fulcrum::parts
