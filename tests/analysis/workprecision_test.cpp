@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "engine/analysis/shapes.h"
 #include "engine/analysis/workprecision/report.h"
@@ -76,6 +78,14 @@ TEST(WorkPrecision, AKnifeEdgeIsFeltWhereItIs) {
       EXPECT_GT(even.error, 10 * edges.error) << edges.value;
     }
   }
+  // On triangles by what its facets lie off the roller's circle, l^2 / (16 R), and by how far they lean.
+  int faceted = 0;
+  for (const WorkPoint& point : study.points) {
+    if (point.method != "triangles") continue;
+    EXPECT_LT(point.error, 1.5 * point.value * point.value / (16 * 4) + 5e-4) << point.value;
+    ++faceted;
+  }
+  EXPECT_EQ(faceted, 2);
 }
 
 // At the same voxel; what that costs is for the report, no test.
@@ -102,7 +112,13 @@ TEST(WorkPrecision, PressesAreFeltTruerThanByClassicVoxels) {
 TEST(WorkPrecision, PegsJamWhereTheyShould) {
   const std::vector<WorkStudy> studies = study_pegs(true);
   ASSERT_EQ(studies.size(), 3u);
-  for (const WorkStudy& study : studies) expect_truer_than_voxels(study, 2);
+  for (const WorkStudy& study : studies) {
+    expect_truer_than_voxels(study, 2);
+    const auto of = [&](const char* method) {
+      return *std::ranges::find(study.points, std::string_view(method), &WorkPoint::method);
+    };
+    EXPECT_LT(of("triangles").error, of("constraint").error) << study.truth;
+  }
 }
 
 // The observer reads below the truth at every count size; booking whole counts reads above it, and what it is

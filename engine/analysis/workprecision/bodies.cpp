@@ -25,6 +25,11 @@ std::vector<std::shared_ptr<const DistanceField>> fields_of(const TriangleMesh& 
   return fields;
 }
 
+std::shared_ptr<const FeatureMesh> features_of(const TriangleMesh& mesh) {
+  const Result<Solid> solid = build_solid(mesh);
+  return std::make_shared<FeatureMesh>(solid->mesh, solid->neighbours);
+}
+
 Vec3 random_direction(std::mt19937_64& random) {
   std::uniform_real_distribution<double> along(-1, 1);
   while (true) {

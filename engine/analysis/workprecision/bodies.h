@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "haptics/bake/field_bake.h"
+#include "haptics/geometry/feature_mesh.h"
 #include "haptics/geometry/pointshell.h"
 
 namespace fulcrum::analysis::workprecision {
@@ -17,6 +18,8 @@ std::shared_ptr<const DistanceField> field_of(const TriangleMesh& mesh, double v
 
 std::vector<std::shared_ptr<const DistanceField>> fields_of(const TriangleMesh& mesh,
                                                             std::span<const double> voxels_mm);
+
+std::shared_ptr<const FeatureMesh> features_of(const TriangleMesh& mesh);
 
 Vec3 random_direction(std::mt19937_64& random);
 

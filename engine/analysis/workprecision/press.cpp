@@ -22,15 +22,11 @@ constexpr Response kResponses[] = {{"penalty", ContactResponse::penalty},
                                    {"static", ContactResponse::quasi_static},
                                    {"constraint", ContactResponse::constraint}};
 
-SceneDesc scene(const PressTask& task, ContactResponse response,
-                const std::shared_ptr<const DistanceField>& field, const Pose& start) {
+SceneDesc scene(const PressTask& task, ContactResponse response) {
   SceneDesc desc;
   desc.tool.mass = 0.1;
   desc.tool.inertia_T = Mat3::Identity() * 2e-5;
   desc.tool.weight = false;
-  desc.tool.X_WT_start = start;
-  desc.tool_shell = task.shell;
-  desc.scene_field = field;
   desc.velocity.kind = VelocityEstimatorKind::difference;
   desc.coupling = task.coupling;
   desc.integrator = Integrator::implicit_euler;  // contact keeps its stiffness
@@ -73,6 +69,20 @@ double error_while_held(World& world, const PressPlace& place, const DeviceSampl
   return mean_square;
 }
 
+WorkPoint measure(const std::string& method, double value, SceneDesc desc,
+                  const std::vector<PressPlace>& places, double arm) {
+  double sum = 0, us = 0;
+  for (const PressPlace& place : places) {
+    desc.tool.X_WT_start = place.X_WT_start;
+    World world = std::move(*World::build(desc));
+    DeviceSample sample;
+    us += press(world, place, sample);
+    sum += error_while_held(world, place, sample, arm);
+  }
+  const auto n = static_cast<double>(places.size());
+  return {method, value, std::sqrt(sum / n), us / n};
+}
+
 }  // namespace
 
 CouplingDesc straight_springs() {
@@ -86,17 +96,18 @@ void measure_presses(WorkStudy& study, const PressTask& task) {
   for (const auto& [name, response] : kResponses) {
     const std::vector<PressPlace>& places =
         response == ContactResponse::constraint ? task.rigid : task.springs;
+    SceneDesc desc = scene(task, response);
+    desc.tool_shell = task.shell;
     for (const auto& field : task.fields) {
-      double sum = 0, us = 0;
-      for (const PressPlace& place : places) {
-        World world = std::move(*World::build(scene(task, response, field, place.X_WT_start)));
-        DeviceSample sample;
-        us += press(world, place, sample);
-        sum += error_while_held(world, place, sample, task.arm);
-      }
-      const auto n = static_cast<double>(places.size());
-      study.points.push_back({name, 1e3 * field->voxel_m(), std::sqrt(sum / n), us / n});
+      desc.scene_field = field;
+      study.points.push_back(measure(name, 1e3 * field->voxel_m(), desc, places, task.arm));
     }
+  }
+  for (const FacetedBodies& bodies : task.faceted) {
+    SceneDesc desc = scene(task, ContactResponse::constraint);
+    desc.tool_features = bodies.tool;
+    desc.scene_features = bodies.scene;
+    study.points.push_back(measure("triangles", 1e3 * bodies.facet, desc, task.rigid, task.arm));
   }
   study.baseline = "voxel";
   measure_orders(study);
