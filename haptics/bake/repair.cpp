@@ -16,12 +16,17 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kCrack = 1e-5;        // of the soup's diagonal: what is nearer was meant to meet
-constexpr double kExported = 0.5e-6;   // m, likewise, as programs round; but
+constexpr double kCrack = 1e-5;        // of the diagonal; or more,
+constexpr double kExported = 0.5e-6;   // m, as programs round, and then at most
 constexpr double kWidestCrack = 1e-4;  // of the diagonal
 constexpr double kWidestHole = 0.25;   // of the body's diagonal
 constexpr double kSheet = 0.5;         // a side that sees this share of what the other sees is not inside
 constexpr std::size_t kTold = 5;       // holes and sheets each; the others together
+
+// m: what is nearer was meant to meet.
+double crack_width(double diagonal_m) {
+  return std::max(kCrack * diagonal_m, std::min(kExported, kWidestCrack * diagonal_m));
+}
 
 Box3 bounds_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   Box3 box;
@@ -71,8 +76,7 @@ private:
     Box3 box;
     for (const Triangle& corner : mesh().triangles)
       for (const std::uint32_t v : corner) box.extend(mesh().vertices[v]);
-    const double diagonal = box.diagonal().norm();
-    const double width = std::max(kCrack * diagonal, std::min(kExported, kWidestCrack * diagonal));
+    const double width = crack_width(box.diagonal().norm());
     Mended repeated;
     drop_repeated(repeated);
     const Mended dropped = drop_slivers(mesh(), width);
@@ -175,7 +179,7 @@ private:
                      " here): close it where the model was made, or give the surface thickness."};
       }
       mesh().triangles.insert(mesh().triangles.end(), fill.triangles.begin(), fill.triangles.end());
-      if (fill.width_m <= kCrack * diagonal[fill.rim.front()]) continue;
+      if (fill.width_m <= crack_width(diagonal[fill.rim.front()])) continue;
       if (told++ < kTold) {
         tell("A hole about " + spell_mm(fill.width_m) + " wide around " + spell(fill.place) +
              " has been filled: inside is a guess within " + spell_mm(reach_of(fill)) + " of it.");
