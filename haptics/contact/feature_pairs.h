@@ -39,8 +39,8 @@ public:
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
 
   // The pairs nearer than `reach` m, and those that have passed each other, with the tool at X_WT. False:
-  // there were more than fit, or more candidates of a kind than `most`; then
-  // what pairs() has is not all of it, or nothing.
+  // there were more than fit, or more candidates of a kind than `most`; then pairs() has not all of them, or
+  // none.
   bool look(const Pose& X_WT, double reach, std::size_t most = kMostCandidates) noexcept;
   std::span<const FeaturePair> pairs() const { return pairs_; }
   double least_gap() const { return least_gap_; }  // m, of the pairs; infinite: there are none

@@ -27,7 +27,7 @@ namespace fulcrum {
 struct PlainScene {
   double tick_s = 1e-3;
   ToolDesc tool;
-  // Both or neither: contact by points.
+  // Both or neither: contact on points. On triangles impacts alone read the field.
   std::shared_ptr<const Pointshell> tool_shell;
   std::shared_ptr<const DistanceField> scene_field;
   // For a constraint, both or neither: what of the scene could go in between the shell's points, against the

@@ -16,6 +16,7 @@
 #include "haptics/world/world.h"
 #include "tests/parts/exact_depth.h"
 #include "tests/parts/fits.h"
+#include "tests/parts/in_hand.h"
 
 namespace fulcrum::parts {
 namespace {
@@ -23,24 +24,9 @@ namespace {
 constexpr double kAsked = 10e-6;  // m
 
 SceneDesc on_triangles(const Fit& fit) {
-  SceneDesc desc;
-  const Result<Solid> tool = build_solid(fit.tool_T), scene = build_solid(fit.scene_W);
-  EXPECT_TRUE(tool && scene) << fit.name;
-  desc.tool_features = std::make_shared<const FeatureMesh>(tool->mesh, tool->neighbours);
-  desc.scene_features = std::make_shared<const FeatureMesh>(scene->mesh, scene->neighbours);
+  SceneDesc desc = in_hand(fit.tool_T, fit.scene_W);
   desc.tool.X_WT_start = fit.X_WT;
-  desc.tool.weight = false;
-  desc.device.kinematics = Kinematics::none;
-  desc.device.renders_force = false;
-  desc.device.senses_rotation = true;
   return desc;
-}
-
-StepResult tick(World& world, const SceneDesc& desc, const Pose& X_WT) {
-  DeviceSample sample;
-  sample.X_DH = desc.mapping.handle_in_device(X_WT * desc.tool.X_HT.inverse());
-  sample.connected = true;
-  return step(world, sample, {});
 }
 
 // ticks: of each hand. every: which of them are judged.

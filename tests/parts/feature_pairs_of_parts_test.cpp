@@ -12,19 +12,14 @@
 #include "haptics/math/split_mix.h"
 #include "tests/parts/exact_depth.h"
 #include "tests/parts/fits.h"
+#include "tests/parts/in_hand.h"
 
 namespace fulcrum::parts {
 namespace {
 
-std::shared_ptr<const FeatureMesh> features(const TriangleMesh& mesh) {
-  const Result<Solid> solid = build_solid(mesh);
-  EXPECT_TRUE(solid);
-  return std::make_shared<const FeatureMesh>(solid->mesh, solid->neighbours);
-}
-
 void look_at(const Fit& fit, int poses) {
   constexpr double kSeen = 3e-6, kDeepest = 40e-6;  // m, of the depths that are looked at
-  FeaturePairs pairs(features(fit.tool_T), features(fit.scene_W));
+  FeaturePairs pairs(features_of(fit.tool_T), features_of(fit.scene_W));
   const ExactDepth judge(fit.tool_T, fit.scene_W, 0.4e-3);
   double radius = 0;  // m, of the tool
   for (const Vec3& p : fit.tool_T.vertices) radius = std::max(radius, p.norm());

@@ -12,6 +12,7 @@
 #include "haptics/math/rotation.h"
 #include "haptics/world/world.h"
 #include "tests/parts/flat.h"
+#include "tests/parts/in_hand.h"
 
 namespace fulcrum::parts {
 namespace {
@@ -22,32 +23,14 @@ constexpr double kStiffness = 800;  // N/m
 // A tool on a scene, in a hand that pulls by springs alone, far below where they saturate.
 SceneDesc rubbing(const TriangleMesh& tool_T, const TriangleMesh& scene_W, double friction,
                   double angular_stiffness) {
-  SceneDesc desc;
-  const auto features = [](const TriangleMesh& mesh) {
-    const Result<Solid> solid = build_solid(mesh);
-    EXPECT_TRUE(solid) << solid.error().sentence;
-    return std::make_shared<const FeatureMesh>(solid->mesh, solid->neighbours);
-  };
-  desc.tool_features = features(tool_T);
-  desc.scene_features = features(scene_W);
-  desc.tool.weight = false;
+  SceneDesc desc = in_hand(tool_T, scene_W);
   desc.contact.friction = friction;
   desc.coupling = {.stiffness = kStiffness,
                    .angular_stiffness = angular_stiffness,
                    .damping_ratio = 0,
                    .max_force = 5000,
                    .max_torque = 500};
-  desc.device.kinematics = Kinematics::none;
-  desc.device.renders_force = false;
-  desc.device.senses_rotation = true;
   return desc;
-}
-
-TickRecord tick_once(World& world, const SceneDesc& desc, const Pose& X_WT) {
-  DeviceSample sample;
-  sample.X_DH = desc.mapping.handle_in_device(X_WT * desc.tool.X_HT.inverse());
-  sample.connected = true;
-  return step(world, sample, {}).record;
 }
 
 TriangleMesh block(const Vec2& size, double low, double high) {
@@ -68,15 +51,15 @@ TEST(FrictionOnTriangles, HoldsABlockUpToItsCone) {
     ASSERT_TRUE(world) << world.error().sentence;
     const double depth = 2e-3, cone = coefficient * depth;  // m of the coupling's offset
     TickRecord record;
-    for (int i = 0; i < 100; ++i) record = tick_once(*world, desc, {Quat::Identity(), {0, 0, -depth}});
+    for (int i = 0; i < 100; ++i) record = tick(*world, desc, {Quat::Identity(), {0, 0, -depth}}).record;
     const Vec3 begin = record.X_WT.p;
     for (int i = 0; i < 400; ++i)
       record =
-          tick_once(*world, desc, {Quat::Identity(), {std::min(1.0, i / 100.0) * 0.9 * cone, 0, -depth}});
+          tick(*world, desc, {Quat::Identity(), {std::min(1.0, i / 100.0) * 0.9 * cone, 0, -depth}}).record;
     EXPECT_LT((record.X_WT.p - begin).norm(), 1e-6) << coefficient;
     for (int i = 0; i < 600; ++i)
-      record = tick_once(*world, desc,
-                         {Quat::Identity(), {0.9 * cone + 1e-2 * cone * i, 1e-2 * cone * i, -depth}});
+      record = tick(*world, desc, {Quat::Identity(), {0.9 * cone + 1e-2 * cone * i, 1e-2 * cone * i, -depth}})
+                   .record;
     const Vec3 lag = Vec3((0.9 + 5.99) * cone, 5.99 * cone, 0) - record.X_WT.p;
     EXPECT_NEAR(std::hypot(lag.x(), lag.y()), cone, 0.02 * cone) << coefficient;
     EXPECT_NEAR(record.contact_F_T_W.force.z(), kStiffness * depth, 0.01 * kStiffness * depth);
@@ -98,7 +81,7 @@ TEST(FrictionOnTriangles, HoldsABlockOnASlopeUpToItsAngle) {
     ASSERT_TRUE(world) << world.error().sentence;
     TickRecord record;
     for (int i = 0; i < 600; ++i)
-      record = tick_once(*world, desc, {tilt, Vec3(0, 0, -depth * std::min(1.0, i / 200.0))});
+      record = tick(*world, desc, {tilt, Vec3(0, 0, -depth * std::min(1.0, i / 200.0))}).record;
     const double slid = (tilt.conjugate() * record.X_WT.p).x();
     const double truth = depth * std::max(0.0, std::sin(angle) - coefficient * std::cos(angle));
     EXPECT_NEAR(slid, truth, 2e-6 + 0.01 * truth) << degrees;
@@ -113,10 +96,10 @@ TEST(FrictionOnTriangles, HoldsADiscUpToItsTorque) {
   ASSERT_TRUE(world) << world.error().sentence;
   constexpr double most = coefficient * kStiffness * depth * R;
   TickRecord record;
-  for (int i = 0; i < 100; ++i) record = tick_once(*world, desc, {Quat::Identity(), {0, 0, -depth}});
+  for (int i = 0; i < 100; ++i) record = tick(*world, desc, {Quat::Identity(), {0, 0, -depth}}).record;
   for (int i = 1; i <= 300; ++i) {
     const double angle = 2 * most / k_R * i / 300;
-    record = tick_once(*world, desc, {quaternion_exp(Vec3(0, 0, angle)), {0, 0, -depth}});
+    record = tick(*world, desc, {quaternion_exp(Vec3(0, 0, angle)), {0, 0, -depth}}).record;
     ASSERT_NEAR(record.coupling_F_T_W.torque.z(), std::min(most, k_R * angle), 0.01 * most) << i;
   }
 }
@@ -139,7 +122,7 @@ TEST(FrictionOnTriangles, ASleeveJamsWhereItsLoadIsFarOff) {
     for (int i = 0; i < 1000; ++i) {  // tipped first, and then pulled
       const double tipped = std::min(1.0, i / 100.0), pulled = std::clamp((i - 200) / 200.0, 0.0, 1.0);
       const Pose goal{quaternion_exp(Vec3(0, tipped * torque / k_R, 0)), {0, 0, -pulled * load / kStiffness}};
-      record = tick_once(*world, desc, goal);
+      record = tick(*world, desc, goal).record;
     }
     const double M = std::abs(record.coupling_F_T_W.torque.y()), F = -record.coupling_F_T_W.force.z();
     EXPECT_NEAR(F, std::min(load, 2 * coefficient * M / L), 0.02 * load) << torque;

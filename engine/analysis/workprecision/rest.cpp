@@ -70,14 +70,14 @@ WorkStudy study_rest(bool quick) {
       "roller on a knife edge",
       "A roller of 4 mm radius lies across a knife edge and is pressed 1 mm beyond it, under the response "
       "constraint, at places and rolls that share nothing with its points: F = x / (1 / k + a² / k_R), where "
-      "a is how far from its middle. Between the points the edge goes in, and the roller's own roundness "
-      "stands out. Even: points at that spacing. Deviation: "
-      "more of them, so that the surface stands out by at most 0.05 mm (shell.deviation). Edges: and the "
+      "a is how far the edge is from its middle. Between the points the edge goes in, and the roller's own "
+      "roundness stands out. Even: points at that spacing. Deviation: more of them, so that the surface "
+      "stands out by at most 0.05 mm (shell.deviation). Edges: and the "
       "knife's edge, in points 0.5 mm apart, against a field of the roller (contact.edges). Triangles: "
       "contact.surface, on a roller of so many facets, whose roundness is what it errs by, of order 2, down "
-      "to 0.002, which the truth leaves out: where the roller tips, what it is pushed by leans, too. The "
-      "error "
-      "is root mean square over the places, of the truth; the work is a tick while the hand presses in.",
+      "to 0.002, which the truth leaves out: where the roller tips, what it is pushed by leans, too. "
+      "The error is root mean square over the places, of the truth; the work is a tick while the hand "
+      "presses in.",
       "spacing of points, or facet (mm)",
       "",
       {},
