@@ -12,15 +12,18 @@
 namespace fulcrum::app {
 namespace {
 
-class TouchesTest : public testing::Test {
-protected:
-  const std::optional<Prepared> stick_ = prepare("stick", std::vector<std::string>());
+struct Touched {
+  std::string scenario;
+  std::vector<std::string> overrides;
 };
 
-TEST_F(TouchesTest, AreWhereTheTickFoundThem) {
-  ASSERT_TRUE(stick_);
-  World world = std::move(*World::build(stick_->haptic.scene));
-  const std::unique_ptr<SimulatedDevice> device = std::move(*simulated_device(*stick_, "expert"));
+class TouchesTest : public testing::TestWithParam<Touched> {};
+
+TEST_P(TouchesTest, AreWhereTheTickFoundThem) {
+  const std::optional<Prepared> prepared = prepare(GetParam().scenario, GetParam().overrides);
+  ASSERT_TRUE(prepared);
+  World world = std::move(*World::build(prepared->haptic.scene));
+  const std::unique_ptr<SimulatedDevice> device = std::move(*simulated_device(*prepared, "expert"));
   TouchFinder finder(world.desc());
   int touched = 0, free = 0;
   for (int tick = 0; tick < 12'000; ++tick) {
@@ -31,12 +34,13 @@ TEST_F(TouchesTest, AreWhereTheTickFoundThem) {
       ++free;
       EXPECT_TRUE(finder.find(event.record).empty());
     }
-    // One region, pressed firmly.
+    // One region, pressed firmly; a hand that leaves it in haste is held back by the coupling's damping.
     if (pushed < 0.3 || world.regions().size() != 1) continue;
+    const ContactRegion& region = world.regions()[0];
+    if (region.nhat_W.dot(event.record.contact_F_T_W.force) < 0.8 * pushed) continue;
     ++touched;
     const std::vector<Touch> touches = finder.find(event.record);
     ASSERT_FALSE(touches.empty()) << tick;
-    const ContactRegion& region = world.regions()[0];
     EXPECT_LT((touches[0].p_W - region.p_W).norm(), 1.5e-3) << tick;
     EXPECT_GT(touches[0].nhat_W.dot(region.nhat_W), 0.99) << tick;
     EXPECT_NEAR(touches[0].force, pushed, 0.05 * pushed) << tick;
@@ -45,9 +49,15 @@ TEST_F(TouchesTest, AreWhereTheTickFoundThem) {
   EXPECT_GT(free, 200);
 }
 
-TEST_F(TouchesTest, OfARecordWithoutSenseThereAreNone) {
-  ASSERT_TRUE(stick_);
-  TouchFinder finder(stick_->haptic.scene);
+INSTANTIATE_TEST_SUITE_P(All, TouchesTest,
+                         testing::Values(Touched{"stick", {}},
+                                         Touched{"plate", {"contact.surface=triangles"}}),
+                         [](const auto& each) { return each.param.scenario; });
+
+TEST(Touches, OfARecordWithoutSenseThereAreNone) {
+  const std::optional<Prepared> stick = prepare("stick", std::vector<std::string>());
+  ASSERT_TRUE(stick);
+  TouchFinder finder(stick->haptic.scene);
   TickRecord record;
   record.contact_F_T_W.force = Vec3(0, 1, 0);
   record.X_WT.p = Vec3(0, 50, 0);

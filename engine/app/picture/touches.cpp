@@ -11,6 +11,7 @@ namespace {
 // m: a tick ends where springs still press or where a constraint has slid along what it touched.
 constexpr double kMargin = 200e-6;
 constexpr int kRounds = 60;           // of the descent, over all contacts
+constexpr double kArm = 10;           // of the tool's radius: torque counts by the force that it takes there
 constexpr double kLeastShare = 0.01;  // of the hardest: less is no touch
 constexpr double kLeastForce = 1e-4;  // N, likewise
 
@@ -19,13 +20,13 @@ using Row = Eigen::Matrix<double, 6, 1>;
 // (n) N, one for each contact. Coordinate descent: each force in turn is the best one, the others being what
 // they are.
 std::array<double, kMaxContacts> share(std::span<const Contact> contacts, const TickRecord& record,
-                                       double radius) {
+                                       double arm) {
   std::array<Row, kMaxContacts> rows;
   std::array<double, kMaxContacts> force{};
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    rows[i] << contacts[i].nhat_W, Vec3(contacts[i].p_W - record.X_WT.p).cross(contacts[i].nhat_W) / radius;
+    rows[i] << contacts[i].nhat_W, Vec3(contacts[i].p_W - record.X_WT.p).cross(contacts[i].nhat_W) / arm;
   Row left;
-  left << record.contact_F_T_W.force, record.contact_F_T_W.torque / radius;
+  left << record.contact_F_T_W.force, record.contact_F_T_W.torque / arm;
   for (int round = 0; round < kRounds; ++round)
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const double best = std::max(0.0, force[i] + rows[i].dot(left) / rows[i].squaredNorm());
@@ -47,7 +48,7 @@ std::optional<ContactQuery> edge_query(const PlainScene& scene) {
 }  // namespace
 
 TouchFinder::TouchFinder(const PlainScene& scene)
-    : radius_(std::max(tool_radius(scene), 1e-6)),
+    : arm_(kArm * std::max(tool_radius(scene), 1e-6)),
       margin_(kMargin),
       edges_(edge_query(scene)),
       regions_(scene.contact.region_radius) {
@@ -82,7 +83,7 @@ std::vector<Touch> TouchFinder::find(const TickRecord& record) {
   if (!(pushed > kLeastForce) || !std::isfinite(pushed) || !record.X_WT.is_finite()) return {};
   look(record.X_WT);
   const std::span<const Contact> contacts = contacts_.contacts();
-  const std::array<double, kMaxContacts> force = share(contacts, record, radius_);
+  const std::array<double, kMaxContacts> force = share(contacts, record, arm_);
   const std::span<const std::uint16_t> region_of = regions_.find(contacts);
   std::vector<Touch> all(kMaxRegions);
   for (std::size_t i = 0; i < contacts.size(); ++i) {

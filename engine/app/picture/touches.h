@@ -3,8 +3,10 @@
 // the whole wrench of contact and not its places, so these are looked for again at the pose that it left, and
 // the wrench is shared among them: normal forces f_i >= 0 that come nearest to it,
 //     min | sum_i f_i [nhat_i; (p_i - p_WT) x nhat_i / r] - [f; tau / r] |^2
-// (C. L. Lawson, R. J. Hanson, "Solving Least Squares Problems", 1974, chapter 23), r the tool's radius. What
-// is left over is friction. Nothing of it is in a tick: a scene pays for it only while it is shown.
+// (C. L. Lawson, R. J. Hanson, "Solving Least Squares Problems", 1974, chapter 23). r is long, ten times the
+// tool's radius: the force is to be what was felt, and the torque, which has the coupling's damping in it,
+// tells where. What is left over is friction. Nothing of it is in a tick: a scene pays for it only while it
+// is shown.
 
 #include <optional>
 #include <vector>
@@ -34,7 +36,7 @@ public:
 private:
   void look(const Pose& X_WT);
 
-  double radius_;                         // m, of the tool
+  double arm_;                            // m, r
   double margin_;                         // m, farther from the scene nothing touches
   std::optional<FeaturePairs> features_;  // where contact is measured on triangles; else:
   std::optional<ContactQuery> query_;
