@@ -1,61 +1,70 @@
 #include "haptics/contact/feature_pairs.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
-#include "haptics/math/rotation.h"
+#include "haptics/geometry/bounds-inl.h"
 
 namespace fulcrum {
 namespace {
 
-constexpr double kLevel = 1e-9;    // m, what lies this far beyond a plane lies on it
-constexpr double kGathered = 1.5;  // over the reach of a look: how far off the candidates are gathered
-constexpr double kLeastGathered = 100e-6;  // m, and at least
-constexpr double kNoSlack = 1e-6;          // rad, of rounding
-constexpr double kTurn = 0.02;  // rad, a tool that has turned farther has its candidates gathered anew
-constexpr double kAlmostParallel = 0.2;   // sine of the angle between two edges
-constexpr double kAboveFirstOrder = 1.1;  // how much faster than in the limit of small turns
+constexpr double kLevel = 1e-9;  // m, what lies this far beyond a plane lies on it
+// Candidates are gathered along as many ways ahead as will be gone, and beside them.
+constexpr double kMostWays = 8;
+constexpr double kLongestWay = 2e-3;       // m, of all of these
+constexpr double kGone = 0.6;              // of them: who came so far went along them
+constexpr double kBegun = 0.1;             // of them: then the next gathering begins
+constexpr std::size_t kLeastVisits = 256;  // in a look, of the next gathering
+constexpr double kLeastBeside = 0.5;       // of a way ahead: how far beside, at least
+constexpr double kWidening = 1.05;         // each time: how fast this may grow again where there was too much
+constexpr double kLeastWay = 50e-6, kLongWay = 250e-6;  // m, what a way ahead counts as, at least and at most
+constexpr double kLeastTurn = 0.02;    // rad, a turn ahead likewise, if that is less than the least way
+constexpr double kMostTurns = 5;       // and at most so many of it
+constexpr std::size_t kEnough = 8192;  // candidates of a kind: more are too much
+constexpr std::size_t kFew = 128;      // candidates: so few are gathered from farther around the next time
+constexpr double kMostRoom = 2e-3;     // m, and at most from so far
+constexpr double kUnmoved = 1e-8;      // m and rad, around a look that must do with what it needs
+constexpr double kParallel = 1e-12;    // squared sine of the angle between edges
+constexpr double kResting = 1e-8;      // m
+constexpr double kNoSlack = 1e-6;      // rad, of rounding
 enum Kind : std::uint64_t { kVertexFace, kVertexEdge, kVertexVertex, kFaceVertex, kEdgeVertex, kEdgeEdge };
 
 struct ClosestOfEdges {
-  double s = 0, t = 0;    // 0 to 1 along either
-  bool crossing = false;  // no parallels, of which the ends tell
+  double s = 0, t = 0;  // along either, 0 to 1 between its ends
 };
 
+// Of two lines that are not parallel.
 ClosestOfEdges closest_of_edges(const Vec3& a0, const Vec3& u, const Vec3& b0, const Vec3& v) {
   const Vec3 w = a0 - b0;
   const double a = u.dot(u), b = u.dot(v), c = v.dot(v), d = u.dot(w), e = v.dot(w);
   const double determinant = a * c - b * b;
-  if (!(determinant > 1e-12 * a * c)) return {};
-  return {(b * e - c * d) / determinant, (a * e - b * d) / determinant, true};
+  return {(b * e - c * d) / determinant, (a * e - b * d) / determinant};
 }
 
-unsigned lowest_bit(unsigned bits) {
-  return static_cast<unsigned>(std::countr_zero(bits));
-}
-
-// m^2: of the segments from a0 along u and from b0 along v, ends included.
-double squared_distance_of_edges(const Vec3& a0, const Vec3& u, const Vec3& b0, const Vec3& v) {
-  const ClosestOfEdges lines = closest_of_edges(a0, u, b0, v);
-  if (lines.crossing && lines.s >= 0 && lines.s <= 1 && lines.t >= 0 && lines.t <= 1)
-    return (a0 + lines.s * u - b0 - lines.t * v).squaredNorm();
-  const auto of_end = [](const Vec3& p, const Vec3& from, const Vec3& along) {
-    const double part = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (p - from - part * along).squaredNorm();
+// m, from the one segment to the other where an end of one is nearest to the other.
+Vec3 between_ends(const Vec3& a0, const Vec3& u, const Vec3& b0, const Vec3& v) {
+  const auto from_end = [](const Vec3& p, const Vec3& from, const Vec3& along) -> Vec3 {
+    return p - from - std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
   };
-  return std::min(std::min(of_end(a0, b0, v), of_end(a0 + u, b0, v)),
-                  std::min(of_end(b0, a0, u), of_end(b0 + v, a0, u)));
+  Vec3 nearest = from_end(a0, b0, v);
+  for (const Vec3& other :
+       {from_end(a0 + u, b0, v), Vec3(-from_end(b0, a0, u)), Vec3(-from_end(b0 + v, a0, u))})
+    if (other.squaredNorm() < nearest.squaredNorm()) nearest = other;
+  return nearest;
 }
 
-// Whether the segment goes through the triangle.
+// Whether the segment goes through the triangle, by more than kResting on either side and within its rim:
+// what rests on it may be in by rounding.
 bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& nhat) {
   const double from = nhat.dot(p - a), to = nhat.dot(q - a);
-  if (!(from * to < 0)) return false;
+  if (!(std::min(from, to) < -kResting && std::max(from, to) > kResting)) return false;
   const Vec3 x = p + (q - p) * (from / (from - to));
-  return nhat.dot((b - a).cross(x - a)) > 0 && nhat.dot((c - b).cross(x - b)) > 0 &&
-         nhat.dot((a - c).cross(x - c)) > 0;
+  const auto is_within = [&](const Vec3& of, const Vec3& next) {
+    const Vec3 along = next - of;
+    return nhat.dot(along.cross(x - of)) > kResting * along.norm();
+  };
+  return is_within(a, b) && is_within(b, c) && is_within(c, a);
 }
 
 // Whether a point at that height is above or below the face, or beyond it where the surface rises.
@@ -89,182 +98,148 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
                            std::shared_ptr<const FeatureMesh> scene_W)
     : tool_(std::move(tool_T)),
       scene_(std::move(scene_W)),
-      tool_vertices_(tool_->vertex_tree()),
-      tool_edges_(tool_->edge_tree()),
-      tool_faces_(tool_->face_tree()) {
-  for (std::vector<Candidate>* candidates : {&vertex_faces_, &face_vertices_, &edge_edges_})
-    candidates->reserve(kMostCandidates);
-  pairs_.reserve(kMostPairs);
+      places_(tool_->vertices().size()),
+      room_(kLeastWay),
+      gathering_(std::make_unique<FeatureGathering>(*tool_, *scene_, kMostTurn, kDeepest)),
+      next_(std::make_unique<FeatureGathering>(*tool_, *scene_, kMostTurn, kDeepest)),
+      crossing_look_(tool_->face_tree().groups().size()),
+      crossing_W_(tool_->face_tree().groups().size()) {
+  // The memory is there before the first tick.
+  pairs_.resize(kMostPairs);
+  pairs_.clear();
 }
 
-bool FeaturePairs::look(const Pose& X_WT, double reach, std::size_t most) noexcept {
-  odometer_ += way(X_WT_, X_WT);
+bool FeaturePairs::look(const Pose& X_WT, const Vec6& ahead, double reach, std::size_t most) noexcept {
+  const ToolWay way{.X_WT = X_WT, .step = ahead};
+  ++looks_;
   X_WT_ = X_WT;
   R_WT_ = X_WT.q.toRotationMatrix();
-  reach_ = reach;
-  most_ = std::min(most, kMostCandidates);
+  X_WT_ahead_ = way.at(1);
+  R_WT_ahead_ = X_WT_ahead_.q.toRotationMatrix();
+  ahead_ = ahead;
+  // A point that turns goes along an arc, which is this much off its chord.
+  reach_ = reach + ahead.tail<3>().squaredNorm() * tool_->radius() / 8;
+  deepest_ = std::max(reach_, kDeepest);
   complete_ = true;
   pairs_.clear();
   least_gap_ = std::numeric_limits<double>::infinity();
-  // As long as what was gathered holds all that can have come within reach, or in.
-  const bool holds = gathered_ && gathered_reach_ >= std::max(reach_, kDeepest) + way(X_WT_gathered_, X_WT) &&
-                     angle_between(X_WT_gathered_.q, X_WT.q) < kTurn;
-  if (!holds) {
-    gathered_reach_ = std::max(kGathered * reach_, kLeastGathered);
-    X_WT_gathered_ = X_WT;
-    R_WT_gathered_ = R_WT_;
-    gather();
-    if (!complete_) {
-      gathered_ = false;
-      return false;
-    }
+  if (!(gathering_->is_done() && covers(*gathering_)) && !gather(most)) return complete_ = false;
+  for (FeatureCandidate& candidate : gathering_->candidates(FeatureGathering::kVertexFace))
+    if (!candidate.is_apart(now_, then_, reach_) && !is_apart(candidate, {&candidate.tool, 1}))
+      vertex_on_face(candidate);
+  for (FeatureCandidate& candidate : gathering_->candidates(FeatureGathering::kFaceVertex))
+    if (!candidate.is_apart(now_, then_, reach_) &&
+        !is_apart(candidate, tool_->faces()[candidate.tool].corners))
+      face_on_vertex(candidate);
+  for (FeatureCandidate& candidate : gathering_->candidates(FeatureGathering::kEdgeEdge)) {
+    if (candidate.is_apart(now_, then_, reach_)) continue;
+    const FeatureMesh::Edge& edge = tool_->edges()[candidate.tool];
+    if (!is_apart(candidate, std::array{edge.from, edge.to})) edge_on_edge(candidate);
   }
-  const double due = odometer_ + reach_;
-  for (Candidate& candidate : vertex_faces_)
-    if (!(candidate.due > due)) vertex_on_face(candidate);
-  for (Candidate& candidate : face_vertices_)
-    if (!(candidate.due > due)) face_on_vertex(candidate);
-  for (Candidate& candidate : edge_edges_)
-    if (!(candidate.due > due)) edge_on_edge(candidate);
-  if (!holds) {
-    const double out = odometer_ + gathered_reach_;
-    for (std::vector<Candidate>* candidates : {&vertex_faces_, &face_vertices_, &edge_edges_})
-      std::erase_if(*candidates, [out](const Candidate& candidate) { return candidate.due > out; });
-    gathered_ = complete_;
-  }
+  gather_next();
   return complete_;
 }
 
 bool FeaturePairs::none_near() const {
-  return complete_ && vertex_faces_.empty() && face_vertices_.empty() && edge_edges_.empty();
+  return complete_ && gathering_->candidates(FeatureGathering::kVertexFace).empty() &&
+         gathering_->candidates(FeatureGathering::kFaceVertex).empty() &&
+         gathering_->candidates(FeatureGathering::kEdgeEdge).empty();
 }
 
-double FeaturePairs::way(const Pose& from, const Pose& to) const noexcept {
-  return (to.p - from.p).norm() + angle_between(to.q, from.q) * tool_->radius() + kLevel;
+// Whether the gathering's candidates are all that can have come within reach, or in.
+bool FeaturePairs::covers(const FeatureGathering& gathering) noexcept {
+  now_ = gathering.way().place(X_WT_, tool_->radius());
+  then_ = gathering.way().place(X_WT_ahead_, tool_->radius());
+  return gathering.covers(now_, then_, deepest_);
 }
 
-void FeaturePairs::keep(std::vector<Candidate>& candidates, std::uint32_t tool,
-                        std::uint32_t scene) noexcept {
-  if (candidates.size() == most_)
-    complete_ = false;
-  else
-    candidates.push_back({tool, scene, odometer_});
-}
-
-void FeaturePairs::gather() noexcept {
-  vertex_faces_.clear();
-  face_vertices_.clear();
-  edge_edges_.clear();
-  ++gathering_;
-  const FeatureMesh &tool = *tool_, &scene = *scene_;
-  // A face's own normal, or one of its edges' or corners'.
-  const auto of_face = [&](const FeatureMesh& mesh, const FeatureMesh::Face& face, bool corners,
-                           const auto& is_opposed) {
-    if (is_opposed(NormalCone(face.nhat))) return true;
-    for (unsigned i = 0; i < 3; ++i) {
-      const FeatureMesh::Edge& edge = mesh.edges()[face.edges[i]];
-      if ((face.own_edges >> i & 1u) != 0 && (edge.convex || edge.flat) &&
-          is_opposed(mesh.edge_normals()[face.edges[i]]))
-        return true;
-      const NormalCone& corner = mesh.vertex_normals()[face.corners[i]];
-      if (corners && (face.own_corners >> i & 1u) != 0 && !corner.none() && is_opposed(corner)) return true;
+bool FeaturePairs::gather(std::size_t most) noexcept {
+  const bool went = now_.part > kGone;
+  widest_ = std::min(kWidening * widest_, kMostWays);
+  ways_ = std::clamp((went ? 1.5 : 0.5) * ways_, 1.0, kMostWays);
+  beside_ = std::clamp((went ? 0.5 : 2) * beside_, kLeastBeside, widest_);
+  if (next_->is_begun() && covers(*next_)) {
+    next_->go_on();
+    if (next_->is_done()) {
+      std::swap(gathering_, next_);
+      next_->give_up();
+      make_room();
+      return true;
     }
-    return false;
-  };
-  gather_kind(
-      tool_vertices_, scene.face_tree(), kMostTurn + kTurn,
-      [&](std::uint32_t v, std::uint32_t g) {
-        const FeatureMesh::Face& face = scene.faces()[g];
-        const NormalCone& of_vertex = tool.vertex_normals()[v];
-        const Vec3 axis_W = R_WT_ * of_vertex.axis();
-        if (!of_face(
-                scene, face, true,
-                [&](const NormalCone& cone) {
-                  return of_vertex.opposes(axis_W, cone, tool_vertices_.slack);
-                }))
-          return;
-        keep(vertex_faces_, v, g);
-      });
-  gather_kind(tool_faces_, scene.vertex_tree(), kMostTurn + kTurn, [&](std::uint32_t f, std::uint32_t v) {
-    const FeatureMesh::Face& face = tool.faces()[f];
-    const NormalCone& of_vertex = scene.vertex_normals()[v];
-    const Vec3 axis_T = R_WT_.transpose() * of_vertex.axis();
-    if (!of_face(tool, face, false,
-                 [&](const NormalCone& cone) { return of_vertex.opposes(axis_T, cone, tool_faces_.slack); }))
-      return;
-    keep(face_vertices_, f, v);
-  });
-  // Both edges of a pair may be off by kMostTurn.
-  gather_kind(tool_edges_, scene.edge_tree(), 2 * kMostTurn + kTurn, [&](std::uint32_t e, std::uint32_t k) {
-    if (could_oppose(tool.edges()[e], scene.edges()[k])) keep(edge_edges_, e, k);
-  });
-}
-
-// Whether the common perpendicular of two edges can be a normal of both before the tool has turned by kTurn.
-// It turns faster than they do, and of edges that are almost parallel a lot faster.
-bool FeaturePairs::could_oppose(const FeatureMesh::Edge& of_tool,
-                                const FeatureMesh::Edge& of_scene) const noexcept {
-  const Vec3 u = R_WT_ * (tool_->vertices()[of_tool.to] - tool_->vertices()[of_tool.from]);
-  const Vec3 v = scene_->vertices()[of_scene.to] - scene_->vertices()[of_scene.from];
-  const Vec3 across = u.cross(v);
-  const double sine = std::sqrt(across.squaredNorm() / (u.squaredNorm() * v.squaredNorm()));
-  if (sine < kAlmostParallel) return true;
-  const Vec3 nhat = across.normalized();
-  const double slack = kMostTurn + kTurn * (1 + kAboveFirstOrder / sine);
-  const auto opposes = [&](double sign) {
-    return on_side(of_scene.across, nhat, -sign, slack) &&
-           on_side(of_tool.across, R_WT_.transpose() * nhat, sign, slack);
-  };
-  return opposes(1) || opposes(-1);
-}
-
-FeaturePairs::Posed::Posed(const FeatureTree& tree)
-    : groups(tree.groups()), gathering(groups.size()), bounds_W(groups.size()) {}
-
-const Bounds4& FeaturePairs::pose(Posed& tool, std::uint32_t group) noexcept {
-  Bounds4& bounds_W = tool.bounds_W[group];
-  if (tool.gathering[group] == gathering_) return bounds_W;
-  tool.gathering[group] = gathering_;
-  bounds_W = tool.groups[group].bounds.moved(R_WT_gathered_, X_WT_gathered_.p, gathered_reach_, tool.slack);
-  return bounds_W;
-}
-
-template <class Take>
-void FeaturePairs::gather_kind(Posed& tool, const FeatureTree& scene, double slack,
-                               const Take& take) noexcept {
-  if (tool.groups.empty() || scene.groups().empty()) return;
-  tool.slack = NormalCone(Vec3::UnitX(), slack);
-  const Bounds4& all = pose(tool, 0);
-  for (unsigned i = 0; i < 4; ++i)
-    for (unsigned meeting = scene.groups()[0].bounds.meeting(all[i]); meeting != 0; meeting &= meeting - 1)
-      descend(tool, scene, {0, i}, {0, lowest_bit(meeting)}, take);
-}
-
-// Two lanes that meet.
-template <class Take>
-void FeaturePairs::descend(Posed& tool, const FeatureTree& scene, Lane of_tool, Lane of_scene,
-                           const Take& take) noexcept {
-  const std::uint32_t tool_child = tool.groups[of_tool.group].children[of_tool.lane],
-                      scene_child = scene.groups()[of_scene.group].children[of_scene.lane];
-  const bool tool_ends = (tool_child & FeatureTree::kFeature) != 0,
-             scene_ends = (scene_child & FeatureTree::kFeature) != 0;
-  if (tool_ends && scene_ends) {
-    take(tool_child ^ FeatureTree::kFeature, scene_child ^ FeatureTree::kFeature);
-    return;
   }
-  const Bounds tool_W = tool.bounds_W[of_tool.group][of_tool.lane],
-               scene_W = scene.groups()[of_scene.group].bounds[of_scene.lane];
-  const bool splits_scene = tool_ends || (!scene_ends && scene_W.size() > tool_W.size());
-  unsigned meeting = splits_scene ? scene.groups()[scene_child].bounds.meeting(tool_W)
-                                  : pose(tool, tool_child).meeting(scene_W);
-  for (; meeting != 0; meeting &= meeting - 1) {
-    if (!complete_) return;
-    const unsigned lane = lowest_bit(meeting);
-    if (splits_scene)
-      descend(tool, scene, of_tool, {scene_child, lane}, take);
-    else
-      descend(tool, scene, {tool_child, lane}, of_scene, take);
+  next_->give_up();
+  return gather_around(most) && covers(*gathering_);
+}
+
+// Far along the way ahead if the last one was gone, else wide around; narrower where there is too much.
+bool FeaturePairs::gather_around(std::size_t most) noexcept {
+  for (;; ways_ = std::max(1.0, 0.5 * ways_), beside_ = widest_ = std::max(kLeastBeside, 0.5 * beside_)) {
+    gathering_->begin(way_from(X_WT_), std::min(most, kEnough));
+    gathering_->go_on();
+    if (gathering_->is_done()) {
+      make_room();
+      return true;
+    }
+    room_ = kLeastWay;
+    if (!(ways_ > 1 || beside_ > kLeastBeside)) break;
   }
+  gathering_->begin({X_WT_, ahead_, deepest_ + kUnmoved, kUnmoved}, most);
+  gathering_->go_on();
+  return gathering_->is_done();
+}
+
+// Where there is little it costs little to gather it from farther around, for longer.
+void FeaturePairs::make_room() noexcept {
+  std::size_t count = 0;
+  for (const auto kind :
+       {FeatureGathering::kVertexFace, FeatureGathering::kFaceVertex, FeatureGathering::kEdgeEdge})
+    count += gathering_->candidates(kind).size();
+  if (count < kFew) room_ = std::min(1.5 * room_, kMostRoom);
+  if (count > 4 * kFew) room_ = std::max(room_ / 1.5, kLeastWay);
+}
+
+// The way to gather along.
+ToolWay FeaturePairs::way_from(const Pose& X_WT) const noexcept {
+  const double turn = std::min(kLeastTurn, kLeastWay / tool_->radius());
+  const double length = ahead_.head<3>().norm() + ahead_.tail<3>().norm() * tool_->radius();
+  const double ways = length > 0 ? std::clamp(kLongestWay / length, 1.0, ways_) : 1.0;
+  return {
+      .X_WT = X_WT,
+      .step = ways * ahead_,
+      .reach = deepest_ + std::max(room_, beside_ * std::clamp(ahead_.head<3>().norm(), kLeastWay, kLongWay)),
+      .turn = std::max(std::min(kLeastTurn, room_ / tool_->radius()),
+                       beside_ * std::clamp(ahead_.tail<3>().norm(), turn, kMostTurns * turn))};
+}
+
+// Where the way goes on the next candidates are gathered before this one's end, a part in each look.
+void FeaturePairs::gather_next() noexcept {
+  if (next_->is_done() || !(now_.part > kBegun) || !(ways_ > 1)) return;
+  const double left = (1 - now_.part) * ways_;  // looks
+  if (!next_->is_begun()) {
+    const ToolWay on{.X_WT = X_WT_, .step = ahead_};
+    next_->begin(way_from(on.at(std::max(0.0, left - 2))), kEnough);
+  }
+  const std::size_t expected = gathering_->visits() + gathering_->visits() / 4;
+  const std::size_t to_do = expected > next_->visits() ? expected - next_->visits() : 0;
+  next_->go_on(kLeastVisits + static_cast<std::size_t>(static_cast<double>(to_do) / std::max(1.0, left - 1)));
+}
+
+const FeaturePairs::Place& FeaturePairs::place(std::uint32_t tool_vertex) noexcept {
+  Place& place = places_[tool_vertex];
+  if (place.look == looks_) return place;
+  const Vec3& p_T = tool_->vertices()[tool_vertex];
+  place = {R_WT_ * p_T + X_WT_.p, R_WT_ahead_ * p_T + X_WT_ahead_.p, looks_};
+  return place;
+}
+
+bool FeaturePairs::is_apart(const FeatureCandidate& candidate, std::span<const std::uint32_t> tool) noexcept {
+  const Vec3 away(candidate.away[0], candidate.away[1], candidate.away[2]);
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t vertex : tool) {
+    const Place& of_vertex = place(vertex);
+    least = std::min({least, away.dot(of_vertex.now_W), away.dot(of_vertex.ahead_W)});
+  }
+  return least - candidate.beyond > reach_;
 }
 
 void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W,
@@ -277,98 +252,117 @@ void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t sce
   least_gap_ = std::min(least_gap_, gap);
 }
 
-double FeaturePairs::due(double gap) const noexcept {
-  return odometer_ + std::max({gap, -gap - kDeepest, 0.0});
-}
-
-bool FeaturePairs::is_far(double gap) const noexcept {
-  return gap > reach_ || gap < -std::max(reach_, kDeepest);
-}
-
-void FeaturePairs::vertex_on_face(Candidate& candidate) noexcept {
+void FeaturePairs::vertex_on_face(FeatureCandidate& candidate) noexcept {
   const std::span<const Vec3> scene = scene_->vertices();
   const FeatureMesh::Face& face = scene_->faces()[candidate.scene];
-  const Vec3 p = in_world(candidate.tool);
-  const Vec3& corner = scene[face.corners[0]];
-  const double height = face.nhat.dot(p - corner);
-  candidate.due = due(height);
-  if (is_far(height)) return;
-  const TrianglePoint closest =
-      closest_on_triangle(p, corner, scene[face.corners[1]], scene[face.corners[2]]);
+  const std::span<const std::uint32_t> tool{&candidate.tool, 1};
+  const Place& vertex = place(candidate.tool);
+  const Vec3 &p = vertex.now_W, &a = scene[face.corners[0]], &b = scene[face.corners[1]],
+             &c = scene[face.corners[2]];
+  const double height = face.nhat.dot(p - a), height_ahead = face.nhat.dot(vertex.ahead_W - a);
+  if (is_above(height, height_ahead)) return gathering_->set_apart(candidate, tool, face.nhat, {a, b, c}, 0);
+  if (is_below(height, height_ahead))
+    return gathering_->set_apart(candidate, tool, -face.nhat, {a, b, c}, kDeepest);
+  const TrianglePoint closest = closest_on_triangle(p, a, b, c);
   const double distance = std::sqrt(closest.squared);
-  candidate.due = due(std::copysign(distance, height));
-  if (is_far(std::copysign(distance, height))) return;
+  const Vec3 from_closest = distance > kLevel ? Vec3((p - closest.point) / distance) : face.nhat;
+  // A vertex beyond the face's rim may be a pair with it only if the surface rises there.
+  if (closest.feature != TriangleFeature::face) {
+    const double allowance = face.rises_at_edges != 0 || face.rises_at_corners != 0 ? 2 * kDeepest : 0;
+    if (is_above(distance - allowance, distance - allowance + from_closest.dot(vertex.ahead_W - p)))
+      return gathering_->set_apart(candidate, tool, from_closest, {a, b, c}, allowance);
+  }
   const auto which = static_cast<unsigned>(closest.feature);
   const bool on_face = is_on(face, closest, height);
-  const Vec3 nhat = on_face || !(distance > kLevel) ? face.nhat : Vec3((p - closest.point) / distance);
+  const Vec3& nhat = on_face ? face.nhat : from_closest;
   if (!on_side(tool_->around(candidate.tool), R_WT_.transpose() * nhat, 1, kMostTurn)) return;
   if (on_face) {
     if (height >= -kDeepest) add(kVertexFace, candidate.tool, candidate.scene, p, nhat, height);
-  } else if (which < 3) {
+    return;
+  }
+  if (is_above(distance, distance + nhat.dot(vertex.ahead_W - p))) return;
+  if (which < 3) {
     const FeatureMesh::Edge& edge = scene_->edges()[face.edges[which]];
     if ((face.own_edges >> which & 1u) != 0 && (edge.convex || edge.flat) &&
         on_side(edge.across, nhat, -1, kNoSlack))
       add(kVertexEdge, candidate.tool, face.edges[which], p, nhat, distance);
   } else {
-    const std::uint32_t vertex = face.corners[which - 3];
-    if ((face.own_corners >> (which - 3) & 1u) != 0 && on_side(scene_->around(vertex), nhat, -1, kNoSlack))
-      add(kVertexVertex, candidate.tool, vertex, p, nhat, distance);
+    const std::uint32_t corner = face.corners[which - 3];
+    if ((face.own_corners >> (which - 3) & 1u) != 0 && on_side(scene_->around(corner), nhat, -1, kNoSlack))
+      add(kVertexVertex, candidate.tool, corner, p, nhat, distance);
   }
 }
 
-void FeaturePairs::face_on_vertex(Candidate& candidate) noexcept {
-  const std::span<const Vec3> tool = tool_->vertices(), scene = scene_->vertices();
+void FeaturePairs::face_on_vertex(FeatureCandidate& candidate) noexcept {
   const FeatureMesh::Face& face = tool_->faces()[candidate.tool];
-  const Vec3& p_W = scene[candidate.scene];
-  const Vec3 p = R_WT_.transpose() * (p_W - X_WT_.p);
-  const Vec3& corner = tool[face.corners[0]];
-  const double height = face.nhat.dot(p - corner);
-  candidate.due = due(height);
-  if (is_far(height)) return;
-  const TrianglePoint closest = closest_on_triangle(p, corner, tool[face.corners[1]], tool[face.corners[2]]);
+  const Vec3& p = scene_->vertices()[candidate.scene];
+  const Place &a = place(face.corners[0]), &b = place(face.corners[1]), &c = place(face.corners[2]);
+  const std::span<const std::uint32_t> tool = face.corners;
+  const Vec3 face_nhat = R_WT_ * face.nhat;
+  const double height = face_nhat.dot(p - a.now_W),
+               height_ahead = (R_WT_ahead_ * face.nhat).dot(p - a.ahead_W);
+  if (is_above(height, height_ahead)) return gathering_->set_apart(candidate, tool, -face_nhat, {p}, 0);
+  if (is_below(height, height_ahead)) return gathering_->set_apart(candidate, tool, face_nhat, {p}, kDeepest);
+  const TrianglePoint closest = closest_on_triangle(p, a.now_W, b.now_W, c.now_W);
   const double distance = std::sqrt(closest.squared);
-  candidate.due = due(std::copysign(distance, height));
-  if (is_far(std::copysign(distance, height))) return;
+  const Vec3 to_closest = distance > kLevel ? Vec3((closest.point - p) / distance) : Vec3(-face_nhat);
+  const double ahead =
+      distance + std::min({to_closest.dot(a.ahead_W - a.now_W), to_closest.dot(b.ahead_W - b.now_W),
+                           to_closest.dot(c.ahead_W - c.now_W)});
+  if (closest.feature != TriangleFeature::face) {
+    const double allowance = face.rises_at_edges != 0 || face.rises_at_corners != 0 ? 2 * kDeepest : 0;
+    if (is_above(distance - allowance, ahead - allowance))
+      return gathering_->set_apart(candidate, tool, to_closest, {p}, allowance);
+  }
   const auto which = static_cast<unsigned>(closest.feature);
   const bool on_face = is_on(face, closest, height);
   if (which >= 3 && !on_face) return;  // vertex on vertex: found from there
-  const Vec3 nhat_T =
-      on_face || !(distance > kLevel) ? Vec3(-face.nhat) : Vec3((closest.point - p) / distance);
-  const Vec3 nhat_W = R_WT_ * nhat_T;
-  if (!on_side(scene_->around(candidate.scene), nhat_W, -1, kMostTurn)) return;
-  const Vec3 closest_W = R_WT_ * closest.point + X_WT_.p;
+  const Vec3 nhat = on_face ? Vec3(-face_nhat) : to_closest;
+  if (!on_side(scene_->around(candidate.scene), nhat, -1, kMostTurn)) return;
   if (on_face) {
-    if (height >= -kDeepest) add(kFaceVertex, candidate.tool, candidate.scene, closest_W, nhat_W, height);
+    if (height >= -kDeepest) add(kFaceVertex, candidate.tool, candidate.scene, closest.point, nhat, height);
     return;
   }
+  if (is_above(distance, ahead)) return;
   const FeatureMesh::Edge& edge = tool_->edges()[face.edges[which]];
   if ((face.own_edges >> which & 1u) != 0 && (edge.convex || edge.flat) &&
-      on_side(edge.across, nhat_T, 1, kNoSlack))
-    add(kEdgeVertex, face.edges[which], candidate.scene, closest_W, nhat_W, distance);
+      on_side(edge.across, R_WT_.transpose() * nhat, 1, kNoSlack))
+    add(kEdgeVertex, face.edges[which], candidate.scene, closest.point, nhat, distance);
 }
 
-void FeaturePairs::edge_on_edge(Candidate& candidate) noexcept {
+void FeaturePairs::edge_on_edge(FeatureCandidate& candidate) noexcept {
   const std::span<const Vec3> scene = scene_->vertices();
   const FeatureMesh::Edge &of_tool = tool_->edges()[candidate.tool],
                           &of_scene = scene_->edges()[candidate.scene];
-  const Vec3 a0 = in_world(of_tool.from), &b0 = scene[of_scene.from];
-  const Vec3 u = in_world(of_tool.to) - a0, v = scene[of_scene.to] - b0;
-  const ClosestOfEdges closest = closest_of_edges(a0, u, b0, v);
-  if (!closest.crossing || !is_on(of_tool, closest.s, u.norm()) || !is_on(of_scene, closest.t, v.norm())) {
-    candidate.due = odometer_ + std::max(0.0, std::sqrt(squared_distance_of_edges(a0, u, b0, v)) - kDeepest);
-    return;
+  const std::array tool{of_tool.from, of_tool.to};
+  const Place &from = place(of_tool.from), &to = place(of_tool.to);
+  const Vec3 &a0 = from.now_W, &b0 = scene[of_scene.from], &b1 = scene[of_scene.to];
+  const Vec3 u = to.now_W - a0, v = b1 - b0;
+  const Vec3 across = u.cross(v);
+  const double squared = across.squaredNorm();
+  if (squared > kParallel * u.squaredNorm() * v.squaredNorm()) {
+    // Outwards of the scene.
+    Vec3 nhat = across / std::sqrt(squared);
+    if (nhat.dot(scene_->edge_normals()[candidate.scene].axis()) < 0) nhat = -nhat;
+    const double gap = nhat.dot(a0 - b0);
+    const double from_ahead = gap + nhat.dot(from.ahead_W - a0),
+                 to_ahead = gap + nhat.dot(to.ahead_W - to.now_W);
+    if (is_above(gap, std::min(from_ahead, to_ahead)))
+      return gathering_->set_apart(candidate, tool, nhat, {b0, b1}, 0);
+    if (is_below(gap, std::max(from_ahead, to_ahead)))
+      return gathering_->set_apart(candidate, tool, -nhat, {b0, b1}, kDeepest);
+    const ClosestOfEdges closest = closest_of_edges(a0, u, b0, v);
+    if (is_on(of_tool, closest.s, u.norm()) && is_on(of_scene, closest.t, v.norm())) {
+      if (gap >= -kDeepest && on_side(of_scene.across, nhat, -1, kMostTurn) &&
+          on_side(of_tool.across, R_WT_.transpose() * nhat, 1, kMostTurn))
+        add(kEdgeEdge, candidate.tool, candidate.scene, a0 + closest.s * u, nhat, gap);
+      return;
+    }
   }
-  const Vec3 p = a0 + closest.s * u, q = b0 + closest.t * v;
-  // Outwards of the scene.
-  Vec3 nhat = u.cross(v).normalized();
-  if (nhat.dot(scene_->edge_normals()[candidate.scene].axis()) < 0) nhat = -nhat;
-  const double gap = nhat.dot(p - q);
-  candidate.due = due(gap);
-  if (is_far(gap)) return;
-  if (!on_side(of_scene.across, nhat, -1, kMostTurn) ||
-      !on_side(of_tool.across, R_WT_.transpose() * nhat, 1, kMostTurn))
-    return;
-  if (gap >= -kDeepest) add(kEdgeEdge, candidate.tool, candidate.scene, p, nhat, gap);
+  // Their ends tell of them. Lines that go on do so for kDeepest.
+  const Vec3 apart = between_ends(a0, u, b0, v);
+  const double distance = apart.norm();
+  if (distance > kLevel) gathering_->set_apart(candidate, tool, apart / distance, {b0, b1}, kDeepest);
 }
 
 bool FeaturePairs::crosses() noexcept {
@@ -378,44 +372,45 @@ bool FeaturePairs::crosses() noexcept {
 }
 
 bool FeaturePairs::crosses(unsigned part) noexcept {
-  if (tool_faces_.groups.empty() || scene_->face_tree().groups().empty()) return false;
+  const std::span<const FeatureTree::Group> tool = tool_->face_tree().groups();
+  if (tool.empty() || scene_->face_tree().groups().empty()) return false;
   // Three levels down the tool's tree: to the lane that the part's digits say. Where a branch is shorter, the
   // rest of its digits are 0.
   Lane of_tool{0, part / 16 % 4};
-  pose(tool_faces_, 0);
+  pose(0);
   for (const unsigned digit : {part / 4 % 4, part % 4}) {
-    const std::uint32_t child = tool_faces_.groups[of_tool.group].children[of_tool.lane];
+    const std::uint32_t child = tool[of_tool.group].children[of_tool.lane];
     if (child == FeatureTree::kNone) return false;
     if ((child & FeatureTree::kFeature) == 0) {
       of_tool = {child, digit};
-      pose(tool_faces_, child);
+      pose(child);
     } else if (digit != 0) {
       return false;
     }
   }
-  if (tool_faces_.groups[of_tool.group].children[of_tool.lane] == FeatureTree::kNone) return false;
-  const Bounds tool_W = tool_faces_.bounds_W[of_tool.group][of_tool.lane];
+  if (tool[of_tool.group].children[of_tool.lane] == FeatureTree::kNone) return false;
+  const Bounds tool_W = crossing_W_[of_tool.group][of_tool.lane];
   for (unsigned near = scene_->face_tree().groups()[0].bounds.overlapping(tool_W); near != 0;
        near &= near - 1)
     if (crosses(of_tool, {0, lowest_bit(near)})) return true;
   return false;
 }
 
-// Of two lanes that overlap. The tool's bounds are those of where the candidates were gathered, and hold what
-// has moved since.
+// Of two lanes that overlap.
 bool FeaturePairs::crosses(Lane of_tool, Lane of_scene) noexcept {
-  const std::span<const FeatureTree::Group> scene = scene_->face_tree().groups();
-  const std::uint32_t tool_child = tool_faces_.groups[of_tool.group].children[of_tool.lane],
+  const std::span<const FeatureTree::Group> tool = tool_->face_tree().groups(),
+                                            scene = scene_->face_tree().groups();
+  const std::uint32_t tool_child = tool[of_tool.group].children[of_tool.lane],
                       scene_child = scene[of_scene.group].children[of_scene.lane];
   const bool tool_ends = (tool_child & FeatureTree::kFeature) != 0,
              scene_ends = (scene_child & FeatureTree::kFeature) != 0;
   if (tool_ends && scene_ends)
     return cross(tool_child ^ FeatureTree::kFeature, scene_child ^ FeatureTree::kFeature);
-  const Bounds tool_W = tool_faces_.bounds_W[of_tool.group][of_tool.lane],
+  const Bounds tool_W = crossing_W_[of_tool.group][of_tool.lane],
                scene_W = scene[of_scene.group].bounds[of_scene.lane];
   const bool splits_scene = tool_ends || (!scene_ends && scene_W.size() > tool_W.size());
-  unsigned near = splits_scene ? scene[scene_child].bounds.overlapping(tool_W)
-                               : pose(tool_faces_, tool_child).overlapping(scene_W);
+  unsigned near =
+      splits_scene ? scene[scene_child].bounds.overlapping(tool_W) : pose(tool_child).overlapping(scene_W);
   for (; near != 0; near &= near - 1) {
     const unsigned lane = lowest_bit(near);
     if (splits_scene ? crosses(of_tool, {scene_child, lane}) : crosses({tool_child, lane}, of_scene))
@@ -425,12 +420,21 @@ bool FeaturePairs::crosses(Lane of_tool, Lane of_scene) noexcept {
 }
 
 // An edge of one of the faces through the other.
-bool FeaturePairs::cross(std::uint32_t tool_face, std::uint32_t scene_face) const noexcept {
+bool FeaturePairs::cross(std::uint32_t tool_face, std::uint32_t scene_face) noexcept {
   const FeatureMesh::Face &of_tool = tool_->faces()[tool_face], &of_scene = scene_->faces()[scene_face];
   const auto scene = [&](unsigned i) -> const Vec3& { return scene_->vertices()[of_scene.corners[i % 3]]; };
-  const std::array tool{in_world(of_tool.corners[0]), in_world(of_tool.corners[1]),
-                        in_world(of_tool.corners[2])};
+  const std::array tool{place(of_tool.corners[0]).now_W, place(of_tool.corners[1]).now_W,
+                        place(of_tool.corners[2]).now_W};
   const Vec3 nhat = R_WT_ * of_tool.nhat;
+  // All of one on one side of the other's plane.
+  const auto sides = [](double a, double b, double c) {
+    return std::min({a, b, c}) > 0 || std::max({a, b, c}) < 0;
+  };
+  const auto over_scene = [&](const Vec3& p) { return of_scene.nhat.dot(p - scene(0)); };
+  const auto over_tool = [&](const Vec3& p) { return nhat.dot(p - tool[0]); };
+  if (sides(over_scene(tool[0]), over_scene(tool[1]), over_scene(tool[2])) ||
+      sides(over_tool(scene(0)), over_tool(scene(1)), over_tool(scene(2))))
+    return false;
   for (unsigned e = 0; e < 3; ++e) {
     if (!tool_->edges()[of_tool.edges[e]].flat &&
         pierces(tool[e], tool[(e + 1) % 3], scene(0), scene(1), scene(2), of_scene.nhat))
@@ -442,12 +446,26 @@ bool FeaturePairs::cross(std::uint32_t tool_face, std::uint32_t scene_face) cons
   return false;
 }
 
+const Bounds4& FeaturePairs::pose(std::uint32_t group) noexcept {
+  if (crossing_look_[group] != looks_) {
+    crossing_look_[group] = looks_;
+    const Sweep still{.R_from = R_WT_,
+                      .R_middle = R_WT_,
+                      .R_to = R_WT_,
+                      .p_from = X_WT_.p,
+                      .p_to = X_WT_.p,
+                      .reach = 0,
+                      .turn = 0,
+                      .slack = NormalCone(Vec3::UnitX())};
+    crossing_W_[group] = tool_->face_tree().groups()[group].bounds.swept(still);
+  }
+  return crossing_W_[group];
+}
+
 std::size_t FeaturePairs::bytes() const {
-  const auto of_posed = [](const Posed& tool) {
-    return tool.groups.size() * (sizeof(std::uint32_t) + sizeof(Bounds4));
-  };
-  return tool_->bytes() + scene_->bytes() + of_posed(tool_vertices_) + of_posed(tool_edges_) +
-         of_posed(tool_faces_) + 3 * kMostCandidates * sizeof(Candidate) + kMostPairs * sizeof(FeaturePair);
+  return tool_->bytes() + scene_->bytes() + gathering_->bytes() + next_->bytes() +
+         places_.size() * sizeof(Place) + crossing_W_.size() * (sizeof(Bounds4) + sizeof(std::uint64_t)) +
+         kMostPairs * sizeof(FeaturePair);
 }
 
 }  // namespace fulcrum

@@ -2,12 +2,15 @@
 // A tool's vertices, edges and faces against a scene's: which of them are near each other, how far apart, and
 // along which normal; and whether the surfaces cross. Measured on the triangles, in double precision.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "haptics/contact/feature_gathering.h"
 #include "haptics/geometry/feature_mesh.h"
 #include "haptics/geometry/point_triangle.h"
 #include "haptics/math/pose.h"
@@ -31,17 +34,18 @@ struct FeaturePair {
 
 class FeaturePairs {
 public:
-  static constexpr std::size_t kMostCandidates = 1u << 16;  // of each kind
+  static constexpr std::size_t kMostCandidates = FeatureGathering::kMostCandidates;  // of each kind
   static constexpr std::size_t kMostPairs = 1u << 14;
   static constexpr double kMostTurn = 0.03;  // rad, a longer turn may meet what is no pair
   static constexpr double kDeepest = 50e-6;  // m, what has passed farther is no pair
 
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
 
-  // The pairs nearer than `reach` m, and those that have passed each other, with the tool at X_WT. False:
-  // there were more than fit, or more candidates of a kind than `most`; then pairs() has not all of them, or
-  // none.
-  bool look(const Pose& X_WT, double reach, std::size_t most = kMostCandidates) noexcept;
+  // With the tool at X_WT: the pairs nearer than `reach` m, those that come as near where the tool goes
+  // `ahead` (6, m and rad in W, about T), and those that have passed each other. False: there were more than
+  // fit, or more candidates of a kind than `most`; then pairs() has not all of them, or none.
+  bool look(const Pose& X_WT, const Vec6& ahead, double reach, std::size_t most = kMostCandidates) noexcept;
+  bool look(const Pose& X_WT, double reach) noexcept { return look(X_WT, Vec6::Zero(), reach); }
   std::span<const FeaturePair> pairs() const { return pairs_; }
   double least_gap() const { return least_gap_; }  // m, of the pairs; infinite: there are none
   bool none_near() const;
@@ -54,60 +58,54 @@ public:
   std::size_t bytes() const;
 
 private:
-  // Two features that may be nearest to each other at poses near the one where they were gathered.
-  struct Candidate {
-    std::uint32_t tool, scene;
-    double due;  // m, on the odometer: until then the two cannot have come together
+  // Of a vertex of the tool's, at this look.
+  struct Place {
+    Vec3 now_W = Vec3::Zero(), ahead_W = Vec3::Zero();  // (3) m
+    std::uint64_t look = 0;
   };
-  // m, on the odometer: what is that far apart now is not measured anew before it comes into a look's reach,
-  // nor, once it has passed, before it is no deeper than kDeepest.
-  double due(double gap) const noexcept;
-  bool is_far(double gap) const noexcept;  // at this look
-  // m: no point of the tool moves farther on a straight way from one pose to the other.
-  double way(const Pose& from, const Pose& to) const noexcept;
-  void gather() noexcept;
-  // A tree of the tool's, and its groups in W: those that the last gathering has visited.
-  struct Posed {
-    explicit Posed(const FeatureTree& tree);
-    std::span<const FeatureTree::Group> groups;
-    NormalCone slack;                      // its angle: how far normals of a candidate may be from opposite
-    std::vector<std::uint32_t> gathering;  // (groups) in which gathering_ a group's bounds were made
-    std::vector<Bounds4> bounds_W;         // (groups)
-  };
-  const Bounds4& pose(Posed& tool, std::uint32_t group) noexcept;
+  const Place& place(std::uint32_t tool_vertex) noexcept;
+  // Whether the plane between the two, tool the vertices of the tool's, is still there at this look and
+  // ahead.
+  bool is_apart(const FeatureCandidate& candidate, std::span<const std::uint32_t> tool) noexcept;
+  // Whether a gap now, and ahead, is wider than the look reaches; or deeper than what is a pair.
+  bool is_above(double gap, double ahead) const noexcept { return std::min(gap, ahead) > reach_; }
+  bool is_below(double gap, double ahead) const noexcept { return std::max(gap, ahead) < -deepest_; }
+  bool covers(const FeatureGathering& gathering) noexcept;
+  ToolWay way_from(const Pose& X_WT) const noexcept;
+  bool gather(std::size_t most) noexcept;
+  bool gather_around(std::size_t most) noexcept;
+  void gather_next() noexcept;
+  void make_room() noexcept;
   // One lane of a group of either tree.
   struct Lane {
     std::uint32_t group;
     unsigned lane;
   };
-  template <class Take>
-  void descend(Posed& tool, const FeatureTree& scene, Lane of_tool, Lane of_scene, const Take& take) noexcept;
-  template <class Take>
-  void gather_kind(Posed& tool, const FeatureTree& scene, double slack, const Take& take) noexcept;
-  void keep(std::vector<Candidate>& candidates, std::uint32_t tool, std::uint32_t scene) noexcept;
-  void vertex_on_face(Candidate& candidate) noexcept;
-  void face_on_vertex(Candidate& candidate) noexcept;
-  void edge_on_edge(Candidate& candidate) noexcept;
-  bool could_oppose(const FeatureMesh::Edge& of_tool, const FeatureMesh::Edge& of_scene) const noexcept;
+  const Bounds4& pose(std::uint32_t group) noexcept;
+  void vertex_on_face(FeatureCandidate& candidate) noexcept;
+  void face_on_vertex(FeatureCandidate& candidate) noexcept;
+  void edge_on_edge(FeatureCandidate& candidate) noexcept;
   bool crosses(Lane of_tool, Lane of_scene) noexcept;
-  bool cross(std::uint32_t tool_face, std::uint32_t scene_face) const noexcept;
-  Vec3 in_world(std::uint32_t tool_vertex) const { return R_WT_ * tool_->vertices()[tool_vertex] + X_WT_.p; }
+  bool cross(std::uint32_t tool_face, std::uint32_t scene_face) noexcept;
   void add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W, const Vec3& nhat_W,
            double gap) noexcept;
 
   std::shared_ptr<const FeatureMesh> tool_, scene_;
-  Pose X_WT_;
-  Mat3 R_WT_ = Mat3::Identity();
-  double reach_ = 0;       // m, of the look
-  std::size_t most_ = 0;   // candidates, likewise
-  double odometer_ = 0;    // m, no point of the tool has come farther from look to look
-  bool gathered_ = false;  // the candidates are all that there are
-  Pose X_WT_gathered_;     // where they were gathered, with
-  Mat3 R_WT_gathered_ = Mat3::Identity();
-  double gathered_reach_ = 0;    // m
-  std::uint32_t gathering_ = 0;  // how many there were
-  Posed tool_vertices_, tool_edges_, tool_faces_;
-  std::vector<Candidate> vertex_faces_, face_vertices_, edge_edges_;  // the tool's feature first
+  Pose X_WT_, X_WT_ahead_;
+  Mat3 R_WT_ = Mat3::Identity(), R_WT_ahead_ = Mat3::Identity();
+  double reach_ = 0, deepest_ = 0;  // m, of the look
+  Vec6 ahead_ = Vec6::Zero();       // (6) likewise
+  std::uint64_t looks_ = 0;         // how many there were
+  std::vector<Place> places_;       // (tool's vertices)
+  double room_;                     // m, around a way, at least
+  // The candidates of this look, and those of the ticks after, which are gathered a part in each look.
+  std::unique_ptr<FeatureGathering> gathering_, next_;
+  ToolWay::Place now_, then_;     // on the gathering's way: this look's pose, and the one ahead
+  double ways_ = 1, beside_ = 1;  // how many ways ahead candidates are gathered along, and how far beside
+  double widest_ = 1;             // the most beside that was not too much
+  // The tree of the tool's faces, its groups in W: those that looks for crossings have come to.
+  std::vector<std::uint64_t> crossing_look_;  // (groups)
+  std::vector<Bounds4> crossing_W_;           // (groups)
   std::vector<FeaturePair> pairs_;
   double least_gap_ = 0;
   bool complete_ = true;

@@ -10,6 +10,15 @@
 
 namespace fulcrum {
 
+// From one pose to another, straight and turning evenly, and around all of the way between.
+struct Sweep {
+  Mat3 R_from = Mat3::Identity(), R_middle = Mat3::Identity(), R_to = Mat3::Identity();
+  Vec3 p_from = Vec3::Zero(), p_to = Vec3::Zero();  // (3) m
+  double reach = 0;                                 // m, around
+  double turn = 0;                                  // rad, likewise, about the frame's origin
+  NormalCone slack;                                 // its angle: what normals are off from the middle's
+};
+
 // A box, and a cone about an axis.
 struct Bounds {
   std::array<float, 3> low{}, high{};  // (3) m
@@ -26,9 +35,8 @@ public:
   void set(unsigned lane, const Bounds& bounds);
   Bounds operator[](unsigned lane) const;
 
-  // Boxes that hold all that is nearer than `reach` m to these once they are turned and moved; cones turned,
-  // and wider by `slack`'s angle.
-  Bounds4 moved(const Mat3& R, const Vec3& p, double reach, const NormalCone& slack) const noexcept;
+  // Boxes that hold all that is in these on the sweep's way or around; cones of the middle, and wider.
+  Bounds4 swept(const Sweep& sweep) const noexcept;
   // Bit i: the box of `one` and that of lane i overlap, and some direction of its cone is opposite to one of
   // lane i's.
   unsigned meeting(const Bounds& one) const noexcept;

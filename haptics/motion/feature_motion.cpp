@@ -10,38 +10,40 @@
 namespace fulcrum {
 namespace {
 
-constexpr int kFeatureRounds = 6;         // at most, in a tick
-constexpr double kLongestReach = 250e-6;  // m, and at most, where there are any
+constexpr int kFeatureRounds = 6;  // at most, in a tick
 // Over the coupling's stiffness: a row that gives way stays well within its skin while the hand is
 // centimetres away.
 constexpr double kFeatureSlack = 1e7;
 constexpr double kThinnestSkin = 0.1e-6, kThickestSkin = 2e-6;  // m
-constexpr double kShortestReach = 15e-6;     // m, within which pairs are looked for, at least
-constexpr double kLongestFreeReach = 20e-3;  // m, and at most, where there are none
-constexpr double kSettledReach = 1e-6;       // m, a round that moves no point farther ends the tick
-constexpr double kStill = 1e-7;              // m, and one that moves none by this moves none at all
-constexpr double kKept = 1e-8;               // m, a pair that a step breaks by less is kept
-constexpr double kMended = 25e-6;            // m, what is in by less is left to the next round
+constexpr double kNear = 60e-6;  // m, around a step that was not looked along: rows that stop it lie there
+constexpr double kLongest = 250e-6;     // m, of a way that is looked along
+constexpr double kLongestFree = 20e-3;  // m, and where there is nothing near
+constexpr int kMostLooks = 2;           // in a round, for steps that were not looked along
+constexpr double kKnown = 0.9;          // of a step: another look would not know much more
+constexpr std::size_t kFewPairs = 24;
+constexpr double kNarrower = 0.8;  // in each tick: how fast a look beside the way becomes narrow again
+constexpr int kBisections = 6;
+constexpr double kSettled = 1e-6;  // m, a round that moves no point farther ends the tick
+constexpr double kStill = 1e-7;    // m, and one that moves none by this moves none at all
+constexpr double kKept = 1e-8;     // m, a pair that a step breaks by less is kept
+constexpr double kMended = 25e-6;  // m, what is in by less is left to the next round
 constexpr std::size_t kPairsAtOnce = 48;
-constexpr double kNearReach = 60e-6;           // m, within which all is looked at, however much it is
-constexpr std::size_t kNearCandidates = 2048;  // of each kind, at most, beyond kNearReach
-constexpr std::size_t kFarCandidates = 1024;   // and beyond kLongestReach
-constexpr double kWider = 1.1;                 // in each tick: how fast a reach that was too wide grows again
+constexpr std::size_t kFarCandidates = 8192;  // of each kind, at most, farther ahead than kNear
+constexpr double kWider = 1.1;                // in each tick: how fast a way that was too long grows again
 constexpr int kMostMendings = 3, kMostHalvings = 6, kMostTakings = 6;
 
 }  // namespace
 
 FeatureMotion::FeatureMotion(const PlainScene& desc)
-    : tool_(desc, kFeatureSlack, std::max(desc.tool_features->radius(), kSettledReach)),
+    : tool_(desc, kFeatureSlack, std::max(desc.tool_features->radius(), kSettled)),
       features_(desc.tool_features, desc.scene_features),
       is_taken_(FeaturePairs::kMostPairs),
-      reach_(kShortestReach),
-      widest_(kLongestFreeReach),
+      longest_(kLongestFree),
       skin_(kThinnestSkin) {
   taken_.reserve(kMaxContacts);
   broken_.reserve(FeaturePairs::kMostPairs);
   levers_W_.reserve(FeaturePairs::kMostPairs);
-  look(reach_);
+  look(Vec6::Zero());
   crosses_ = features_.crosses();
 }
 
@@ -57,19 +59,59 @@ ToolAnswer FeatureMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint
   return tool_.settle(X_WG, V_WG);
 }
 
-void FeatureMotion::look(double reach) noexcept {
-  // What is farther is looked at only while there is little of it.
+double FeatureMotion::way(const Vec6& step) const noexcept {
+  return step.head<3>().norm() + step.tail<3>().norm() * tool_.radius();
+}
+
+// As far ahead as there is not too much to look at.
+void FeatureMotion::look(const Vec6& ahead, double reach) noexcept {
+  reach_ = std::max(reach, around_);
+  const double wanted = way(ahead);
+  double length = std::min(wanted, longest_look());
   const auto sees = [&] {
-    const std::size_t most = reach > kLongestReach ? kFarCandidates
-                             : reach > kNearReach  ? kNearCandidates
-                                                   : FeaturePairs::kMostCandidates;
-    return features_.look(tool_.state().X_WT, reach, most);
+    ahead_ = wanted > length ? Vec6(ahead * (length / wanted)) : ahead;
+    const std::size_t candidates = length > kNear ? kFarCandidates : FeaturePairs::kMostCandidates;
+    return features_.look(tool_.state().X_WT, ahead_, reach_, candidates);
   };
-  for (complete_ = sees(); !complete_ && reach > kShortestReach; complete_ = sees()) {
-    reach = std::max(kShortestReach, 0.25 * reach);
-    widest_ = reach;
+  for (complete_ = sees(); !complete_ && (length > 0 || reach_ > kReach); complete_ = sees()) {
+    length = length > kReach ? 0.25 * length : 0;
+    longest_ = std::max(length, kReach);
+    reach_ = around_ = kReach;
   }
-  reach_ = reach;
+  // A hand whose way is not foreseen has more looked at beside it, where there is little.
+  if (reach > kReach && features_.pairs().size() < kFewPairs) around_ = std::min(2 * around_, kLongest);
+}
+
+// 0 to 1: the part of a step that stays where pairs are known.
+double FeatureMotion::known_fraction(const Vec6& step) const noexcept {
+  const auto is_known = [&](double fraction) {
+    const Vec6 part = fraction * step;
+    const double arm = math::square(tool_.radius());
+    const auto product = [arm](const Vec6& a, const Vec6& b) {
+      return a.head<3>().dot(b.head<3>()) + arm * a.tail<3>().dot(b.tail<3>());
+    };
+    const double squared = product(ahead_, ahead_);
+    const double along = squared > 0 ? std::clamp(product(part, ahead_) / squared, 0.0, 1.0) : 0.0;
+    return way(part - along * ahead_) <= reach_;
+  };
+  if (is_known(1)) return 1;
+  double known = 0, unknown = 1;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (known + unknown);
+    (is_known(middle) ? known : unknown) = middle;
+  }
+  return std::max(known, std::min(1.0, reach_ / way(step)));
+}
+
+// Whether another look would know a good deal more of the step.
+bool FeatureMotion::knows_little(const Vec6& step) const noexcept {
+  const double length = way(step);
+  return known_fraction(step) * length < kKnown * std::min(length, longest_look());
+}
+
+// m, of a way ahead.
+double FeatureMotion::longest_look() const noexcept {
+  return std::min(longest_, features_.none_near() ? kLongestFree : kLongest);
 }
 
 // A part of the tool's faces in each tick. A tool that crosses the scene counts as inside until a look at all
@@ -81,29 +123,30 @@ void FeatureMotion::look_for_crossings() noexcept {
 
 FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults) noexcept {
   Rounds rounds;
-  widest_ = std::min(kWider * widest_, kLongestFreeReach);
+  longest_ = std::min(kWider * longest_, kLongestFree);
+  around_ = std::max(kNarrower * around_, kReach);
   Pose free = tool_.state().X_WT;
   bool has_been_free = features_.least_gap() >= 0;
-  double longest = kLongestFreeReach;  // m, of a step
+  double longest = kLongestFree;  // m, of a step
+  Vec6 gone = Vec6::Zero();       // (6) m and rad, in this tick
   int mendings = 0;
   for (int round = 0; round < kFeatureRounds; ++round) {
-    const Vec6 step = solve(X_WG);
-    const double way = step.head<3>().norm() + step.tail<3>().norm() * tool_.radius();
-    if (way < kSettledReach && features_.least_gap() >= 0) {
+    Vec6 step = solve(X_WG);
+    if (way(step) < kSettled && features_.least_gap() >= 0) {
       rounds.settled = true;
-      if (way > kStill) take_last(step);
+      if (way(step) > kStill) take_last(step);
       return rounds;
     }
-    const double known = std::min(reach_, longest);
-    rounds.limited = way > known;
-    // Enough for the next step to be as long, no sudden multitude of pairs, and not far where there is much.
-    const double most = features_.none_near() ? kLongestFreeReach : kLongestReach;
-    const double wanted = std::max(0.5 * reach_, std::min({1.25 * way, 4 * reach_, most}));
-    const double next = std::clamp(wanted, kShortestReach, std::max(widest_, kNearReach));
+    for (int i = 0; i < kMostLooks && knows_little(step); ++i) {
+      look(step, kNear);
+      step = solve(X_WG);
+    }
     const Pose from = tool_.state().X_WT;
     const double deepest = std::min(-kMended, features_.least_gap() - kMended);
-    const double turn = step.tail<3>().norm();
-    double fraction = std::min({1.0, known / way, kept_fraction(step)});
+    const double turn = step.tail<3>().norm(), known = known_fraction(step);
+    const double most = features_.none_near() ? longest : std::min(longest, kLongest);
+    double fraction = std::min({known, most / way(step), kept_fraction(step)});
+    rounds.limited = known < 1 || most < way(step);
     if (turn > FeaturePairs::kMostTurn && !features_.none_near())
       fraction = std::min(fraction, FeaturePairs::kMostTurn / turn);
     for (int halving = 0;; ++halving) {
@@ -113,30 +156,33 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
       }
       // Above what a round as long errs by where it turns.
       skin_ = std::min(kThinnestSkin + math::square(fraction * turn) * tool_.radius(), kThickestSkin);
-      look(next);
+      // What is left of the step, or the tick after it, which may well go as far.
+      look(fraction < 1 ? Vec6((1 - fraction) * step) : Vec6(gone + step));
       if (complete_ && features_.least_gap() >= deepest) break;
       rounds.limited = true;
       tool_.put(from);
       if (halving == kMostHalvings) {
-        look(known);
+        look(step);
         return rounds;
       }
       fraction *= 0.5;
+      longest_ = std::max(kReach, fraction * way(step));
     }
+    gone += fraction * step;
     if (features_.least_gap() >= 0) {
       free = tool_.state().X_WT;
       has_been_free = true;
       mendings = 0;
     } else if (has_been_free && ++mendings > kMostMendings) {
       tool_.put(free);
-      look(reach_);
-      longest = 0.25 * known;
+      look(step);
+      longest = 0.25 * fraction * way(step);
       mendings = 0;
     }
   }
   if (has_been_free && !(features_.least_gap() >= 0)) {
     tool_.put(free);
-    look(reach_);
+    look(gone);
   }
   return rounds;
 }
@@ -144,12 +190,13 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
 // So small a step that the forces at its beginning are those at its end.
 void FeatureMotion::take_last(const Vec6& step) noexcept {
   const Pose from = tool_.state().X_WT;
+  const Vec6 ahead = ahead_;
   if (tool_.move(step * kept_fraction(step))) {
-    look(reach_);
+    look(ahead);
     if (complete_ && features_.least_gap() >= 0) return;
   }
   tool_.put(from);
-  look(reach_);
+  look(ahead);
 }
 
 // m, the gap of a pair after the step, as the pair's plane tells it.
@@ -219,7 +266,7 @@ std::vector<BuiltPart> FeatureMotion::parts() const {
       {"response",
        "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kFeatureRounds) +
            " rounds of " + std::to_string(kMaxContacts) + " rows a tick, features within " +
-           number_text(kLongestReach * 1e3) + " mm" + tool_.friction_note(),
+           number_text(kLongest * 1e3) + " mm" + tool_.friction_note(),
        sizeof(FeatureMotion)},
   };
 }

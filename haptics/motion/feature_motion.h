@@ -2,12 +2,14 @@
 // A tool without mass that never goes in (constrained_tool.h), measured on the triangles themselves. Rows are
 // the pairs of features that are near each other, and a tick ends where none of them has passed the other.
 //
-// A round solves with the pairs that are near, and goes no farther than pairs are known to it. Where it turns
-// or slides past a feature it may end a few micrometres in: the next round solves with the pairs as they are
-// there, gaps below zero among them. What is still in after kMostMendings such rounds goes back to where it
-// was last free, and takes shorter steps. What goes deeper than FeaturePairs::kDeepest in one round is no
-// pair any more and counts as free: such a tool is found within FeaturePairs::kParts ticks, by a look for
-// crossings at a part of its faces in each, and is the fault kToolInside.
+// A round solves with the pairs that are known: those near the way ahead, which after a tick is the way that
+// this tick went. A step that goes elsewhere is looked along before it is taken, and solved for again with
+// what is there; and no step goes farther than pairs are known to it. Where it turns or slides past a feature
+// it may end a few micrometres in: the next round solves with the pairs as they are there, gaps below zero
+// among them. What is still in after kMostMendings such rounds goes back to where it was last free, and takes
+// shorter steps. What goes deeper than FeaturePairs::kDeepest in one round is no pair any more and counts as
+// free: such a tool is found within FeaturePairs::kParts ticks, by a look for crossings at a part of its
+// faces in each, and is the fault kToolInside.
 
 #include <utility>
 #include <vector>
@@ -34,7 +36,12 @@ private:
     bool settled = false, limited = false;
   };
   Rounds go(const Pose& X_WG, std::uint32_t& faults) noexcept;
-  void look(double reach) noexcept;
+  static constexpr double kReach = 20e-6;  // m, around a way ahead: what is looked at there at least
+  void look(const Vec6& ahead, double reach = kReach) noexcept;
+  bool knows_little(const Vec6& step) const noexcept;
+  double longest_look() const noexcept;
+  double known_fraction(const Vec6& step) const noexcept;
+  double way(const Vec6& step) const noexcept;
   void take_last(const Vec6& step) noexcept;
   void look_for_crossings() noexcept;
   double gap_after(std::size_t which, const Vec6& step) const noexcept;
@@ -48,12 +55,14 @@ private:
   std::vector<bool> is_taken_;        // (pairs)
   std::vector<Vec3> levers_W_;        // (pairs x 3) m, (p - p_T) x nhat: how a turn opens it
   std::vector<std::pair<double, std::uint32_t>> broken_;  // m, and which pair
-  double reach_;                                          // m, of the last look
-  double widest_;                                         // m, beyond it there was too much to look at
-  double skin_;                                           // m, rows keep the tool this far out
-  unsigned next_part_ = 0;                                // of the tool, to be looked at for crossings
-  bool complete_ = true;                                  // the last look had room for all that was near
-  bool crosses_ = false;                                  // as far as it is known
+  Vec6 ahead_ = Vec6::Zero();  // (6) m and rad, about T: along it, and reach_ around, pairs are known
+  double reach_ = kReach;      // m, of the last look
+  double around_ = kReach;     // m, there was little so far around
+  double longest_;             // m, farther ahead there was too much to look at
+  double skin_;                // m, rows keep the tool this far out
+  unsigned next_part_ = 0;     // of the tool, to be looked at for crossings
+  bool complete_ = true;       // the last look had room for all that was near
+  bool crosses_ = false;       // as far as it is known
 };
 
 }  // namespace fulcrum

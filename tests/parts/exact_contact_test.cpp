@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <random>
 #include <string>
 
 #include "haptics/bake/field_bake.h"
@@ -83,6 +85,70 @@ TEST(ExactContact, KeepsRoundPegsGearsHingesAndCombsOutOfTheWallsLong) {
     if (is(fit, {"round peg 4 mm", "round peg 16 mm", "square peg 16 mm", "gear on gear", "hinge",
                  "comb in comb"}))
       be_rough_with(fit, 400, 10);
+}
+
+// Parts of another size, told of in a frame that is turned and may lie far off them, in a hand that leaps by
+// millimetres, slides at up to 0.5 m/s and turns at up to 16 rad/s.
+class AnySize {
+public:
+  explicit AnySize(std::uint64_t seed) : random_(seed) {}
+
+  void leap_about(const Fit& made, bool far_off, double friction, int ticks, int every) {
+    const double scale = std::pow(10.0, any(0.8));
+    const Vec3 shift = far_off ? in_cube(0.2) : Vec3(Vec3::Zero());
+    const Quat turn = quaternion_exp(in_cube(2));
+    Fit fit = made;
+    for (Vec3& p : fit.tool_T.vertices) p = turn * (scale * p) + shift;
+    for (Vec3& p : fit.scene_W.vertices) p *= scale;
+    fit.X_WT.q = (fit.X_WT.q * turn.conjugate()).normalized();
+    fit.X_WT.p = scale * fit.X_WT.p - fit.X_WT.q * shift;
+    SceneDesc desc = on_triangles(fit);
+    desc.contact.friction = friction;
+    const ExactDepth judge(fit.tool_T, fit.scene_W, 0.25e-3 * scale);
+    Result<World> world = World::build(desc);
+    ASSERT_TRUE(world) << world.error().sentence;
+    Vec3 p = Vec3::Zero(), v = Vec3::Zero(), turned = Vec3::Zero(), w = Vec3::Zero();
+    for (int i = 0; i < ticks; ++i) {
+      if (i % 50 == 0) {
+        v = in_cube(std::pow(10.0, any(1.2) - 1.5));
+        w = in_cube(std::pow(10.0, any(1.2)));
+      }
+      if (i % 173 == 7) {
+        p = in_cube(5e-3 * scale);
+        turned = in_cube(0.5);
+      }
+      if (i % 400 == 399) p = turned = Vec3::Zero();
+      p += desc.tick_s * v;
+      turned += desc.tick_s * w;
+      if (p.norm() > 0.02 * scale) p *= 0.5;
+      Pose X{(quaternion_exp(turned) * fit.X_WT.q).normalized(), Vec3::Zero()};
+      X.p = fit.X_WT * shift - X.q * shift + p;
+      const StepResult result = tick(*world, desc, X);
+      ASSERT_EQ(result.record.faults & kToolInside, 0u) << fit.name << " of size " << scale << " at " << i;
+      if (i % every == 0)
+        ASSERT_LE(judge.at(result.record.X_WT), kAsked) << fit.name << " of size " << scale << " at " << i;
+    }
+  }
+
+private:
+  double any(double most) { return std::uniform_real_distribution<double>(-most, most)(random_); }
+  Vec3 in_cube(double half) { return {any(half), any(half), any(half)}; }
+
+  std::mt19937_64 random_;
+};
+
+TEST(ExactContact, KeepsATinyPegOutOfTheWallsWhereTheHandLeaps) {
+  const std::vector<Fit> all = fits();
+  AnySize(1).leap_about(*std::ranges::find(all, "round peg 4 mm", &Fit::name), false, 0, 220, 1);
+}
+
+TEST(ExactContact, KeepsPartsOfAnySizeOutOfTheWallsWhereTheHandLeapsLong) {
+  AnySize hand(2);
+  for (const Fit& fit : fits()) {
+    if (fit.name.starts_with("nut")) continue;
+    hand.leap_about(fit, false, 0, 250, 15);
+    hand.leap_about(fit, true, 0.3, 250, 15);
+  }
 }
 
 TEST(ExactContact, AToolThatStartsInAWallIsLetOutAndSaysSo) {

@@ -73,7 +73,6 @@ TEST(FeaturePairs, TheNearestIsAsFarAsTheSurfacesAre) {
   EXPECT_GT(crossed, 10);
 }
 
-// What one look leaves over for the next does not change what that finds.
 // A side that is divided touches as a whole one does: across the places where its edges are cut, and no
 // farther than they reach.
 TEST(FeaturePairs, ADividedBoxTouchesAsAWholeOneDoes) {
@@ -103,25 +102,63 @@ TEST(FeaturePairs, ADividedBoxTouchesAsAWholeOneDoes) {
   EXPECT_GT(apart, 100);
 }
 
+// What one look leaves over for the next does not change what that finds; nor do candidates that were
+// gathered along the way, a part in each look.
 TEST(FeaturePairs, AreTheSameHoweverOneCameThere) {
   const auto tool = features(brick()), scene = features(ring());
-  FeaturePairs on_the_way(tool, scene);
-  for (int i = 0; i < 400; ++i) {
+  FeaturePairs on_the_way(tool, scene), with_foresight(tool, scene);
+  const auto pose = [](int i) {
     const double s = 0.01 * i;
-    const Pose X_WT{quaternion_exp(Vec3(s, 0.3 * s, 0)),
-                    Vec3(0.009 + 0.004 * std::cos(3 * s), 0.006, 0.001 * s)};
-    ASSERT_TRUE(on_the_way.look(X_WT, i % 3 == 0 ? 0.004 : 0.002));
+    return Pose{quaternion_exp(Vec3(s, 0.3 * s, 0)), Vec3(0.009 + 0.004 * std::cos(3 * s), 0.006, 0.001 * s)};
+  };
+  const auto named = [](std::span<const FeaturePair> pairs, double reach) {
+    std::vector<std::pair<std::uint64_t, double>> all;
+    for (const FeaturePair& pair : pairs)
+      if (pair.gap < reach) all.emplace_back(pair.key, pair.gap);
+    std::ranges::sort(all);
+    return all;
+  };
+  std::size_t seen = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double reach = i % 3 == 0 ? 0.004 : 0.002;
+    const Pose X_WT = pose(i), next = pose(i + 1);
+    ASSERT_TRUE(on_the_way.look(X_WT, reach));
     FeaturePairs at_once(tool, scene);
-    ASSERT_TRUE(at_once.look(X_WT, i % 3 == 0 ? 0.004 : 0.002));
-    const auto named = [](std::span<const FeaturePair> pairs) {
-      std::vector<std::pair<std::uint64_t, double>> all;
-      for (const FeaturePair& pair : pairs) all.emplace_back(pair.key, pair.gap);
-      std::ranges::sort(all);
-      return all;
-    };
-    EXPECT_EQ(named(on_the_way.pairs()), named(at_once.pairs())) << i;
+    ASSERT_TRUE(at_once.look(X_WT, reach));
+    Vec6 ahead;
+    ahead << next.p - X_WT.p, rotation_vector(next.q * X_WT.q.conjugate());
+    ASSERT_TRUE(with_foresight.look(X_WT, ahead, reach));
+    const auto expected = named(at_once.pairs(), reach);
+    EXPECT_EQ(named(on_the_way.pairs(), reach), expected) << i;
+    EXPECT_EQ(named(with_foresight.pairs(), reach), expected) << i;
     EXPECT_EQ(on_the_way.crosses(), at_once.crosses()) << i;
+    seen += expected.size();
   }
+  EXPECT_GT(seen, 100u);
+}
+
+TEST(FeaturePairs, TellOfWhatTheWayAheadMeets) {
+  // A cube 1 mm above a plate, which goes down by 1.1 mm in its next step, or along the plate.
+  const Solid cube = shapes::solid_of(shapes::box(Vec3(-1e-3, 0, -1e-3), Vec3(1e-3, 2e-3, 1e-3)));
+  const Solid plate = shapes::solid_of(shapes::box(Vec3(-1e-2, -1e-3, -1e-2), Vec3(1e-2, 0, 1e-2)));
+  FeaturePairs pairs(features(cube), features(plate));
+  const Pose X_WT{Quat::Identity(), Vec3(0.0011, 1e-3, 0.0003)};
+  Vec6 down = Vec6::Zero(), along = Vec6::Zero(), tipping = Vec6::Zero();
+  down[1] = -1.1e-3;
+  along[0] = 1.1e-3;
+  tipping.tail<3>() = Vec3(0, 0, 0.02);
+  tipping[1] = -0.97e-3;  // and 0.02 mm at the corners
+  ASSERT_TRUE(pairs.look(X_WT, down, 2e-5));
+  EXPECT_GE(pairs.pairs().size(), 4u);
+  for (const FeaturePair& pair : pairs.pairs()) EXPECT_NEAR(pair.gap, 1e-3, 1e-12);
+  ASSERT_TRUE(pairs.look(X_WT, along, 2e-5));
+  EXPECT_TRUE(pairs.pairs().empty());
+  ASSERT_TRUE(pairs.look(X_WT, tipping, 2e-5));
+  EXPECT_FALSE(pairs.pairs().empty());
+  for (const FeaturePair& pair : pairs.pairs())
+    EXPECT_LT(pair.p_W.x(), X_WT.p.x()) << "the side that goes down";
+  ASSERT_TRUE(pairs.look(X_WT, 2e-5));
+  EXPECT_TRUE(pairs.pairs().empty());
 }
 
 TEST(FeaturePairs, MovingAsidePressesNoPairTogether) {

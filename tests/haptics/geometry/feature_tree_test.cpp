@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "haptics/geometry/bounds-inl.h"
 #include "haptics/math/pose.h"
 #include "haptics/math/rotation.h"
 
@@ -40,27 +41,38 @@ Bounds at(const Vec3& p, const Vec3& axis) {
   return Bounds::of(Box3(p, p), NormalCone(axis));
 }
 
-class MovedBounds : public testing::Test {
+class SweptBounds : public testing::Test {
 protected:
-  static constexpr double kReach = 1e-4, kSlack = 0.05;
+  static constexpr double kReach = 1e-4, kTurn = 0.01, kSlack = 0.05;
   static constexpr unsigned kLane = 2;
 
-  void roll() {
+  // longest: rad and m / 10, of the way.
+  void roll(double longest, double turn) {
     const Vec3 low = dice.in_cube(0.02);
     box_T = Box3(low, low + Vec3(dice.from_to(0, 0.01), dice.from_to(0, 0.01), dice.from_to(0, 0.01)));
     axis_T = dice.direction();
     angle = dice.from_to(0, 1.4);
     X_WT = dice.pose();
+    way_turn = dice.from_to(0, longest) * dice.direction();
+    way = dice.in_cube(0.1 * longest);
     Bounds4 four;
     four.set(kLane, Bounds::of(box_T, NormalCone(axis_T, angle)));
-    moved = four.moved(X_WT.q.toRotationMatrix(), X_WT.p, kReach, NormalCone(Vec3::UnitX(), kSlack));
+    swept = four.swept({.R_from = at_part(0).q.toRotationMatrix(),
+                        .R_middle = at_part(0.5).q.toRotationMatrix(),
+                        .R_to = at_part(1).q.toRotationMatrix(),
+                        .p_from = at_part(0).p,
+                        .p_to = at_part(1).p,
+                        .reach = kReach,
+                        .turn = turn + way_turn.squaredNorm() / 8,
+                        .slack = NormalCone(Vec3::UnitX(), kSlack + 0.5 * way_turn.norm())});
   }
+  Pose at_part(double part) const { return {quaternion_exp(part * way_turn) * X_WT.q, X_WT.p + part * way}; }
   Vec3 place_T() {
     return box_T.min() +
            Vec3(dice.from_to(0, 1), dice.from_to(0, 1), dice.from_to(0, 1)).cwiseProduct(box_T.sizes());
   }
   bool meets(const Vec3& p_W, const Vec3& axis_W) const {
-    return (moved.meeting(at(p_W, axis_W)) >> kLane & 1u) != 0;
+    return (swept.meeting(at(p_W, axis_W)) >> kLane & 1u) != 0;
   }
 
   Dice dice;
@@ -68,23 +80,26 @@ protected:
   Vec3 axis_T = Vec3::UnitX();
   double angle = 0;
   Pose X_WT;
-  Bounds4 moved;
+  Vec3 way = Vec3::Zero(), way_turn = Vec3::Zero();
+  Bounds4 swept;
 };
 
-TEST_F(MovedBounds, HoldWhatIsWithinReachAndOpposite) {
+TEST_F(SweptBounds, HoldWhatIsWithinReachAndOppositeAllAlongTheWay) {
   for (int trial = 0; trial < 20'000; ++trial) {
-    roll();
-    const Vec3 p_W = X_WT * place_T() + dice.from_to(0, kReach) * dice.direction();
-    const Vec3 opposite_W = -(X_WT.q * dice.beside(axis_T, dice.from_to(0, angle + kSlack)));
+    roll(0.2, kTurn);
+    const Pose X_WT_then = at_part(dice.from_to(0, 1));
+    const Quat beside = quaternion_exp(dice.from_to(0, kTurn) * dice.direction()) * X_WT_then.q;
+    const Vec3 p_W = beside * place_T() + X_WT_then.p + dice.from_to(0, kReach) * dice.direction();
+    const Vec3 opposite_W = -(X_WT_then.q * dice.beside(axis_T, dice.from_to(0, angle + kSlack)));
     ASSERT_TRUE(meets(p_W, opposite_W)) << trial;
-    EXPECT_EQ(moved.meeting(at(p_W, opposite_W)), 1u << kLane) << "a lane that holds nothing";
+    EXPECT_EQ(swept.meeting(at(p_W, opposite_W)), 1u << kLane) << "a lane that holds nothing";
   }
 }
 
-TEST_F(MovedBounds, HoldLittleMore) {
+TEST_F(SweptBounds, OfNoWayHoldLittleMore) {
   constexpr double kMargin = 2e-6;  // m, of rounding at 0.3 m from the origin
   for (int trial = 0; trial < 20'000; ++trial) {
-    roll();
+    roll(0, 0);
     const Vec3 inside_W = X_WT * place_T();
     const Vec3 opposite_W = -(X_WT.q * axis_T);
     EXPECT_FALSE(meets(inside_W, -(X_WT.q * dice.beside(axis_T, angle + kSlack + 0.01)))) << trial;
@@ -100,10 +115,13 @@ TEST_F(MovedBounds, HoldLittleMore) {
   }
 }
 
-TEST_F(MovedBounds, OfAllDirectionsStayThat) {
+TEST_F(SweptBounds, OfAllDirectionsStayThat) {
   Bounds4 four;
   four.set(kLane, Bounds::of(Box3(Vec3::Zero(), Vec3::Zero()), NormalCone(Vec3::UnitX(), std::numbers::pi)));
-  moved = four.moved(Mat3::Identity(), Vec3::Zero(), kReach, NormalCone(Vec3::UnitX(), kSlack));
+  Sweep still;
+  still.reach = kReach;
+  still.slack = NormalCone(Vec3::UnitX(), kSlack);
+  swept = four.swept(still);
   for (int trial = 0; trial < 100; ++trial) EXPECT_TRUE(meets(Vec3::Zero(), dice.direction()));
 }
 
@@ -121,7 +139,7 @@ protected:
     if (!tree.groups().empty()) walk(0, {});
   }
   // `above`: the lanes that lead here.
-  void walk(std::uint32_t group, std::vector<Bounds4> above) {
+  void walk(std::uint32_t group, const std::vector<Bounds4>& above) {
     for (unsigned lane = 0; lane < 4; ++lane) {
       const std::uint32_t child = tree.groups()[group].children[lane];
       if (child == FeatureTree::kNone) continue;
