@@ -92,13 +92,14 @@ std::vector<Touch> TouchFinder::find(const TickRecord& record) {
     touch.p_W += force[i] * contacts[i].p_W;
     touch.nhat_W += force[i] * contacts[i].nhat_W;
   }
+  for (Touch& touch : all) {
+    if (touch.force > 0) touch.p_W /= touch.force;
+    touch.force = touch.nhat_W.norm();
+  }
   std::ranges::sort(all, std::greater{}, &Touch::force);
   const double least = std::max(kLeastForce, kLeastShare * all.front().force);
-  std::erase_if(all, [&](const Touch& touch) { return touch.force < least || touch.nhat_W.isZero(1e-12); });
-  for (Touch& touch : all) {
-    touch.p_W /= touch.force;
-    touch.nhat_W.normalize();
-  }
+  std::erase_if(all, [&](const Touch& touch) { return touch.force < least; });
+  for (Touch& touch : all) touch.nhat_W.normalize();
   return all;
 }
 
