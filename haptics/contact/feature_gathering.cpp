@@ -1,6 +1,5 @@
 #include "haptics/contact/feature_gathering.h"
 
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -264,8 +263,8 @@ void FeatureGathering::take_face_vertex(std::uint32_t face, std::uint32_t vertex
     keep(candidate);
 }
 
-// Unless their common perpendicular is never a normal of both. It turns faster than they do, and of edges
-// that are almost parallel a lot faster.
+// Two edges are no candidate if their common perpendicular is never a normal of both. That perpendicular
+// turns faster than they do, and of edges that are almost parallel a lot faster.
 void FeatureGathering::take_edges(std::uint32_t of_tool, std::uint32_t of_scene) noexcept {
   const FeatureMesh::Edge &a = tool_->edges()[of_tool], &b = scene_->edges()[of_scene];
   const Vec3 &b0 = scene_->vertices()[b.from], &b1 = scene_->vertices()[b.to];

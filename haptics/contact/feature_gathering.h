@@ -31,12 +31,13 @@ struct ToolWay {
   Place place(const Pose& X_WT, double radius) const noexcept;
 };
 
-// Two features. Where they were measured, a plane across `away` stood between them, which the scene's reaches
-// no farther than `beyond` along it: so far as it still does, they are apart.
+// A feature of the tool's and one of the scene's, and a plane that separated them when they were last
+// measured: its normal is `away`, and no vertex of the scene's feature has a product with `away` above
+// `beyond`. The two are apart wherever all vertices of the tool's feature still have larger ones.
 struct FeatureCandidate {
   std::uint32_t tool = 0, scene = 0;
   double beyond = 0;               // m
-  std::array<float, 3> away{};     // (3) in W, from the scene to the tool; 0: they were not measured
+  std::array<float, 3> away{};     // (3) unit in W, from the scene to the tool; 0: they were not measured
   float radius = 0;                // m, of the tool's, from T
   float apart = 0, apart_way = 0;  // m, at the way's beginning at least, and how much more at its end
 
@@ -87,7 +88,7 @@ private:
     std::vector<std::uint32_t> gathering;  // (groups) in which gathering_ a group's bounds were made
     std::vector<Bounds4> bounds_W;         // (groups)
   };
-  // Of a vertex of the tool's.
+  // Where a vertex of the tool's is at the way's two ends.
   struct Ends {
     Vec3 from_W = Vec3::Zero(), to_W = Vec3::Zero();  // (3) m
     std::uint32_t gathering = 0;

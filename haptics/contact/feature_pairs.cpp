@@ -26,7 +26,7 @@ constexpr std::size_t kFew = 128;      // candidates: so few are gathered from f
 constexpr double kMostRoom = 2e-3;     // m, and at most from so far
 constexpr double kUnmoved = 1e-8;      // m and rad, around a look that must do with what it needs
 constexpr double kParallel = 1e-12;    // squared sine of the angle between edges
-constexpr double kResting = 1e-8;      // m
+constexpr double kResting = 1e-8;      // m, what is in by less may be so by rounding
 constexpr double kNoSlack = 1e-6;      // rad, of rounding
 enum Kind : std::uint64_t { kVertexFace, kVertexEdge, kVertexVertex, kFaceVertex, kEdgeVertex, kEdgeEdge };
 
@@ -171,7 +171,8 @@ bool FeaturePairs::gather(std::size_t most) noexcept {
   return gather_around(most) && covers(*gathering_);
 }
 
-// Far along the way ahead if the last one was gone, else wide around; narrower where there is too much.
+// The candidates from here on: far along the way ahead if the tool went along the last one, else wide around
+// it; less far and less wide where that would be more than kEnough.
 bool FeaturePairs::gather_around(std::size_t most) noexcept {
   for (;; ways_ = std::max(1.0, 0.5 * ways_), beside_ = widest_ = std::max(kLeastBeside, 0.5 * beside_)) {
     gathering_->begin(way_from(X_WT_), std::min(most, kEnough));
@@ -188,7 +189,8 @@ bool FeaturePairs::gather_around(std::size_t most) noexcept {
   return gathering_->is_done();
 }
 
-// Where there is little it costs little to gather it from farther around, for longer.
+// How far around the next gathering looks at least. Few candidates cost little, and those of a wide gathering
+// serve for longer.
 void FeaturePairs::make_room() noexcept {
   std::size_t count = 0;
   for (const auto kind :
@@ -211,7 +213,8 @@ ToolWay FeaturePairs::way_from(const Pose& X_WT) const noexcept {
                        beside_ * std::clamp(ahead_.tail<3>().norm(), turn, kMostTurns * turn))};
 }
 
-// Where the way goes on the next candidates are gathered before this one's end, a part in each look.
+// A tool that goes on as it went leaves the way of this gathering in `left` looks. The next one begins two
+// ways before that, and each look does its share of it; a quarter more is expected of it than this one took.
 void FeaturePairs::gather_next() noexcept {
   if (next_->is_done() || !(now_.part > kBegun) || !(ways_ > 1)) return;
   const double left = (1 - now_.part) * ways_;  // looks

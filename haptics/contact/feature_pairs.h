@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <span>
 #include <vector>
@@ -64,8 +63,8 @@ private:
     std::uint64_t look = 0;
   };
   const Place& place(std::uint32_t tool_vertex) noexcept;
-  // Whether the plane between the two, tool the vertices of the tool's, is still there at this look and
-  // ahead.
+  // Whether the candidate's plane still separates its two features, now and ahead. tool: the vertices of the
+  // tool's feature.
   bool is_apart(const FeatureCandidate& candidate, std::span<const std::uint32_t> tool) noexcept;
   // Whether a gap now, and ahead, is wider than the look reaches; or deeper than what is a pair.
   bool is_above(double gap, double ahead) const noexcept { return std::min(gap, ahead) > reach_; }
