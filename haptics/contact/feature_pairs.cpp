@@ -28,6 +28,8 @@ constexpr double kUnmoved = 1e-8;      // m and rad, around a look that must do 
 constexpr double kParallel = 1e-12;    // squared sine of the angle between edges
 constexpr double kResting = 1e-8;      // m, what is in by less may be so by rounding
 constexpr double kNoSlack = 1e-6;      // rad, of rounding
+constexpr double kAllAtOnce = 2e-6;    // m, deeper than it can have come
+constexpr std::size_t kMostDeep = 256;
 enum Kind : std::uint64_t { kVertexFace, kVertexEdge, kVertexVertex, kFaceVertex, kEdgeVertex, kEdgeEdge };
 
 struct ClosestOfEdges {
@@ -107,10 +109,13 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
   // The memory is there before the first tick.
   pairs_.resize(kMostPairs);
   pairs_.clear();
+  deep_.reserve(kMostDeep);
+  deep_before_.reserve(kMostDeep);
 }
 
 bool FeaturePairs::look(const Pose& X_WT, const Vec6& ahead, double reach, std::size_t most) noexcept {
   const ToolWay way{.X_WT = X_WT, .step = ahead};
+  begin_depths();
   ++looks_;
   X_WT_ = X_WT;
   R_WT_ = X_WT.q.toRotationMatrix();
@@ -138,6 +143,33 @@ bool FeaturePairs::look(const Pose& X_WT, const Vec6& ahead, double reach, std::
   }
   gather_next();
   return complete_;
+}
+
+void FeaturePairs::begin_depths() noexcept {
+  if (complete_) {
+    std::swap(deep_, deep_before_);
+    X_WT_before_ = X_WT_;
+    least_gap_before_ = looks_ == 0 ? -std::numeric_limits<double>::infinity() : std::min(0.0, least_gap_);
+  }
+  deep_.clear();
+}
+
+// Whether the pair was no deeper at the last complete look than what was in then. Once there is no room,
+// everything counts as such.
+bool FeaturePairs::came_from_outside(std::uint64_t key, const Vec3& p_W, const Vec3& nhat_W,
+                                     double gap) noexcept {
+  if (gap > -kAllAtOnce || deep_.size() == kMostDeep) return true;
+  const auto before = std::find_if(deep_before_.begin(), deep_before_.end(),
+                                   [&](const Deep& deep) { return deep.key == key; });
+  bool came = false;
+  if (before != deep_before_.end()) {
+    came = before->came_from_outside;
+  } else {
+    const Vec3 before_W = X_WT_before_.q * (R_WT_.transpose() * (p_W - X_WT_.p)) + X_WT_before_.p;
+    came = gap - nhat_W.dot(p_W - before_W) >= least_gap_before_ - kAllAtOnce;
+  }
+  deep_.push_back({key, came});
+  return came;
 }
 
 bool FeaturePairs::none_near() const {
@@ -251,7 +283,9 @@ void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t sce
     complete_ = false;
     return;
   }
-  pairs_.push_back({kind << 60 | std::uint64_t{tool} << 30 | scene, p_W, nhat_W, gap});
+  const std::uint64_t key = kind << 60 | std::uint64_t{tool} << 30 | scene;
+  if (!came_from_outside(key, p_W, nhat_W, gap)) return;
+  pairs_.push_back({key, p_W, nhat_W, gap});
   least_gap_ = std::min(least_gap_, gap);
 }
 

@@ -41,8 +41,11 @@ public:
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
 
   // With the tool at X_WT: the pairs nearer than `reach` m, those that come as near where the tool goes
-  // `ahead` (6, m and rad in W, about T), and those that have passed each other. False: there were more than
-  // fit, or more candidates of a kind than `most`; then pairs() has not all of them, or none.
+  // `ahead` (6, m and rad in W, about T), and those that have passed each other. Of these, none that came
+  // from beside: that would have been in before the tool moved here, too, and was none of the last look's. So
+  // does what lies on the far side of a wedge thinner than kDeepest, and what is on the near side tells of
+  // it. False: there were more than fit, or more candidates of a kind than `most`; then pairs() has not all
+  // of them, or none.
   bool look(const Pose& X_WT, const Vec6& ahead, double reach, std::size_t most = kMostCandidates) noexcept;
   bool look(const Pose& X_WT, double reach) noexcept { return look(X_WT, Vec6::Zero(), reach); }
   std::span<const FeaturePair> pairs() const { return pairs_; }
@@ -88,6 +91,8 @@ private:
   bool cross(std::uint32_t tool_face, std::uint32_t scene_face) noexcept;
   void add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W, const Vec3& nhat_W,
            double gap) noexcept;
+  void begin_depths() noexcept;
+  bool came_from_outside(std::uint64_t key, const Vec3& p_W, const Vec3& nhat_W, double gap) noexcept;
 
   std::shared_ptr<const FeatureMesh> tool_, scene_;
   Pose X_WT_, X_WT_ahead_;
@@ -108,6 +113,14 @@ private:
   std::vector<FeaturePair> pairs_;
   double least_gap_ = 0;
   bool complete_ = true;
+  // What is in by more than a little, at this look and at the last complete one before it.
+  struct Deep {
+    std::uint64_t key = 0;
+    bool came_from_outside = true;
+  };
+  std::vector<Deep> deep_, deep_before_;
+  Pose X_WT_before_;
+  double least_gap_before_ = 0;  // m, at most 0
 };
 
 }  // namespace fulcrum

@@ -66,8 +66,9 @@ FeatureMesh::FeatureMesh(const TriangleMesh& mesh, std::span<const Triangle> nei
   }
   pair_edges(neighbours);
   find_around();
-  find_rises();
-  find_line_ends();
+  const FacesAround around = faces_around();
+  find_rises(around);
+  find_line_ends(around);
   plant_trees();
 }
 
@@ -121,22 +122,41 @@ void FeatureMesh::find_around() {
   around_begin_.push_back(static_cast<std::uint32_t>(around_.size()));
 }
 
-void FeatureMesh::find_rises() {
+void FeatureMesh::find_rises(const FacesAround& faces_around) {
   for (Face& face : faces_) {
     for (unsigned i = 0; i < 3; ++i) {
       // Edge i begins at corner i, and edge i + 2 ends there.
       const Edge &edge = edges_[face.edges[i]], &before = edges_[face.edges[(i + 2) % 3]];
       if (edge.concave()) face.rises_at_edges = static_cast<std::uint8_t>(face.rises_at_edges | 1u << i);
-      if (!edge.convex && !before.convex && (edge.concave() || before.concave()))
+      if (!edge.convex && !before.convex && (edge.concave() || before.concave()) &&
+          goes_on(face, i, faces_around[face.corners[i]]))
         face.rises_at_corners = static_cast<std::uint8_t>(face.rises_at_corners | 1u << i);
     }
   }
 }
 
-void FeatureMesh::find_line_ends() {
-  std::vector<std::vector<std::uint32_t>> faces_around(vertices_.size());
+// Whether the plane of a face lies in the solid, or along the surface, all around beyond a corner: in the
+// directions from which the corner is the face's nearest place.
+bool FeatureMesh::goes_on(const Face& face, unsigned corner, std::span<const std::uint32_t> faces) const {
+  const Vec3& p = vertices_[face.corners[corner]];
+  const Vec3 u = (vertices_[face.corners[(corner + 1) % 3]] - p).stableNormalized(),
+             v = (vertices_[face.corners[(corner + 2) % 3]] - p).stableNormalized();
+  const Vec3 beyond = -(u + v).stableNormalized(), beside_u = u.cross(face.nhat),
+             beside_v = face.nhat.cross(v);
+  for (const Vec3& direction : {beside_u, Vec3((beside_u + beyond).stableNormalized()), beyond,
+                                Vec3((beyond + beside_v).stableNormalized()), beside_v})
+    if (!goes_on(face.corners[corner], direction, faces, kSameLine)) return false;
+  return true;
+}
+
+FeatureMesh::FacesAround FeatureMesh::faces_around() const {
+  FacesAround around(vertices_.size());
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
-    for (const std::uint32_t v : faces_[f].corners) faces_around[v].push_back(f);
+    for (const std::uint32_t v : faces_[f].corners) around[v].push_back(f);
+  return around;
+}
+
+void FeatureMesh::find_line_ends(const FacesAround& faces_around) {
   std::vector<std::vector<Vec3>> convex_around(vertices_.size());  // unit, away from the vertex
   for (const Edge& edge : edges_) {
     if (!edge.convex) continue;
@@ -152,17 +172,18 @@ void FeatureMesh::find_line_ends() {
   for (Edge& edge : edges_) {
     if (!edge.convex) continue;
     const Vec3 along = (vertices_[edge.to] - vertices_[edge.from]).stableNormalized();
-    if (!is_continued(edge.from, -along) && goes_on(edge.from, -along, faces_around[edge.from]))
+    if (!is_continued(edge.from, -along) && goes_on(edge.from, -along, faces_around[edge.from], kStraight))
       edge.goes_on |= 1u;
-    if (!is_continued(edge.to, along) && goes_on(edge.to, along, faces_around[edge.to])) edge.goes_on |= 2u;
+    if (!is_continued(edge.to, along) && goes_on(edge.to, along, faces_around[edge.to], kStraight))
+      edge.goes_on |= 2u;
   }
 }
 
 // The face nearest to a place beside the vertex tells on which side of the surface the place is; where
 // several are as near, since an edge or the vertex itself is nearest, the one whose plane is farthest from it
-// does.
-bool FeatureMesh::goes_on(std::uint32_t vertex, const Vec3& direction,
-                          std::span<const std::uint32_t> faces) const {
+// does. most: rad, above the surface.
+bool FeatureMesh::goes_on(std::uint32_t vertex, const Vec3& direction, std::span<const std::uint32_t> faces,
+                          double most) const {
   // The place is 1 away, and the faces are taken as far larger: how long their edges are makes no difference.
   double nearest = 2, facing = 0;
   for (const std::uint32_t f : faces) {
@@ -177,7 +198,7 @@ bool FeatureMesh::goes_on(std::uint32_t vertex, const Vec3& direction,
     if (distance < nearest - kStraight || std::abs(height) > std::abs(facing)) facing = height;
     nearest = std::min(nearest, distance);
   }
-  return facing < kStraight;
+  return facing < most;
 }
 
 void FeatureMesh::plant_trees() {

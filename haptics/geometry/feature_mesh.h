@@ -68,9 +68,13 @@ public:
 private:
   void pair_edges(std::span<const Triangle> neighbours);
   void find_around();
-  void find_rises();
-  void find_line_ends();
-  bool goes_on(std::uint32_t vertex, const Vec3& direction, std::span<const std::uint32_t> faces) const;
+  using FacesAround = std::vector<std::vector<std::uint32_t>>;  // (vertices)
+  FacesAround faces_around() const;
+  void find_rises(const FacesAround& faces_around);
+  void find_line_ends(const FacesAround& faces_around);
+  bool goes_on(const Face& face, unsigned corner, std::span<const std::uint32_t> faces) const;
+  bool goes_on(std::uint32_t vertex, const Vec3& direction, std::span<const std::uint32_t> faces,
+               double most) const;
   void plant_trees();
 
   std::vector<Vec3> vertices_;

@@ -137,6 +137,42 @@ TEST(FeaturePairs, AreTheSameHoweverOneCameThere) {
   EXPECT_GT(seen, 100u);
 }
 
+// A plate of 30 um, and a spike whose tip is just under it while its shaft leaves past the plate's rim: the
+// tip is below the plate's top, too, but has not come in there. Pressed in from above, it has.
+TEST(FeaturePairs, OfAThinPlateTellOfTheSideThatATipCameFrom) {
+  constexpr double kThickness = 30e-6, kUnder = 10e-6, kWithin = 10e-6;  // m
+  const auto plate =
+      features(shapes::solid_of(shapes::box(Vec3(-0.01, -kThickness, -0.005), Vec3(0, 0, 0.005))));
+  TriangleMesh spike;
+  spike.vertices.emplace_back(0, 0, 0);
+  const Quat up = quaternion_exp(Vec3(0, 0, 0.25));  // of the shaft, from the plate's plane
+  for (const double angle : {0.0, 2.1, 4.2})
+    spike.vertices.push_back(up * Vec3(0.005, 4e-4 * std::cos(angle), 4e-4 * std::sin(angle)));
+  spike.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
+  const auto tool = features(shapes::solid_of(spike));
+  const Vec3 under(-kWithin, -kThickness - kUnder, 0);
+  const auto look = [](FeaturePairs& pairs, const Vec3& p_W) {
+    ASSERT_TRUE(pairs.look({Quat::Identity(), p_W}, 15e-6));
+  };
+
+  FeaturePairs from_beside(tool, plate);
+  for (int i = 20; i >= 0; --i) look(from_beside, under + Vec3(i * 2e-6, 0, 0));
+  ASSERT_FALSE(from_beside.pairs().empty());
+  EXPECT_GT(from_beside.least_gap(), 5e-6);
+  EXPECT_FALSE(from_beside.crosses());
+  // And up, until the shaft nearly touches the rim.
+  for (int i = 0; i <= 5; ++i) look(from_beside, under + Vec3(0, i * 1e-6, 0));
+  EXPECT_GT(from_beside.least_gap(), 1e-7);
+  // Who has not seen it come cannot know.
+  FeaturePairs at_once(tool, plate);
+  look(at_once, under);
+  EXPECT_LT(at_once.least_gap(), -kThickness);
+
+  FeaturePairs from_above(tool, plate);
+  for (int i = -10; i <= 10; ++i) look(from_above, Vec3(-1e-3, -i * 1e-6, 0));
+  EXPECT_NEAR(from_above.least_gap(), -10e-6, 1e-9);
+}
+
 TEST(FeaturePairs, TellOfWhatTheWayAheadMeets) {
   // A cube 1 mm above a plate, which goes down by 1.1 mm in its next step, or along the plate.
   const Solid cube = shapes::solid_of(shapes::box(Vec3(-1e-3, 0, -1e-3), Vec3(1e-3, 2e-3, 1e-3)));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "haptics/math/rotation.h"
@@ -103,6 +104,41 @@ TEST(FeatureMesh, ABoxGoesOnNowhere) {
       return face.rises_at_edges == 0 && face.rises_at_corners == 0;
     }));
   }
+}
+
+// A bar along z from 0 to 2, with a groove along its top.
+TriangleMesh grooved_bar() {
+  TriangleMesh bar;
+  constexpr std::array<std::array<double, 2>, 7> kOutline{
+      {{-1, -1}, {1, -1}, {1, 0}, {0.5, 0}, {0, -0.5}, {-0.5, 0}, {-1, 0}}};
+  constexpr auto n = static_cast<std::uint32_t>(kOutline.size());
+  for (const double z : {0.0, 1.0, 2.0})
+    for (const auto& [x, y] : kOutline) bar.vertices.emplace_back(x, y, z);
+  for (const double z : {0.0, 2.0}) bar.vertices.emplace_back(0, -0.75, z);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    for (const std::uint32_t section : {0u, n}) {
+      const std::uint32_t a = section + i, b = section + next;
+      bar.triangles.push_back({a, b, b + n});
+      bar.triangles.push_back({a, b + n, a + n});
+    }
+    bar.triangles.push_back({next, i, 3 * n});
+    bar.triangles.push_back({2 * n + i, 2 * n + next, 3 * n + 1});
+  }
+  return bar;
+}
+
+// In the groove, the surface rises beyond a corner at the bottom; at the groove's ends there is nothing.
+TEST(FeatureMesh, AGrooveRisesBetweenItsEndsAlone) {
+  const FeatureMesh mesh = features(grooved_bar());
+  int rising = 0;
+  for (const FeatureMesh::Face& face : mesh.faces())
+    for (unsigned i = 0; i < 3; ++i) {
+      if ((face.rises_at_corners >> i & 1u) == 0) continue;
+      EXPECT_LT((mesh.vertices()[face.corners[i]] - Vec3(0, -0.5, 1)).norm(), 1e-12);
+      ++rising;
+    }
+  EXPECT_GE(rising, 2) << "one of each wall at least";
 }
 
 // Around a ring's hole the surface rises beside the faces, and on the ring's outside beside none.
