@@ -10,6 +10,7 @@
 
 #include "haptics/effects/impact_vibration/distance_model.h"
 #include "haptics/geometry/distance_field.h"
+#include "haptics/geometry/feature_mesh.h"
 #include "haptics/geometry/object_map.h"
 #include "haptics/geometry/pointshell.h"
 #include "haptics/math/linear.h"
@@ -27,6 +28,7 @@ struct SceneSound {
   std::shared_ptr<const ObjectMap> objects;                 // null: all is of the first material
   std::shared_ptr<const Pointshell> tool_shell;             // as the tick has them; null: blows are those of
   std::shared_ptr<const DistanceField> scene_field;  // records that tell of impacts, and nothing slides
+  std::shared_ptr<const FeatureMesh> tool_features, scene_features;  // in place of those, on triangles
   double tick_s = 1e-3;
 };
 

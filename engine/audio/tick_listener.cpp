@@ -11,12 +11,18 @@ bool is_whole(const TickRecord& record) {
          record.V_WT.v.allFinite() && record.V_WT.w.allFinite() && record.contact_F_T_W.is_finite();
 }
 
+DeepestPointFinder finder_of(const SceneSound& desc) {
+  if (desc.tool_features && desc.scene_features)
+    return DeepestPointFinder(desc.tool_features, desc.scene_features);
+  return DeepestPointFinder(desc.tool_shell.get(), desc.scene_field);
+}
+
 }  // namespace
 
 TickListener::TickListener(const SceneSound& desc)
     : tick_s_(desc.tick_s),
       objects_(desc.objects),
-      finder_(desc.tool_shell.get(), desc.scene_field),
+      finder_(finder_of(desc)),
       apart_ticks_(std::llround(std::ceil(kApart / desc.tick_s))),
       over_ticks_(std::clamp<std::int64_t>(std::llround(kOver / desc.tick_s), 1, kPlaces - 1)),
       touched_at_(-apart_ticks_) {}

@@ -177,12 +177,6 @@ void assemble_features(HapticAssembly& result) {
   result.notes.emplace_back(note);
 }
 
-// What reads the tool's points and the scene's field beside the response: impacts are told apart by it, and
-// the sound of a scene follows the deepest point.
-bool reads_points(const Scenario& scenario) {
-  return may_ask_for_impacts(scenario.effects) || scenario.sound.has_value();
-}
-
 }  // namespace
 
 Result<Solid> build_scene_solid(const Scenario& scenario, const LoadedModels& models) {
@@ -239,7 +233,8 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   if (const auto warning = beyond_limits(scene)) result.warnings.push_back(*warning);
   for (const std::string& warning : advice_on_effects(scene, scene)) result.warnings.push_back(warning);
 
-  if (!on_triangles(scenario) || reads_points(scenario)) {
+  // Beside the response, impacts are told apart by the tool's points and the scene's field.
+  if (!on_triangles(scenario) || may_ask_for_impacts(scenario.effects)) {
     if (const auto error = assemble_points(scenario, cache, progress, solids, result)) return *error;
   }
   if (on_triangles(scenario)) {

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/haptics/bake/shapes.h"
 #include "tests/haptics/scenes.h"
 
 namespace fulcrum::audio {
@@ -144,7 +145,7 @@ TEST(DeepestPointFinder, FindsTheEndThatHangsDownOfALargeTool) {
   std::vector<Vec3> points;
   for (int i = 0; i < 200; ++i)
     for (int k = 0; k < 100; ++k) points.emplace_back(-0.05 + 5e-4 * i, 0.02, -0.025 + 5e-4 * k);
-  const DeepestPointFinder finder(test::shell_of(points).get(), test::floor_field());
+  DeepestPointFinder finder(test::shell_of(points).get(), test::floor_field());
   const Pose tilted{Quat(Eigen::AngleAxisd(-0.1, Vec3::UnitZ())), Vec3(0, -0.01, 0)};
   const std::optional<DeepestPoint> touch = finder.find(tilted);
   ASSERT_TRUE(touch);
@@ -152,6 +153,25 @@ TEST(DeepestPointFinder, FindsTheEndThatHangsDownOfALargeTool) {
   EXPECT_NEAR(touch->nhat_W.y(), 1, 1e-3);
   EXPECT_FALSE(DeepestPointFinder(nullptr, test::floor_field()).find(tilted));
   EXPECT_FALSE(DeepestPointFinder(test::shell_of(points).get(), nullptr).find(tilted));
+}
+
+TEST(DeepestPointFinder, FindsThatEndOnTriangles) {
+  const auto features = [](const Vec3& low, const Vec3& high) {
+    const Solid box = shapes::solid_of(shapes::box(low, high));
+    return std::make_shared<const FeatureMesh>(box.mesh, box.neighbours);
+  };
+  DeepestPointFinder finder(features(Vec3(-0.05, 0.02, -0.025), Vec3(0.05, 0.03, 0.025)),
+                            features(Vec3(-1, -0.1, -1), Vec3(1, 0, 1)));
+  // The corner that hangs down, 10 um above the floor.
+  const Quat turned(Eigen::AngleAxisd(-0.1, Vec3::UnitZ()));
+  const double above = 1e-5;
+  const Pose tilted{turned, Vec3(0, above - (turned * Vec3(0.05, 0.02, 0)).y(), 0)};
+  const std::optional<DeepestPoint> touch = finder.find(tilted);
+  ASSERT_TRUE(touch);
+  EXPECT_NEAR((tilted * touch->p_T).y(), above, 1e-9);
+  EXPECT_NEAR(touch->p_T.x(), 0.05, 1e-9);
+  EXPECT_NEAR(touch->nhat_W.y(), 1, 1e-9);
+  EXPECT_FALSE(finder.find({turned, tilted.p + Vec3(0, 1e-3, 0)})) << "nothing is near";
 }
 
 TEST(TickListener, HearsSlidingAlongWhatItTouches) {

@@ -25,6 +25,8 @@ std::optional<audio::SceneSound> scene_sound(const Prepared& prepared, const Sce
   sound.objects = prepared.haptic.objects;
   sound.tool_shell = scene.tool_shell;
   sound.scene_field = scene.scene_field;
+  sound.tool_features = scene.tool_features;
+  sound.scene_features = scene.scene_features;
   // The effect may be left out on this device: what tells the distance is heard all the same.
   if (scene.impact_vibration) sound.distance = scene.impact_vibration->distance;
   return sound;
