@@ -322,15 +322,16 @@ OverlapDepth::OverlapDepth(const Solid& scene_W, const Solid& tool_T, const Dist
 DeepestOverlap OverlapDepth::at(const Pose& X_WT, const Limits& limits) const {
   DeepestOverlap found;
   const Pose X_TW = X_WT.inverse();
-  if (is_clear(X_WT.p, reach_) && (field_ != nullptr || to_scene_.signed_distance(X_WT.p) > 0)) {
-    found.clearance = clearance(X_WT);
+  if (is_clear(X_WT.p, reach_, found.distances) &&
+      (field_ != nullptr || to_scene_.signed_distance(X_WT.p) > 0)) {
+    found.clearance = clearance(X_WT, found.distances);
     return found;
   }
 
   std::vector<Pair> of_tool, of_scene;
   std::vector<std::uint32_t> near;
   const auto part_is_clear = [&](const Vec3& centre_T, double radius) {
-    return is_clear(X_WT * centre_T, radius);
+    return is_clear(X_WT * centre_T, radius, found.distances);
   };
   const auto meet = [&](std::uint32_t t) {
     const Corners3 corners_T = corners_of(tool_T_.mesh, t);
@@ -351,18 +352,19 @@ DeepestOverlap OverlapDepth::at(const Pose& X_WT, const Limits& limits) const {
   search(scene_W_, tool_T_, to_tool_, X_TW, std::move(of_scene), limits, found);
   if (found.depth > depth) found.p_W = X_WT * found.p_W;
   found.bound = std::max(found.bound, found.depth);
-  if (found.bound == 0) found.clearance = clearance(X_WT);
+  if (found.bound == 0) found.clearance = clearance(X_WT, found.distances);
   return found;
 }
 
-bool OverlapDepth::is_clear(const Vec3& p_W, double radius) const {
+bool OverlapDepth::is_clear(const Vec3& p_W, double radius, std::int64_t& distances) const {
   if (field_ != nullptr) return field_->distance(p_W) - field_->local_error_m(p_W) > radius;
   const TriangleTree& tree = to_scene_.tree();
+  ++distances;
   return tree.nearest(tree.whole(), p_W, radius * radius, TriangleTree::kNone).triangle ==
          TriangleTree::kNone;
 }
 
-double OverlapDepth::clearance(const Pose& X_WT) const {
+double OverlapDepth::clearance(const Pose& X_WT, std::int64_t& distances) const {
   std::uint32_t hint = TriangleTree::kNone;
   const auto distance_at = [&](const Vec3& p_W) {
     if (field_ != nullptr) {
@@ -370,6 +372,7 @@ double OverlapDepth::clearance(const Pose& X_WT) const {
       if (seen.in_band || seen.distance < 0) return seen.distance - field_->local_error_m(p_W);
     }
     const TriangleTree& tree = to_scene_.tree();
+    ++distances;
     const auto nearest = tree.nearest(tree.whole(), p_W, std::numeric_limits<double>::infinity(), hint);
     hint = nearest.triangle;
     return std::sqrt(nearest.squared);

@@ -48,9 +48,10 @@ public:
   double reach() const { return reach_; }
 
 private:
-  double clearance(const Pose& X_WT) const;
+  // Both count the distances that they compute, and none that a field tells.
+  double clearance(const Pose& X_WT, std::int64_t& distances) const;
   // The scene's surface does not come into the ball. Where there is a field it is outside, too.
-  bool is_clear(const Vec3& p_W, double radius) const;
+  bool is_clear(const Vec3& p_W, double radius, std::int64_t& distances) const;
 
   const Solid& scene_W_;
   const Solid& tool_T_;

@@ -11,8 +11,10 @@ namespace {
 constexpr std::size_t kSamples = std::size_t{1} << 19;  // kept at most: 9 minutes at 1 kHz, 50 MB
 constexpr std::size_t kSeeds = 128;                     // measured first, spread over the run
 constexpr double kTolerance = 1e-6;                     // m
-// The work that is done at most: a few seconds.
-constexpr std::int64_t kPoses = 10'000, kDistances = 500'000, kDistancesAPose = 50'000;
+// The work that is done at most: a few seconds. Without a field, most distances only tell of a triangle that
+// it is clear, which costs less.
+constexpr std::int64_t kPoses = 10'000, kDistances = 500'000, kDistancesWithoutField = 2'000'000,
+                       kDistancesAPose = 50'000;
 
 constexpr double kUnmeasured = std::numeric_limits<double>::infinity();
 
@@ -58,8 +60,12 @@ namespace {
 template <class Sample>
 class DeepestTick {
 public:
-  DeepestTick(const std::vector<Sample>& samples, const OverlapDepth& overlap)
-      : samples_(samples), overlap_(overlap), bound_(samples.size(), kUnmeasured) {}
+  // distances: that are computed at most.
+  DeepestTick(const std::vector<Sample>& samples, const OverlapDepth& overlap, std::int64_t distances)
+      : samples_(samples),
+        overlap_(overlap),
+        most_distances_(distances),
+        bound_(samples.size(), kUnmeasured) {}
 
   void run(bool every_tick) {
     every_tick_ = every_tick;
@@ -72,7 +78,7 @@ public:
     }
     while (!waiting_.empty()) {
       const Interval interval = waiting_.top();
-      if (interval.bound <= found_.depth + kTolerance || poses_ >= kPoses || distances_ >= kDistances) {
+      if (interval.bound <= found_.depth + kTolerance || poses_ >= kPoses || distances_ >= most_distances_) {
         left_over(interval.bound);
         return;
       }
@@ -155,6 +161,7 @@ private:
 
   const std::vector<Sample>& samples_;
   const OverlapDepth& overlap_;
+  std::int64_t most_distances_;
   std::vector<double> bound_;  // m, of the ticks that were measured: below 0 where the tool was clear
   std::priority_queue<Interval> waiting_;
   DeepestOverlap found_;
@@ -170,7 +177,7 @@ Penetration PenetrationMeter::deepest(const Solid& scene_W, const Solid& tool_T,
                                       const DistanceField* field) const {
   if (samples_.empty()) return {};
   const OverlapDepth overlap(scene_W, tool_T, field);
-  DeepestTick search(samples_, overlap);
+  DeepestTick search(samples_, overlap, field != nullptr ? kDistances : kDistancesWithoutField);
   search.run(every_ticks_ == 1);
   return {.depth = search.found().depth,
           .within = search.bound() - search.found().depth,
