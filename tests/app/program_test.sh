@@ -45,7 +45,7 @@ expect 0 'llvmpipe' "$FULCRUM" run piping --gpu list
 expect_each 0 field pointshell coupling integrator estimator surfaces shadow 'Left out' adaptive_window \
   'tool field' 'response *haptics .* constraint' 'friction .* contact.friction is 0' \
   "device's arms .* the scenario does not ask for it" 'circle of confusion .* asks for it' -- "$FULCRUM" explain piping
-for scenario in tutorial piping teeth ear plate knock stick sweep; do # each part says what it costs, or in which part that is
+for scenario in tutorial piping teeth ear plate knock stick sweep nut; do # each part says what it costs, or in which part that is
   free=$("$FULCRUM" explain "$scenario" --json 2>/dev/null | awk '
     /"left_out"/ { exit } /"name"/ { name = $0; none = 0 } /"kind": "haptics"/ { haptics = 1 } /"kind"/ && !/"haptics"/ { haptics = 0 }
     /"tick_us": null/ { none = 1 } /"counted_in": null/ && none && haptics { print name }')

@@ -35,7 +35,7 @@ expect 3 'Not completed' "$FULCRUM" run piping --headless --seconds 0.1 --out E 
 [ -e E/vibrotactile_motion-thumb.wav ] || [ -e E/touch-thumb.wav ] && fail "--force left a WAV of another run"
 
 # --- every scene runs on it; explain says what it is and what is left out
-for scene in piping teeth ear plate knock; do
+for scene in piping teeth ear plate knock nut; do
   expect 3 'Not completed' "$FULCRUM" run $scene --headless --seconds 0.3 --device simulated:two_channel --out "on/$scene"
   expect 3 'Not completed' "$FULCRUM" run $scene --headless --seconds 0.3 --device simulated:rumble_pad --out "pad/$scene"
 done

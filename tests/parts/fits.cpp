@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "tests/parts/flat.h"
-#include "tests/parts/thread.h"
+#include "tools/content/mesh/metric_thread.h"
 
 namespace fulcrum::parts {
 namespace {
@@ -56,13 +57,18 @@ Fit square_peg(double d) {
   return peg(named("square peg", 1e3 * d), square(d, 8), square(d + play, 8), d, play);
 }
 
+TriangleMesh mesh_of(content::Solid solid) {
+  return {std::move(solid.points), std::move(solid.triangles)};
+}
+
+// Cut off square: this is about threads that hold, not about how they begin.
 Fit threaded(double d, double pitch, double across_flats, double height) {
-  const MetricThread thread{d, pitch};
+  const content::MetricThread thread{d, pitch};
   Fit fit{.name = "nut M" + std::to_string(std::lround(1e3 * d)),
           .pitch = pitch,
           .clearance = thread_clearance(thread) / 2};
-  fit.scene_W = bolt(thread, 2.2 * height, 48);
-  fit.tool_T = nut(thread, height, across_flats, 48);
+  fit.scene_W = mesh_of(content::threaded_rod(thread, 2.2 * height, content::LeadIn::none, 48));
+  fit.tool_T = mesh_of(content::threaded_nut(thread, height, across_flats, content::LeadIn::none, 48));
   // In step with the bolt's thread, half of the axial play up.
   fit.X_WT.p.z() = pitch * std::round(0.6 * height / pitch);
   return fit;

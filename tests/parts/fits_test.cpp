@@ -11,7 +11,7 @@
 
 #include "haptics/math/rotation.h"
 #include "tests/parts/exact_depth.h"
-#include "tests/parts/thread.h"
+#include "tools/content/mesh/metric_thread.h"
 
 namespace fulcrum::parts {
 namespace {
@@ -78,7 +78,7 @@ TEST(Fits, NutsRiseAsTheyTurnAndOnlyThen) {
 // tables round what its formulas give.
 TEST(Fits, ThreadsHaveTheStandardsClearance) {
   const double nut = (10.863e-3 + 11.063e-3) / 2, bolt = (10.679e-3 + 10.829e-3) / 2;
-  EXPECT_NEAR(thread_clearance({12e-3, 1.75e-3}), (nut - bolt) / 2, 5e-6);
+  EXPECT_NEAR(content::thread_clearance({12e-3, 1.75e-3}), (nut - bolt) / 2, 5e-6);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ void expect_mirrored(const glm::vec3& mirrored, const glm::vec3& p, const std::s
 
 TEST(Mirrored, EveryPlaceOfAShippedScenarioIs) {
   const Installed installed(kContent);
-  for (const char* const name : {"piping", "teeth", "ear", "knock", "sweep", "tutorial"}) {
+  for (const char* const name : {"piping", "teeth", "ear", "knock", "sweep", "nut", "tutorial"}) {
     const auto right = load_shipped(name, {}), left = load_shipped(name, {"left_handed=true"});
     ASSERT_TRUE(right) << to_text(right.faults());
     ASSERT_TRUE(left) << to_text(left.faults());
@@ -75,7 +75,7 @@ TEST(Mirrored, EveryPlaceOfAShippedScenarioIs) {
 // Texts of both are compared, and numbers bit for bit by what a tape would keep.
 TEST(Mirrored, TwiceItIsWhatItWas) {
   const Installed installed(kContent);
-  for (const char* const name : {"piping", "teeth", "ear", "knock", "sweep", "tutorial"}) {
+  for (const char* const name : {"piping", "teeth", "ear", "knock", "sweep", "nut", "tutorial"}) {
     const auto right = load_shipped(name, {});
     auto left = load_shipped(name, {"left_handed=true"});
     ASSERT_TRUE(right && left);

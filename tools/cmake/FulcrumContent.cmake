@@ -36,6 +36,7 @@ fulcrum_models(plate plate.glb stand.glb marks.glb table.glb stylus.glb)
 fulcrum_models(knock boards.glb pegs_steel.glb pegs_wood.glb pegs_rubber.glb bench.glb bar.glb)
 fulcrum_models(stick ball.glb stand.glb table.glb stick.glb)
 fulcrum_models(sweep tablet.glb marks.glb desk.glb finger.glb)
+fulcrum_models(nut cover.glb wall.glb nut.glb)
 
 file(GLOB_RECURSE texts RELATIVE ${CMAKE_SOURCE_DIR}/content CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/content/*.yaml)
 foreach(text IN LISTS texts)

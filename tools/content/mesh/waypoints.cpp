@@ -24,8 +24,12 @@ std::string list(std::initializer_list<double> values) {
 
 std::string route_yaml(const std::string& how, const std::string& program,
                        const std::vector<RoutePose>& route) {
-  std::string text = "fulcrum: 1\n# The way of someone who knows how: " + how + ".\n# Written by `" +
-                     program + " --route`.\nwaypoints:\n";
+  return waypoints_yaml("The way of someone who knows how: " + how + ".", program + " --route", route);
+}
+
+std::string waypoints_yaml(const std::string& what, const std::string& command,
+                           const std::vector<RoutePose>& route) {
+  std::string text = "fulcrum: 1\n# " + what + "\n# Written by `" + command + "`.\nwaypoints:\n";
   for (const RoutePose& pose : route) {
     if (!pose.note.empty()) text += "  # " + pose.note + "\n";
     const Eigen::Vector3d p = pose.X_WT.translation();

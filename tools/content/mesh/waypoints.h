@@ -20,9 +20,12 @@ struct RoutePose {
   std::optional<double> stop{};   // s, of the dwell, for which the hand stops the force; none: it does not
 };
 
-// The hand's file as YAML. `how`: what someone who knows how does; `program` is named as its author.
+// The expert's file as YAML. `how`: what someone who knows how does; `program` is named as its author.
 std::string route_yaml(const std::string& how, const std::string& program,
                        const std::vector<RoutePose>& route);
+// Any hand's. `what`: a sentence; `command` is named as the file's author.
+std::string waypoints_yaml(const std::string& what, const std::string& command,
+                           const std::vector<RoutePose>& route);
 
 // A line of a scenario's list of checkpoints; position and radius in m. mirrored_name: where the scene is
 // mirrored; empty: the same.

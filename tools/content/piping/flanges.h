@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tools/content/mesh/solid.h"
-#include "tools/content/piping/fasteners.h"
+#include "tools/content/mesh/fasteners.h"
 
 namespace fulcrum::content {
 

@@ -4,7 +4,7 @@
 
 #include "haptics/math/rotation.h"
 #include "tools/content/mesh/loft.h"
-#include "tools/content/piping/fasteners.h"
+#include "tools/content/mesh/fasteners.h"
 
 namespace fulcrum::content {
 namespace {

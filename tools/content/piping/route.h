@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "tools/content/piping/fasteners.h"
+#include "tools/content/mesh/fasteners.h"
 #include "tools/content/piping/flanges.h"
 #include "tools/content/piping/spanner.h"
 

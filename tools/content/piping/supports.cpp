@@ -3,7 +3,7 @@
 #include "haptics/math/functions.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/tube.h"
-#include "tools/content/piping/fasteners.h"
+#include "tools/content/mesh/fasteners.h"
 
 namespace fulcrum::content {
 namespace {

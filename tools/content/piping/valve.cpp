@@ -7,7 +7,7 @@
 #include "haptics/math/rotation.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/tube.h"
-#include "tools/content/piping/fasteners.h"
+#include "tools/content/mesh/fasteners.h"
 #include "tools/content/piping/pipe_line.h"
 
 namespace fulcrum::content {
