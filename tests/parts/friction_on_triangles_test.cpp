@@ -7,12 +7,14 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "haptics/bake/solid.h"
 #include "haptics/math/rotation.h"
 #include "haptics/world/world.h"
 #include "tests/parts/flat.h"
 #include "tests/parts/in_hand.h"
+#include "tools/content/mesh/metric_thread.h"
 
 namespace fulcrum::parts {
 namespace {
@@ -126,6 +128,58 @@ TEST(FrictionOnTriangles, ASleeveJamsWhereItsLoadIsFarOff) {
     }
     const double M = std::abs(record.coupling_F_T_W.torque.y()), F = -record.coupling_F_T_W.force.z();
     EXPECT_NEAR(F, std::min(load, 2 * coefficient * M / L), 0.02 * load) << torque;
+  }
+}
+
+// A nut that a load presses along a screw of six threads, turned at an even pace with the load and against
+// it. Without friction the hand's torque is the load times lead / 2 pi. With friction it is more against the
+// load, and less with it: from tan(lead angle) cos(flank angle) on the nut has to be driven down, and holds
+// its place by itself. Where on the flanks it rubs, between the nut's root and the screw's crest, is not
+// known. The mean over turns by whole facets is free of what their corners do.
+TEST(FrictionOnTriangles, ANutHoldsItsPlaceUpToItsLead) {
+  constexpr content::MetricThread thread{.diameter = 12e-3, .pitch = 1.75e-3, .starts = 6};
+  constexpr double height = 8e-3, load = 2, k_R = 5;
+  constexpr int facets = 48, ticks_a_facet = 100, settling = 100;
+  const auto mesh_of = [](content::Solid solid) {
+    return TriangleMesh{std::move(solid.points), std::move(solid.triangles)};
+  };
+  const TriangleMesh screw =
+                         mesh_of(content::threaded_rod(thread, 20e-3, content::LeadIn::chamfered, facets)),
+                     nut = mesh_of(
+                         content::threaded_nut(thread, height, 18e-3, content::LeadIn::chamfered, facets));
+  const double outer = thread.diameter / 2, inner = outer - 5.0 / 8 * std::sqrt(3.0) / 2 * thread.pitch;
+  // sign: 1 against the load, -1 with it.
+  const auto torque = [&](double r, double friction, double sign) {
+    const double lead_angle = std::atan2(thread.lead(), 2 * kPi * r);
+    const double flank = std::atan(std::tan(kPi / 6) * std::cos(lead_angle));
+    return load * r * std::tan(lead_angle + sign * std::atan(friction / std::cos(flank)));
+  };
+  struct Turn {
+    double friction, sign;
+  };
+  for (const auto& [friction, sign] :
+       {Turn{0, 1}, Turn{0, -1}, Turn{0.15, 1}, Turn{0.15, -1}, Turn{0.35, -1}, Turn{0.5, -1}}) {
+    SceneDesc desc = rubbing(nut, screw, friction, k_R);
+    desc.tool.X_WT_start.p.z() = 4 * thread.pitch;
+    Result<World> world = World::build(desc);
+    ASSERT_TRUE(world) << world.error().sentence;
+    TickRecord record;
+    record.X_WT = desc.tool.X_WT_start;
+    double mean = 0;
+    for (int i = 0; i < settling + 2 * ticks_a_facet; ++i) {
+      // The hand goes with the nut, so that the load stays what it is.
+      const double pulled = std::min(1.0, i / 30.0) * load / kStiffness;
+      const double angle = sign * 2 * kPi / facets * i / ticks_a_facet;
+      const Vec3 goal(record.X_WT.p - Vec3(0, 0, pulled));
+      record = tick(*world, desc, {quaternion_exp(Vec3(0, 0, angle)), goal}).record;
+      if (i >= settling) mean += record.coupling_F_T_W.torque.z() / (2 * ticks_a_facet);
+      ASSERT_LT(record.depth_max, 1e-6);
+    }
+    const double rounding = friction > 0 ? 0 : 0.01 * load * thread.lead() / (2 * kPi);
+    const auto [least, most] = std::minmax({torque(inner, friction, sign), torque(outer, friction, sign)});
+    EXPECT_GT(mean, least - rounding) << friction << ' ' << sign;
+    EXPECT_LT(mean, most + rounding) << friction << ' ' << sign;
+    EXPECT_EQ(mean<0, friction> 0.3) << "it holds its place";
   }
 }
 
