@@ -29,6 +29,7 @@ constexpr double kParallel = 1e-12;    // squared sine of the angle between edge
 constexpr double kResting = 1e-8;      // m, what is in by less may be so by rounding
 constexpr double kNoSlack = 1e-6;      // rad, of rounding
 constexpr double kAllAtOnce = 2e-6;    // m, deeper than it can have come
+constexpr double kShortWay = 25e-6;    // m, of a place between two looks: what is near on its way was a pair
 constexpr std::size_t kMostDeep = 256;
 enum Kind : std::uint64_t { kVertexFace, kVertexEdge, kVertexVertex, kFaceVertex, kEdgeVertex, kEdgeEdge };
 
@@ -146,16 +147,17 @@ bool FeaturePairs::look(const Pose& X_WT, const Vec6& ahead, double reach, std::
 }
 
 void FeaturePairs::begin_depths() noexcept {
-  if (complete_) {
+  if (complete_ && !taken_back_) {
     std::swap(deep_, deep_before_);
     X_WT_before_ = X_WT_;
     least_gap_before_ = looks_ == 0 ? -std::numeric_limits<double>::infinity() : std::min(0.0, least_gap_);
   }
+  taken_back_ = false;
   deep_.clear();
 }
 
-// Whether the pair was no deeper at the last complete look than what was in then. Once there is no room,
-// everything counts as such.
+// Whether the pair was no deeper at the last complete look than what was in then. After a longer way it may
+// have gone past whatever it came in through, and counts as such; so does everything once there is no room.
 bool FeaturePairs::came_from_outside(std::uint64_t key, const Vec3& p_W, const Vec3& nhat_W,
                                      double gap) noexcept {
   if (gap > -kAllAtOnce || deep_.size() == kMostDeep) return true;
@@ -166,7 +168,8 @@ bool FeaturePairs::came_from_outside(std::uint64_t key, const Vec3& p_W, const V
     came = before->came_from_outside;
   } else {
     const Vec3 before_W = X_WT_before_.q * (R_WT_.transpose() * (p_W - X_WT_.p)) + X_WT_before_.p;
-    came = gap - nhat_W.dot(p_W - before_W) >= least_gap_before_ - kAllAtOnce;
+    const Vec3 moved_W = p_W - before_W;
+    came = moved_W.norm() > kShortWay || gap - nhat_W.dot(moved_W) >= least_gap_before_ - kAllAtOnce;
   }
   deep_.push_back({key, came});
   return came;

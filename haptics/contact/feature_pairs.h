@@ -42,12 +42,14 @@ public:
 
   // With the tool at X_WT: the pairs nearer than `reach` m, those that come as near where the tool goes
   // `ahead` (6, m and rad in W, about T), and those that have passed each other. Of these, none that came
-  // from beside: that would have been in before the tool moved here, too, and was none of the last look's. So
-  // does what lies on the far side of a wedge thinner than kDeepest, and what is on the near side tells of
-  // it. False: there were more than fit, or more candidates of a kind than `most`; then pairs() has not all
-  // of them, or none.
+  // from beside: that would have been in before the tool moved here, too, and was none of the last look's, a
+  // short way from here. So does what lies on the far side of a wedge thinner than kDeepest, and what is on
+  // the near side tells of it. False: there were more than fit, or more candidates of a kind than `most`;
+  // then pairs() has not all of them, or none.
   bool look(const Pose& X_WT, const Vec6& ahead, double reach, std::size_t most = kMostCandidates) noexcept;
   bool look(const Pose& X_WT, double reach) noexcept { return look(X_WT, Vec6::Zero(), reach); }
+  // The tool goes back to where it was at the look before: for the next one, the last one was not.
+  void take_back() noexcept { taken_back_ = true; }
   std::span<const FeaturePair> pairs() const { return pairs_; }
   double least_gap() const { return least_gap_; }  // m, of the pairs; infinite: there are none
   bool none_near() const;
@@ -120,6 +122,7 @@ private:
   };
   std::vector<Deep> deep_, deep_before_;
   Pose X_WT_before_;
+  bool taken_back_ = false;
   double least_gap_before_ = 0;  // m, at most 0
 };
 

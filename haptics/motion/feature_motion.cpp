@@ -161,6 +161,7 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
       if (complete_ && features_.least_gap() >= deepest) break;
       rounds.limited = true;
       tool_.put(from);
+      features_.take_back();
       if (halving == kMostHalvings) {
         look(step);
         return rounds;

@@ -63,6 +63,7 @@ expect 0 'edges .* contact.edges is 0' "$FULCRUM" explain piping --set contact.e
 expect_each 0 'features .*themselves' 'query .*contact.surface is triangles' 'edges .*contact.surface is triangles' -- \
   "$FULCRUM" explain tutorial --set contact.surface=triangles
 expect 0 'features .* contact.surface is points' "$FULCRUM" explain tutorial
+expect_each 0 'field .*nothing asks for impacts' 'pointshell .*nothing asks for impacts' -- "$FULCRUM" explain nut # though it has sound
 expect 2 'vibrates at impacts' "$FULCRUM" run piping --headless --circle
 expect 0 'good' "$FULCRUM" check piping
 expect 0 '^\[\]$' "$FULCRUM" check piping --json

@@ -8,6 +8,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/pointshell_bake.h"
@@ -19,6 +20,7 @@
 #include "tests/parts/exact_depth.h"
 #include "tests/parts/fits.h"
 #include "tests/parts/in_hand.h"
+#include "tools/content/mesh/metric_thread.h"
 
 namespace fulcrum::parts {
 namespace {
@@ -163,6 +165,37 @@ TEST(ExactContact, AToolThatStartsInAWallIsLetOutAndSaysSo) {
   for (int i = 0; i < 20; ++i) result = tick(*world, desc, {fit.X_WT.q, fit.X_WT.p + 8e-3 * fit.way_W});
   EXPECT_EQ(ExactDepth(fit.tool_T, fit.scene_W, 0.4e-3).at(result.record.X_WT), 0);
   EXPECT_GT((result.record.X_WT.p - fit.X_WT.p).dot(fit.way_W), 5e-3);
+}
+
+// The hand is 7 mm beyond what it pushes against: steps are long, and each may go past the side of a thread
+// that a chamfer has cut to nothing.
+TEST(ExactContact, KeepsANutOutOfTheBoltsEndThatItSlidesOver) {
+  constexpr content::MetricThread thread{.diameter = 12e-3, .pitch = 1.75e-3};
+  const auto mesh_of = [](content::Solid solid, double z) {
+    for (Vec3& p : solid.points) p.z() += z;
+    return TriangleMesh{std::move(solid.points), std::move(solid.triangles)};
+  };
+  const TriangleMesh nut = mesh_of(
+                         content::threaded_nut(thread, 10.6e-3, 18e-3, content::LeadIn::chamfered, 48),
+                         -5.3e-3),
+                     bolt = mesh_of(content::threaded_rod(thread, 21.6e-3, content::LeadIn::chamfered, 48),
+                                    -8e-3);
+  SceneDesc desc = in_hand(nut, bolt);
+  desc.contact.friction = 0.15;
+  desc.tool.X_WT_start = {
+      Quat(0.97866165862543752, -0.015877858289011136, 0.19750315365388482, 0.054422016219833565),
+      Vec3(0.0029688889086174185, 0.00033506298792472977, 0.017502278964046242)};
+  const Pose goal{Quat(0.97746545646107463, -0.015880277551412993, 0.20454639677040226, 0.049697784442349596),
+                  Vec3(-0.002770306117499143, 0.00019889431354345533, 0.012727757523297377)};
+  Result<World> world = World::build(desc);
+  ASSERT_TRUE(world) << world.error().sentence;
+  const ExactDepth judge(nut, bolt, 0.15e-3);
+  tick(*world, desc, desc.tool.X_WT_start);
+  for (int i = 0; i < 3; ++i) {
+    const StepResult result = tick(*world, desc, goal);
+    EXPECT_EQ(result.record.faults & kToolInside, 0u) << i;
+    EXPECT_LE(judge.at(result.record.X_WT), 1e-6) << i;
+  }
 }
 
 TEST(ExactContact, NeedsBothAndAConstraint) {

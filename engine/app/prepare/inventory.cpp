@@ -52,8 +52,8 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
     add("friction", "contact.friction is 0");
   if (response == ContactResponse::constraint) {
     if (!scene.tool_shell) {
-      add("field", "contact.surface is triangles, and neither impacts nor sound read it");
-      add("pointshell", "contact.surface is triangles, and neither impacts nor sound read it");
+      add("field", "contact.surface is triangles, and nothing asks for impacts");
+      add("pointshell", "contact.surface is triangles, and nothing asks for impacts");
     }
     if (scene.tool_features)
       add("query", "contact.surface is triangles: the response looks no points up");

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The expert starts the nut and runs it down to its washer: each turn takes it along by a pitch. A hand that tilts it on
-# the thread is told so, and yields, and completes the task; the clumsy one does not. None of them
-# gets into bolt or pipe by 10 um, and none is held where nothing holds it.
+# the thread is told so, and yields, and completes the task; the clumsy one does not. None of them gets into bolt or pipe by
+# 10 um, and none is held where nothing holds it.
 . "$(dirname "$0")/../../support/hands.sh"
 
 # HAND: how often its motion was limited, and what a turn of the nut on the thread took it along.

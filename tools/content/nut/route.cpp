@@ -1,6 +1,5 @@
 #include "tools/content/nut/route.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
