@@ -8,7 +8,6 @@
 #include <memory>
 #include <random>
 #include <string>
-#include <utility>
 
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/pointshell_bake.h"
@@ -17,6 +16,7 @@
 #include "haptics/math/split_mix.h"
 #include "haptics/safety/faults.h"
 #include "haptics/world/world.h"
+#include "tests/parts/content_mesh.h"
 #include "tests/parts/exact_depth.h"
 #include "tests/parts/fits.h"
 #include "tests/parts/in_hand.h"
@@ -171,15 +171,14 @@ TEST(ExactContact, AToolThatStartsInAWallIsLetOutAndSaysSo) {
 // that a chamfer has cut to nothing.
 TEST(ExactContact, KeepsANutOutOfTheBoltsEndThatItSlidesOver) {
   constexpr content::MetricThread thread{.diameter = 12e-3, .pitch = 1.75e-3};
-  const auto mesh_of = [](content::Solid solid, double z) {
-    for (Vec3& p : solid.points) p.z() += z;
-    return TriangleMesh{std::move(solid.points), std::move(solid.triangles)};
+  const auto raised = [](TriangleMesh mesh, double z) {
+    for (Vec3& p : mesh.vertices) p.z() += z;
+    return mesh;
   };
-  const TriangleMesh nut = mesh_of(
-                         content::threaded_nut(thread, 10.6e-3, 18e-3, content::LeadIn::chamfered, 48),
-                         -5.3e-3),
-                     bolt = mesh_of(content::threaded_rod(thread, 21.6e-3, content::LeadIn::chamfered, 48),
-                                    -8e-3);
+  const content::LeadIn lead_in = content::LeadIn::chamfered;
+  const TriangleMesh nut =
+                         raised(mesh_of(content::threaded_nut(thread, 10.6e-3, 18e-3, lead_in, 48)), -5.3e-3),
+                     bolt = raised(mesh_of(content::threaded_rod(thread, 21.6e-3, lead_in, 48)), -8e-3);
   SceneDesc desc = in_hand(nut, bolt);
   desc.contact.friction = 0.15;
   desc.tool.X_WT_start = {

@@ -38,7 +38,7 @@ void look_at(const Fit& fit, int poses) {
       EXPECT_TRUE(crossed) << fit.name << ' ' << i;
       ++in;
     } else if (!crossed) {
-      EXPECT_GE(pairs.least_gap(), -2e-8) << fit.name << ' ' << i;
+      EXPECT_GE(pairs.least_gap(), -1e-9) << fit.name << ' ' << i;
       ++out;
     }
   }

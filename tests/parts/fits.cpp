@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
+#include "tests/parts/content_mesh.h"
 #include "tests/parts/flat.h"
 #include "tools/content/mesh/metric_thread.h"
 
@@ -55,10 +55,6 @@ Fit round_peg(double d) {
 Fit square_peg(double d) {
   const double play = play_h7_g6(d);
   return peg(named("square peg", 1e3 * d), square(d, 8), square(d + play, 8), d, play);
-}
-
-TriangleMesh mesh_of(content::Solid solid) {
-  return {std::move(solid.points), std::move(solid.triangles)};
 }
 
 // Cut off square: this is about threads that hold, not about how they begin.
