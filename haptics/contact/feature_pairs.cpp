@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/geometry/bounds-inl.h"
-
 namespace fulcrum {
 namespace {
 
@@ -26,7 +24,6 @@ constexpr std::size_t kFew = 128;      // candidates: so few are gathered from f
 constexpr double kMostRoom = 2e-3;     // m, and at most from so far
 constexpr double kUnmoved = 1e-8;      // m and rad, around a look that must do with what it needs
 constexpr double kParallel = 1e-12;    // squared sine of the angle between edges
-constexpr double kResting = 1e-8;      // m, what is in by less may be so by rounding
 constexpr double kNoSlack = 1e-6;      // rad, of rounding
 constexpr double kAllAtOnce = 2e-6;    // m, deeper than it can have come
 constexpr double kShortWay = 25e-6;    // m, of a place between two looks: what is near on its way was a pair
@@ -55,19 +52,6 @@ Vec3 between_ends(const Vec3& a0, const Vec3& u, const Vec3& b0, const Vec3& v) 
        {from_end(a0 + u, b0, v), Vec3(-from_end(b0, a0, u)), Vec3(-from_end(b0 + v, a0, u))})
     if (other.squaredNorm() < nearest.squaredNorm()) nearest = other;
   return nearest;
-}
-
-// Whether the segment goes through the triangle, by more than kResting on either side and within its rim:
-// what rests on it may be in by rounding.
-bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& nhat) {
-  const double from = nhat.dot(p - a), to = nhat.dot(q - a);
-  if (!(std::min(from, to) < -kResting && std::max(from, to) > kResting)) return false;
-  const Vec3 x = p + (q - p) * (from / (from - to));
-  const auto is_within = [&](const Vec3& of, const Vec3& next) {
-    const Vec3 along = next - of;
-    return nhat.dot(along.cross(x - of)) > kResting * along.norm();
-  };
-  return is_within(a, b) && is_within(b, c) && is_within(c, a);
 }
 
 // Whether a point at that height is above or below the face, or beyond it where the surface rises.
@@ -105,8 +89,7 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
       room_(kLeastWay),
       gathering_(std::make_unique<FeatureGathering>(*tool_, *scene_, kMostTurn, kDeepest)),
       next_(std::make_unique<FeatureGathering>(*tool_, *scene_, kMostTurn, kDeepest)),
-      crossing_look_(tool_->face_tree().groups().size()),
-      crossing_W_(tool_->face_tree().groups().size()) {
+      passing_(tool_, scene_) {
   // The memory is there before the first tick.
   pairs_.resize(kMostPairs);
   pairs_.clear();
@@ -179,6 +162,12 @@ bool FeaturePairs::none_near() const {
   return complete_ && gathering_->candidates(FeatureGathering::kVertexFace).empty() &&
          gathering_->candidates(FeatureGathering::kFaceVertex).empty() &&
          gathering_->candidates(FeatureGathering::kEdgeEdge).empty();
+}
+
+double FeaturePairs::free_part(const Pose& X_WT, double depth) noexcept {
+  if (!gathering_->is_done()) return 1;
+  const double in = std::max(0.0, -least_gap_);
+  return passing_.free_part(*gathering_, X_WT_, X_WT, in, std::max(depth, in + kAllAtOnce));
 }
 
 // Whether the gathering's candidates are all that can have come within reach, or in.
@@ -405,107 +394,9 @@ void FeaturePairs::edge_on_edge(FeatureCandidate& candidate) noexcept {
   if (distance > kLevel) gathering_->set_apart(candidate, tool, apart / distance, {b0, b1}, kDeepest);
 }
 
-bool FeaturePairs::crosses() noexcept {
-  for (unsigned part = 0; part < kParts; ++part)
-    if (crosses(part)) return true;
-  return false;
-}
-
-bool FeaturePairs::crosses(unsigned part) noexcept {
-  const std::span<const FeatureTree::Group> tool = tool_->face_tree().groups();
-  if (tool.empty() || scene_->face_tree().groups().empty()) return false;
-  // Three levels down the tool's tree: to the lane that the part's digits say. Where a branch is shorter, the
-  // rest of its digits are 0.
-  Lane of_tool{0, part / 16 % 4};
-  pose(0);
-  for (const unsigned digit : {part / 4 % 4, part % 4}) {
-    const std::uint32_t child = tool[of_tool.group].children[of_tool.lane];
-    if (child == FeatureTree::kNone) return false;
-    if ((child & FeatureTree::kFeature) == 0) {
-      of_tool = {child, digit};
-      pose(child);
-    } else if (digit != 0) {
-      return false;
-    }
-  }
-  if (tool[of_tool.group].children[of_tool.lane] == FeatureTree::kNone) return false;
-  const Bounds tool_W = crossing_W_[of_tool.group][of_tool.lane];
-  for (unsigned near = scene_->face_tree().groups()[0].bounds.overlapping(tool_W); near != 0;
-       near &= near - 1)
-    if (crosses(of_tool, {0, lowest_bit(near)})) return true;
-  return false;
-}
-
-// Of two lanes that overlap.
-bool FeaturePairs::crosses(Lane of_tool, Lane of_scene) noexcept {
-  const std::span<const FeatureTree::Group> tool = tool_->face_tree().groups(),
-                                            scene = scene_->face_tree().groups();
-  const std::uint32_t tool_child = tool[of_tool.group].children[of_tool.lane],
-                      scene_child = scene[of_scene.group].children[of_scene.lane];
-  const bool tool_ends = (tool_child & FeatureTree::kFeature) != 0,
-             scene_ends = (scene_child & FeatureTree::kFeature) != 0;
-  if (tool_ends && scene_ends)
-    return cross(tool_child ^ FeatureTree::kFeature, scene_child ^ FeatureTree::kFeature);
-  const Bounds tool_W = crossing_W_[of_tool.group][of_tool.lane],
-               scene_W = scene[of_scene.group].bounds[of_scene.lane];
-  const bool splits_scene = tool_ends || (!scene_ends && scene_W.size() > tool_W.size());
-  unsigned near =
-      splits_scene ? scene[scene_child].bounds.overlapping(tool_W) : pose(tool_child).overlapping(scene_W);
-  for (; near != 0; near &= near - 1) {
-    const unsigned lane = lowest_bit(near);
-    if (splits_scene ? crosses(of_tool, {scene_child, lane}) : crosses({tool_child, lane}, of_scene))
-      return true;
-  }
-  return false;
-}
-
-// An edge of one of the faces through the other.
-bool FeaturePairs::cross(std::uint32_t tool_face, std::uint32_t scene_face) noexcept {
-  const FeatureMesh::Face &of_tool = tool_->faces()[tool_face], &of_scene = scene_->faces()[scene_face];
-  const auto scene = [&](unsigned i) -> const Vec3& { return scene_->vertices()[of_scene.corners[i % 3]]; };
-  const std::array tool{place(of_tool.corners[0]).now_W, place(of_tool.corners[1]).now_W,
-                        place(of_tool.corners[2]).now_W};
-  const Vec3 nhat = R_WT_ * of_tool.nhat;
-  // All of one on one side of the other's plane.
-  const auto sides = [](double a, double b, double c) {
-    return std::min({a, b, c}) > 0 || std::max({a, b, c}) < 0;
-  };
-  const auto over_scene = [&](const Vec3& p) { return of_scene.nhat.dot(p - scene(0)); };
-  const auto over_tool = [&](const Vec3& p) { return nhat.dot(p - tool[0]); };
-  if (sides(over_scene(tool[0]), over_scene(tool[1]), over_scene(tool[2])) ||
-      sides(over_tool(scene(0)), over_tool(scene(1)), over_tool(scene(2))))
-    return false;
-  for (unsigned e = 0; e < 3; ++e) {
-    if (!tool_->edges()[of_tool.edges[e]].flat &&
-        pierces(tool[e], tool[(e + 1) % 3], scene(0), scene(1), scene(2), of_scene.nhat))
-      return true;
-    if (!scene_->edges()[of_scene.edges[e]].flat &&
-        pierces(scene(e), scene(e + 1), tool[0], tool[1], tool[2], nhat))
-      return true;
-  }
-  return false;
-}
-
-const Bounds4& FeaturePairs::pose(std::uint32_t group) noexcept {
-  if (crossing_look_[group] != looks_) {
-    crossing_look_[group] = looks_;
-    const Sweep still{.R_from = R_WT_,
-                      .R_middle = R_WT_,
-                      .R_to = R_WT_,
-                      .p_from = X_WT_.p,
-                      .p_to = X_WT_.p,
-                      .reach = 0,
-                      .turn = 0,
-                      .slack = NormalCone(Vec3::UnitX())};
-    crossing_W_[group] = tool_->face_tree().groups()[group].bounds.swept(still);
-  }
-  return crossing_W_[group];
-}
-
 std::size_t FeaturePairs::bytes() const {
-  return tool_->bytes() + scene_->bytes() + gathering_->bytes() + next_->bytes() +
-         places_.size() * sizeof(Place) + crossing_W_.size() * (sizeof(Bounds4) + sizeof(std::uint64_t)) +
-         kMostPairs * sizeof(FeaturePair);
+  return tool_->bytes() + scene_->bytes() + gathering_->bytes() + next_->bytes() + passing_.bytes() +
+         places_.size() * sizeof(Place) + kMostPairs * sizeof(FeaturePair);
 }
 
 }  // namespace fulcrum

@@ -1,6 +1,6 @@
 #pragma once
 // A tool's vertices, edges and faces against a scene's: which of them are near each other, how far apart, and
-// along which normal; and whether the surfaces cross. Measured on the triangles, in double precision.
+// along which normal. Measured on the triangles, in double precision.
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptics/contact/feature_gathering.h"
+#include "haptics/contact/feature_passing.h"
 #include "haptics/geometry/feature_mesh.h"
 #include "haptics/geometry/point_triangle.h"
 #include "haptics/math/pose.h"
@@ -53,12 +54,11 @@ public:
   std::span<const FeaturePair> pairs() const { return pairs_; }
   double least_gap() const { return least_gap_; }  // m, of the pairs; infinite: there are none
   bool none_near() const;
+  // 0 to 1: the part of the way to X_WT, within what the last look looked along, that the tool may go until
+  // some features have gone in by `depth` m, though they may be out again at the way's end. What is in
+  // already may be in by a little more.
+  double free_part(const Pose& X_WT, double depth) noexcept;
 
-  // Whether, at the last look's pose, an edge of one goes through a face of the other: any, or of a part of
-  // the tool's faces alone. A tool that is wholly inside of the scene crosses nothing.
-  static constexpr unsigned kParts = 64;
-  bool crosses() noexcept;
-  bool crosses(unsigned part) noexcept;
   std::size_t bytes() const;
 
 private:
@@ -80,17 +80,9 @@ private:
   bool gather_around(std::size_t most) noexcept;
   void gather_next() noexcept;
   void make_room() noexcept;
-  // One lane of a group of either tree.
-  struct Lane {
-    std::uint32_t group;
-    unsigned lane;
-  };
-  const Bounds4& pose(std::uint32_t group) noexcept;
   void vertex_on_face(FeatureCandidate& candidate) noexcept;
   void face_on_vertex(FeatureCandidate& candidate) noexcept;
   void edge_on_edge(FeatureCandidate& candidate) noexcept;
-  bool crosses(Lane of_tool, Lane of_scene) noexcept;
-  bool cross(std::uint32_t tool_face, std::uint32_t scene_face) noexcept;
   void add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W, const Vec3& nhat_W,
            double gap) noexcept;
   void begin_depths() noexcept;
@@ -106,12 +98,10 @@ private:
   double room_;                     // m, around a way, at least
   // The candidates of this look, and those of the ticks after, which are gathered a part in each look.
   std::unique_ptr<FeatureGathering> gathering_, next_;
+  FeaturePassing passing_;
   ToolWay::Place now_, then_;     // on the gathering's way: this look's pose, and the one ahead
   double ways_ = 1, beside_ = 1;  // how many ways ahead candidates are gathered along, and how far beside
   double widest_ = 1;             // the most beside that was not too much
-  // The tree of the tool's faces, its groups in W: those that looks for crossings have come to.
-  std::vector<std::uint64_t> crossing_look_;  // (groups)
-  std::vector<Bounds4> crossing_W_;           // (groups)
   std::vector<FeaturePair> pairs_;
   double least_gap_ = 0;
   bool complete_ = true;

@@ -37,6 +37,7 @@ constexpr int kMostMendings = 3, kMostHalvings = 6, kMostTakings = 6;
 FeatureMotion::FeatureMotion(const PlainScene& desc)
     : tool_(desc, kFeatureSlack, std::max(desc.tool_features->radius(), kSettled)),
       features_(desc.tool_features, desc.scene_features),
+      crossings_(desc.tool_features, desc.scene_features),
       is_taken_(FeaturePairs::kMostPairs),
       longest_(kLongestFree),
       skin_(kThinnestSkin) {
@@ -44,7 +45,7 @@ FeatureMotion::FeatureMotion(const PlainScene& desc)
   broken_.reserve(FeaturePairs::kMostPairs);
   levers_W_.reserve(FeaturePairs::kMostPairs);
   look(Vec6::Zero());
-  crosses_ = features_.crosses();
+  crosses_ = crossings_.crosses(tool_.state().X_WT);
 }
 
 ToolAnswer FeatureMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
@@ -117,8 +118,9 @@ double FeatureMotion::longest_look() const noexcept {
 // A part of the tool's faces in each tick. A tool that crosses the scene counts as inside until a look at all
 // of them finds no crossing.
 void FeatureMotion::look_for_crossings() noexcept {
-  crosses_ = crosses_ ? features_.crosses() : features_.crosses(next_part_);
-  next_part_ = (next_part_ + 1) % FeaturePairs::kParts;
+  const Pose& X_WT = tool_.state().X_WT;
+  crosses_ = crosses_ ? crossings_.crosses(X_WT) : crossings_.crosses(X_WT, next_part_);
+  next_part_ = (next_part_ + 1) % FeatureCrossings::kParts;
 }
 
 FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults) noexcept {
@@ -149,6 +151,8 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
     rounds.limited = known < 1 || most < way(step);
     if (turn > FeaturePairs::kMostTurn && !features_.none_near())
       fraction = std::min(fraction, FeaturePairs::kMostTurn / turn);
+    if (fraction * way(step) > kMended)
+      fraction *= features_.free_part(ToolWay{.X_WT = from, .step = step}.at(fraction), 0.5 * kMended);
     for (int halving = 0;; ++halving) {
       if (!tool_.move(step * fraction)) {
         faults |= kNotFinite;
@@ -263,7 +267,8 @@ Vec6 FeatureMotion::solve(const Pose& X_WG) noexcept {
 
 std::vector<BuiltPart> FeatureMotion::parts() const {
   return {
-      {"features", "the tool's and the scene's vertices, edges and faces themselves", features_.bytes()},
+      {"features", "the tool's and the scene's vertices, edges and faces themselves",
+       features_.bytes() + crossings_.bytes()},
       {"response",
        "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kFeatureRounds) +
            " rounds of " + std::to_string(kMaxContacts) + " rows a tick, features within " +

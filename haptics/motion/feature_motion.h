@@ -4,16 +4,18 @@
 //
 // A round solves with the pairs that are known: those near the way ahead, which after a tick is the way that
 // this tick went. A step that goes elsewhere is looked along before it is taken, and solved for again with
-// what is there; and no step goes farther than pairs are known to it. Where it turns or slides past a feature
-// it may end a few micrometres in: the next round solves with the pairs as they are there, gaps below zero
-// among them. What is still in after kMostMendings such rounds goes back to where it was last free, and takes
-// shorter steps. What goes deeper than FeaturePairs::kDeepest in one round is no pair any more and counts as
-// free: such a tool is found within FeaturePairs::kParts ticks, by a look for crossings at a part of its
-// faces in each, and is the fault kToolInside.
+// what is there; and no step goes farther than pairs are known to it, or than to where a feature would have
+// gone into another on its way (feature_passing.h). Where it turns or slides past a feature it may end a few
+// micrometres in: the next round solves with the pairs as they are there, gaps below zero among them. What is
+// still in after kMostMendings such rounds goes back to where it was last free, and takes shorter steps. A
+// tool that is in by more than FeaturePairs::kDeepest all the same, as it may be placed there, has no pairs
+// that let it out, and counts as free: it is found within FeatureCrossings::kParts ticks, by a look for
+// crossings at a part of its faces in each, and is the fault kToolInside.
 
 #include <utility>
 #include <vector>
 
+#include "haptics/contact/feature_crossings.h"
 #include "haptics/contact/feature_pairs.h"
 #include "haptics/motion/constrained_tool.h"
 #include "haptics/motion/tool_motion.h"
@@ -51,6 +53,7 @@ private:
 
   ConstrainedTool tool_;
   FeaturePairs features_;
+  FeatureCrossings crossings_;
   std::vector<std::uint32_t> taken_;  // of the pairs, those that are rows
   std::vector<bool> is_taken_;        // (pairs)
   std::vector<Vec3> levers_W_;        // (pairs x 3) m, (p - p_T) x nhat: how a turn opens it

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "haptics/bake/solid.h"
+#include "haptics/contact/feature_crossings.h"
 #include "haptics/contact/feature_pairs.h"
 #include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
@@ -19,7 +20,9 @@ namespace {
 
 void look_at(const Fit& fit, int poses) {
   constexpr double kSeen = 3e-6, kDeepest = 40e-6;  // m, of the depths that are looked at
-  FeaturePairs pairs(features_of(fit.tool_T), features_of(fit.scene_W));
+  const auto tool = features_of(fit.tool_T), scene = features_of(fit.scene_W);
+  FeaturePairs pairs(tool, scene);
+  FeatureCrossings crossings(tool, scene);
   const ExactDepth judge(fit.tool_T, fit.scene_W, 0.4e-3);
   double radius = 0;  // m, of the tool
   for (const Vec3& p : fit.tool_T.vertices) radius = std::max(radius, p.norm());
@@ -32,7 +35,7 @@ void look_at(const Fit& fit, int poses) {
                     fit.X_WT.p + size * Vec3(any(), any(), any())};
     const double depth = judge.at(X_WT);
     ASSERT_TRUE(pairs.look(X_WT, 100e-6)) << fit.name;
-    const bool crossed = pairs.crosses();
+    const bool crossed = crossings.crosses(X_WT);
     if (depth > kSeen && depth < kDeepest) {
       EXPECT_LT(pairs.least_gap(), 0) << fit.name << ' ' << i << ' ' << 1e6 * depth << " um";
       EXPECT_TRUE(crossed) << fit.name << ' ' << i;
