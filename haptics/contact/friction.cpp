@@ -16,7 +16,7 @@ Vec6 about_T(const Vec3& force_W, const Vec3& r_W) {
   return F;
 }
 
-// m/N: by how much at most the point gives way to a force along its surface.
+// m/N, as of RubbingPoint.
 double mobility(const RubbingPoint& point, const Vec6& metric) {
   const Vec3 t = point.nhat_W.unitOrthogonal(), u = point.nhat_W.cross(t);
   const Vec3 turn_t = point.r_W.cross(t), turn_u = point.r_W.cross(u);
@@ -30,13 +30,16 @@ double mobility(const RubbingPoint& point, const Vec6& metric) {
 
 Vec6 rub(const Vec6& metric, double coefficient, Vec6& step, std::span<RubbingPoint> points) noexcept {
   double largest = 0;
-  for (const RubbingPoint& point : points) largest = std::max(largest, point.normal_force);
+  for (RubbingPoint& point : points) {
+    largest = std::max(largest, point.normal_force);
+    point.mobility = mobility(point, metric);
+  }
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double changed = 0;
     for (RubbingPoint& point : points) {
       const Vec3 moved = step.head<3>() + step.tail<3>().cross(point.r_W) + point.slip_W;
       const Vec3 along = moved - point.nhat_W * point.nhat_W.dot(moved);
-      Vec3 wanted = point.force_W - along / mobility(point, metric);
+      Vec3 wanted = point.force_W - along / point.mobility;
       wanted -= point.nhat_W * point.nhat_W.dot(wanted);  // a guess may be of another normal
       const double most = coefficient * point.normal_force, size = wanted.norm();
       if (size > most) wanted *= most / size;

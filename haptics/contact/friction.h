@@ -17,6 +17,7 @@ struct RubbingPoint {
   Vec3 slip_W = Vec3::Zero();   // (3) m, how far it has moved in this tick before the step
   double normal_force = 0;      // N
   Vec3 force_W = Vec3::Zero();  // (3) N on the tool, tangential: a guess, and then the answer
+  double mobility = 0;  // m/N, of the answer: how far at most it gives way to a force along its surface
 };
 
 // metric: (6) of the coupling. step: (6) m and rad in W about T, the tool's motion under the points' forces
