@@ -12,7 +12,8 @@ namespace {
 constexpr double kGatheringError = 1e-9;  // m and rad
 constexpr double kAlmostParallel = 0.2;   // sine of the angle between two edges
 constexpr double kAboveFirstOrder = 1.1;  // how much faster than in the limit of small turns
-constexpr std::size_t kDepth = 1u << 10;  // of lanes that wait: a few of each level of both trees
+constexpr float kMuchLarger = 2;          // of two boxes, so that it alone is divided
+constexpr std::size_t kDepth = 1u << 10;  // of what waits: 15 of each level of both trees
 
 // A face's own normal, or one of its edges' or corners'.
 template <class IsOpposed>
@@ -77,7 +78,7 @@ const FeatureTree& FeatureGathering::scene_tree(Kind kind) const {
                              : (kind == kFaceVertex ? scene_->vertex_tree() : scene_->edge_tree());
 }
 
-void FeatureGathering::begin(const ToolWay& way, std::size_t most) noexcept {
+void FeatureGathering::begin(const ToolWay& way, std::size_t most, std::size_t most_visits) noexcept {
   way_ = way;
   const Pose to = way.at(1);
   const double turn = way.step.tail<3>().norm();
@@ -91,6 +92,7 @@ void FeatureGathering::begin(const ToolWay& way, std::size_t most) noexcept {
             .slack = {}};
   turned_ = way.turn + 0.5 * turn;
   most_ = std::min(most, kMostCandidates);
+  most_visits_ = most_visits;
   visits_ = 0;
   too_many_ = false;
   ++gathering_;
@@ -108,14 +110,12 @@ void FeatureGathering::begin_kind() noexcept {
   // Both edges of a pair may be off by the slack.
   cone_ = NormalCone(Vec3::UnitX(), (kind_ == kEdgeEdge ? 2 : 1) * slack_ + turned_);
   sweep_.slack = cone_;
-  const Bounds4& all = pose(tool, 0);
-  for (unsigned i = 0; i < 4; ++i)
-    for (unsigned meeting = scene[0].bounds.meeting(all[i]); meeting != 0; meeting &= meeting - 1)
-      meetings_.push_back({{0, i}, {0, lowest_bit(meeting)}});
+  meetings_.push_back({});
 }
 
 void FeatureGathering::go_on(std::size_t visits) noexcept {
-  while (state_ == State::going_on && visits > 0) {
+  const std::size_t last = visits_ + std::min(visits, kAnyNumber - visits_);
+  while (state_ == State::going_on && visits_ < last) {
     if (meetings_.empty()) {
       if (++kind_ == kKinds)
         state_ = State::done;
@@ -126,35 +126,46 @@ void FeatureGathering::go_on(std::size_t visits) noexcept {
     const Meeting meeting = meetings_.back();
     meetings_.pop_back();
     descend(meeting);
-    ++visits_;
-    --visits;
-    if (too_many_) state_ = State::none;
+    if (too_many_ || visits_ > most_visits_) state_ = State::none;
   }
 }
 
 void FeatureGathering::descend(const Meeting& meeting) noexcept {
   Posed& tool = posed_[kind_];
-  const std::span<const FeatureTree::Group> scene = scene_tree(static_cast<Kind>(kind_)).groups();
-  const std::uint32_t tool_child = tool.groups[meeting.tool.group].children[meeting.tool.lane],
-                      scene_child = scene[meeting.scene.group].children[meeting.scene.lane];
-  const bool tool_ends = (tool_child & FeatureTree::kFeature) != 0,
-             scene_ends = (scene_child & FeatureTree::kFeature) != 0;
-  if (tool_ends && scene_ends) {
-    take(tool_child ^ FeatureTree::kFeature, scene_child ^ FeatureTree::kFeature);
+  const Bounds4& tool_W = pose(tool, meeting.tool);
+  const Bounds4& scene_W = scene_tree(static_cast<Kind>(kind_)).groups()[meeting.scene].bounds;
+  if (meeting.scene_lane != Meeting::kAll) {
+    ++visits_;
+    for (unsigned meets = tool_W.meeting(scene_W[meeting.scene_lane]); meets != 0; meets &= meets - 1)
+      meet({meeting.tool, meeting.scene, lowest_bit(meets), meeting.scene_lane});
     return;
   }
-  const Bounds tool_W = tool.bounds_W[meeting.tool.group][meeting.tool.lane],
-               scene_W = scene[meeting.scene.group].bounds[meeting.scene.lane];
-  const bool splits_scene = tool_ends || (!scene_ends && scene_W.size() > tool_W.size());
-  unsigned meets =
-      splits_scene ? scene[scene_child].bounds.meeting(tool_W) : pose(tool, tool_child).meeting(scene_W);
-  for (; meets != 0; meets &= meets - 1) {
-    const std::uint32_t lane = lowest_bit(meets);
-    if (splits_scene)
-      meetings_.push_back({meeting.tool, {scene_child, lane}});
-    else
-      meetings_.push_back({{tool_child, lane}, meeting.scene});
+  const bool is_one = meeting.tool_lane != Meeting::kAll;
+  const std::uint32_t first = is_one ? meeting.tool_lane : 0, last = is_one ? first : 3;
+  for (std::uint32_t lane = first; lane <= last; ++lane) {
+    ++visits_;
+    for (unsigned meets = scene_W.meeting(tool_W[lane]); meets != 0; meets &= meets - 1)
+      meet({meeting.tool, meeting.scene, lane, lowest_bit(meets)});
   }
+}
+
+// Two lanes that meet: two features, or what is below both of them, or below the larger one.
+void FeatureGathering::meet(const Meeting& lanes) noexcept {
+  const FeatureTree::Group &tool = posed_[kind_].groups[lanes.tool],
+                           &scene = scene_tree(static_cast<Kind>(kind_)).groups()[lanes.scene];
+  const std::uint32_t tool_child = tool.children[lanes.tool_lane],
+                      scene_child = scene.children[lanes.scene_lane];
+  const bool tool_ends = (tool_child & FeatureTree::kFeature) != 0,
+             scene_ends = (scene_child & FeatureTree::kFeature) != 0;
+  if (tool_ends && scene_ends)
+    return take(tool_child ^ FeatureTree::kFeature, scene_child ^ FeatureTree::kFeature);
+  const float tool_size = tool.bounds.size(lanes.tool_lane), scene_size = scene.bounds.size(lanes.scene_lane);
+  if (tool_ends || (!scene_ends && scene_size > kMuchLarger * tool_size))
+    meetings_.push_back({lanes.tool, scene_child, lanes.tool_lane, Meeting::kAll});
+  else if (scene_ends || tool_size > kMuchLarger * scene_size)
+    meetings_.push_back({tool_child, lanes.scene, Meeting::kAll, lanes.scene_lane});
+  else
+    meetings_.push_back({tool_child, scene_child});
 }
 
 const Bounds4& FeatureGathering::pose(Posed& tool, std::uint32_t group) noexcept {

@@ -56,11 +56,12 @@ public:
   // farther is none. Both meshes have to outlive it.
   FeatureGathering(const FeatureMesh& tool_T, const FeatureMesh& scene_W, double slack, double deepest);
 
-  // most: candidates of a kind; more are too many.
-  void begin(const ToolWay& way, std::size_t most) noexcept;
-  // Looks at about so many more pairs of boxes.
+  static constexpr std::size_t kAnyNumber = ~std::size_t{0};
+  // most: candidates of a kind; more are too many, as are more visits than most_visits. Then it ends undone.
+  void begin(const ToolWay& way, std::size_t most, std::size_t most_visits = kAnyNumber) noexcept;
+  // Looks at so many more boxes of the one beside four of the other, or up to three more than that.
   void go_on(std::size_t visits) noexcept;
-  void go_on() noexcept { go_on(~std::size_t{0}); }
+  void go_on() noexcept { go_on(kAnyNumber); }
   void give_up() noexcept { state_ = State::none; }
   bool is_begun() const { return state_ != State::none; }
   bool is_done() const { return state_ == State::done; }
@@ -94,12 +95,10 @@ private:
     std::uint32_t gathering = 0;
     float radius = 0;  // m, from T
   };
-  // One lane of a group of either tree; two that meet.
-  struct Lane {
-    std::uint32_t group = 0, lane = 0;
-  };
+  // Of two groups that may meet: all lanes of each, or one alone.
   struct Meeting {
-    Lane tool, scene;
+    static constexpr std::uint32_t kAll = 4;
+    std::uint32_t tool = 0, scene = 0, tool_lane = kAll, scene_lane = kAll;
   };
 
   const FeatureTree& scene_tree(Kind kind) const;
@@ -107,6 +106,7 @@ private:
   const Ends& ends(std::uint32_t tool_vertex) noexcept;
   void begin_kind() noexcept;
   void descend(const Meeting& meeting) noexcept;
+  void meet(const Meeting& lanes) noexcept;
   void take(std::uint32_t tool, std::uint32_t scene) noexcept;
   void take_vertex_face(std::uint32_t vertex, std::uint32_t face) noexcept;
   void take_face_vertex(std::uint32_t face, std::uint32_t vertex) noexcept;
@@ -122,7 +122,7 @@ private:
   ToolWay way_;
   Sweep sweep_;
   double turned_ = 0;  // rad, normals are off their middle at most
-  std::size_t most_ = 0, visits_ = 0;
+  std::size_t most_ = 0, most_visits_ = 0, visits_ = 0;
   bool too_many_ = false;
   std::uint32_t gathering_ = 0;  // how many there were
   std::size_t kind_ = 0;

@@ -7,26 +7,11 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLevel = 1e-9;  // m, what lies this far beyond a plane lies on it
-// Candidates are gathered along as many ways ahead as will be gone, and beside them.
-constexpr double kMostWays = 8;
-constexpr double kLongestWay = 2e-3;       // m, of all of these
-constexpr double kGone = 0.6;              // of them: who came so far went along them
-constexpr double kBegun = 0.1;             // of them: then the next gathering begins
-constexpr std::size_t kLeastVisits = 256;  // in a look, of the next gathering
-constexpr double kLeastBeside = 0.5;       // of a way ahead: how far beside, at least
-constexpr double kWidening = 1.05;         // each time: how fast this may grow again where there was too much
-constexpr double kLeastWay = 50e-6, kLongWay = 250e-6;  // m, what a way ahead counts as, at least and at most
-constexpr double kLeastTurn = 0.02;    // rad, a turn ahead likewise, if that is less than the least way
-constexpr double kMostTurns = 5;       // and at most so many of it
-constexpr std::size_t kEnough = 8192;  // candidates of a kind: more are too much
-constexpr std::size_t kFew = 128;      // candidates: so few are gathered from farther around the next time
-constexpr double kMostRoom = 2e-3;     // m, and at most from so far
-constexpr double kUnmoved = 1e-8;      // m and rad, around a look that must do with what it needs
-constexpr double kParallel = 1e-12;    // squared sine of the angle between edges
-constexpr double kNoSlack = 1e-6;      // rad, of rounding
-constexpr double kAllAtOnce = 2e-6;    // m, deeper than it can have come
-constexpr double kShortWay = 25e-6;    // m, of a place between two looks: what is near on its way was a pair
+constexpr double kLevel = 1e-9;      // m, what lies this far beyond a plane lies on it
+constexpr double kParallel = 1e-12;  // squared sine of the angle between edges
+constexpr double kNoSlack = 1e-6;    // rad, of rounding
+constexpr double kAllAtOnce = 2e-6;  // m, deeper than it can have come
+constexpr double kShortWay = 25e-6;  // m, of a place between two looks: what is near on its way was a pair
 constexpr std::size_t kMostDeep = 256;
 enum Kind : std::uint64_t { kVertexFace, kVertexEdge, kVertexVertex, kFaceVertex, kEdgeVertex, kEdgeEdge };
 
@@ -86,9 +71,7 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
     : tool_(std::move(tool_T)),
       scene_(std::move(scene_W)),
       places_(tool_->vertices().size()),
-      room_(kLeastWay),
-      gathering_(std::make_unique<FeatureGathering>(*tool_, *scene_, kMostTurn, kDeepest)),
-      next_(std::make_unique<FeatureGathering>(*tool_, *scene_, kMostTurn, kDeepest)),
+      lookahead_(*tool_, *scene_, kMostTurn, kDeepest),
       passing_(tool_, scene_) {
   // The memory is there before the first tick.
   pairs_.resize(kMostPairs);
@@ -105,27 +88,27 @@ bool FeaturePairs::look(const Pose& X_WT, const Vec6& ahead, double reach, std::
   R_WT_ = X_WT.q.toRotationMatrix();
   X_WT_ahead_ = way.at(1);
   R_WT_ahead_ = X_WT_ahead_.q.toRotationMatrix();
-  ahead_ = ahead;
   // A point that turns goes along an arc, which is this much off its chord.
   reach_ = reach + ahead.tail<3>().squaredNorm() * tool_->radius() / 8;
   deepest_ = std::max(reach_, kDeepest);
   complete_ = true;
   pairs_.clear();
   least_gap_ = std::numeric_limits<double>::infinity();
-  if (!(gathering_->is_done() && covers(*gathering_)) && !gather(most)) return complete_ = false;
-  for (FeatureCandidate& candidate : gathering_->candidates(FeatureGathering::kVertexFace))
-    if (!candidate.is_apart(now_, then_, reach_) && !is_apart(candidate, {&candidate.tool, 1}))
+  if (!lookahead_.look(X_WT, ahead, deepest_, most)) return complete_ = false;
+  const ToolWay::Place &now = lookahead_.now(), &then = lookahead_.then();
+  for (FeatureCandidate& candidate : lookahead_.gathering().candidates(FeatureGathering::kVertexFace))
+    if (!candidate.is_apart(now, then, reach_) && !is_apart(candidate, {&candidate.tool, 1}))
       vertex_on_face(candidate);
-  for (FeatureCandidate& candidate : gathering_->candidates(FeatureGathering::kFaceVertex))
-    if (!candidate.is_apart(now_, then_, reach_) &&
+  for (FeatureCandidate& candidate : lookahead_.gathering().candidates(FeatureGathering::kFaceVertex))
+    if (!candidate.is_apart(now, then, reach_) &&
         !is_apart(candidate, tool_->faces()[candidate.tool].corners))
       face_on_vertex(candidate);
-  for (FeatureCandidate& candidate : gathering_->candidates(FeatureGathering::kEdgeEdge)) {
-    if (candidate.is_apart(now_, then_, reach_)) continue;
+  for (FeatureCandidate& candidate : lookahead_.gathering().candidates(FeatureGathering::kEdgeEdge)) {
+    if (candidate.is_apart(now, then, reach_)) continue;
     const FeatureMesh::Edge& edge = tool_->edges()[candidate.tool];
     if (!is_apart(candidate, std::array{edge.from, edge.to})) edge_on_edge(candidate);
   }
-  gather_next();
+  lookahead_.go_on();
   return complete_;
 }
 
@@ -159,96 +142,15 @@ bool FeaturePairs::came_from_outside(std::uint64_t key, const Vec3& p_W, const V
 }
 
 bool FeaturePairs::none_near() const {
-  return complete_ && gathering_->candidates(FeatureGathering::kVertexFace).empty() &&
-         gathering_->candidates(FeatureGathering::kFaceVertex).empty() &&
-         gathering_->candidates(FeatureGathering::kEdgeEdge).empty();
+  return complete_ && lookahead_.gathering().candidates(FeatureGathering::kVertexFace).empty() &&
+         lookahead_.gathering().candidates(FeatureGathering::kFaceVertex).empty() &&
+         lookahead_.gathering().candidates(FeatureGathering::kEdgeEdge).empty();
 }
 
 double FeaturePairs::free_part(const Pose& X_WT, double depth) noexcept {
-  if (!gathering_->is_done()) return 1;
+  if (!lookahead_.gathering().is_done()) return 1;
   const double in = std::max(0.0, -least_gap_);
-  return passing_.free_part(*gathering_, X_WT_, X_WT, in, std::max(depth, in + kAllAtOnce));
-}
-
-// Whether the gathering's candidates are all that can have come within reach, or in.
-bool FeaturePairs::covers(const FeatureGathering& gathering) noexcept {
-  now_ = gathering.way().place(X_WT_, tool_->radius());
-  then_ = gathering.way().place(X_WT_ahead_, tool_->radius());
-  return gathering.covers(now_, then_, deepest_);
-}
-
-bool FeaturePairs::gather(std::size_t most) noexcept {
-  const bool went = now_.part > kGone;
-  widest_ = std::min(kWidening * widest_, kMostWays);
-  ways_ = std::clamp((went ? 1.5 : 0.5) * ways_, 1.0, kMostWays);
-  beside_ = std::clamp((went ? 0.5 : 2) * beside_, kLeastBeside, widest_);
-  if (next_->is_begun() && covers(*next_)) {
-    next_->go_on();
-    if (next_->is_done()) {
-      std::swap(gathering_, next_);
-      next_->give_up();
-      make_room();
-      return true;
-    }
-  }
-  next_->give_up();
-  return gather_around(most) && covers(*gathering_);
-}
-
-// The candidates from here on: far along the way ahead if the tool went along the last one, else wide around
-// it; less far and less wide where that would be more than kEnough.
-bool FeaturePairs::gather_around(std::size_t most) noexcept {
-  for (;; ways_ = std::max(1.0, 0.5 * ways_), beside_ = widest_ = std::max(kLeastBeside, 0.5 * beside_)) {
-    gathering_->begin(way_from(X_WT_), std::min(most, kEnough));
-    gathering_->go_on();
-    if (gathering_->is_done()) {
-      make_room();
-      return true;
-    }
-    room_ = kLeastWay;
-    if (!(ways_ > 1 || beside_ > kLeastBeside)) break;
-  }
-  gathering_->begin({X_WT_, ahead_, deepest_ + kUnmoved, kUnmoved}, most);
-  gathering_->go_on();
-  return gathering_->is_done();
-}
-
-// How far around the next gathering looks at least. Few candidates cost little, and those of a wide gathering
-// serve for longer.
-void FeaturePairs::make_room() noexcept {
-  std::size_t count = 0;
-  for (const auto kind :
-       {FeatureGathering::kVertexFace, FeatureGathering::kFaceVertex, FeatureGathering::kEdgeEdge})
-    count += gathering_->candidates(kind).size();
-  if (count < kFew) room_ = std::min(1.5 * room_, kMostRoom);
-  if (count > 4 * kFew) room_ = std::max(room_ / 1.5, kLeastWay);
-}
-
-// The way to gather along.
-ToolWay FeaturePairs::way_from(const Pose& X_WT) const noexcept {
-  const double turn = std::min(kLeastTurn, kLeastWay / tool_->radius());
-  const double length = ahead_.head<3>().norm() + ahead_.tail<3>().norm() * tool_->radius();
-  const double ways = length > 0 ? std::clamp(kLongestWay / length, 1.0, ways_) : 1.0;
-  return {
-      .X_WT = X_WT,
-      .step = ways * ahead_,
-      .reach = deepest_ + std::max(room_, beside_ * std::clamp(ahead_.head<3>().norm(), kLeastWay, kLongWay)),
-      .turn = std::max(std::min(kLeastTurn, room_ / tool_->radius()),
-                       beside_ * std::clamp(ahead_.tail<3>().norm(), turn, kMostTurns * turn))};
-}
-
-// A tool that goes on as it went leaves the way of this gathering in `left` looks. The next one begins two
-// ways before that, and each look does its share of it; a quarter more is expected of it than this one took.
-void FeaturePairs::gather_next() noexcept {
-  if (next_->is_done() || !(now_.part > kBegun) || !(ways_ > 1)) return;
-  const double left = (1 - now_.part) * ways_;  // looks
-  if (!next_->is_begun()) {
-    const ToolWay on{.X_WT = X_WT_, .step = ahead_};
-    next_->begin(way_from(on.at(std::max(0.0, left - 2))), kEnough);
-  }
-  const std::size_t expected = gathering_->visits() + gathering_->visits() / 4;
-  const std::size_t to_do = expected > next_->visits() ? expected - next_->visits() : 0;
-  next_->go_on(kLeastVisits + static_cast<std::size_t>(static_cast<double>(to_do) / std::max(1.0, left - 1)));
+  return passing_.free_part(lookahead_.gathering(), X_WT_, X_WT, in, std::max(depth, in + kAllAtOnce));
 }
 
 const FeaturePairs::Place& FeaturePairs::place(std::uint32_t tool_vertex) noexcept {
@@ -289,9 +191,10 @@ void FeaturePairs::vertex_on_face(FeatureCandidate& candidate) noexcept {
   const Vec3 &p = vertex.now_W, &a = scene[face.corners[0]], &b = scene[face.corners[1]],
              &c = scene[face.corners[2]];
   const double height = face.nhat.dot(p - a), height_ahead = face.nhat.dot(vertex.ahead_W - a);
-  if (is_above(height, height_ahead)) return gathering_->set_apart(candidate, tool, face.nhat, {a, b, c}, 0);
+  if (is_above(height, height_ahead))
+    return lookahead_.gathering().set_apart(candidate, tool, face.nhat, {a, b, c}, 0);
   if (is_below(height, height_ahead))
-    return gathering_->set_apart(candidate, tool, -face.nhat, {a, b, c}, kDeepest);
+    return lookahead_.gathering().set_apart(candidate, tool, -face.nhat, {a, b, c}, kDeepest);
   const TrianglePoint closest = closest_on_triangle(p, a, b, c);
   const double distance = std::sqrt(closest.squared);
   const Vec3 from_closest = distance > kLevel ? Vec3((p - closest.point) / distance) : face.nhat;
@@ -299,7 +202,7 @@ void FeaturePairs::vertex_on_face(FeatureCandidate& candidate) noexcept {
   if (closest.feature != TriangleFeature::face) {
     const double allowance = face.rises_at_edges != 0 || face.rises_at_corners != 0 ? 2 * kDeepest : 0;
     if (is_above(distance - allowance, distance - allowance + from_closest.dot(vertex.ahead_W - p)))
-      return gathering_->set_apart(candidate, tool, from_closest, {a, b, c}, allowance);
+      return lookahead_.gathering().set_apart(candidate, tool, from_closest, {a, b, c}, allowance);
   }
   const auto which = static_cast<unsigned>(closest.feature);
   const bool on_face = is_on(face, closest, height);
@@ -330,8 +233,10 @@ void FeaturePairs::face_on_vertex(FeatureCandidate& candidate) noexcept {
   const Vec3 face_nhat = R_WT_ * face.nhat;
   const double height = face_nhat.dot(p - a.now_W),
                height_ahead = (R_WT_ahead_ * face.nhat).dot(p - a.ahead_W);
-  if (is_above(height, height_ahead)) return gathering_->set_apart(candidate, tool, -face_nhat, {p}, 0);
-  if (is_below(height, height_ahead)) return gathering_->set_apart(candidate, tool, face_nhat, {p}, kDeepest);
+  if (is_above(height, height_ahead))
+    return lookahead_.gathering().set_apart(candidate, tool, -face_nhat, {p}, 0);
+  if (is_below(height, height_ahead))
+    return lookahead_.gathering().set_apart(candidate, tool, face_nhat, {p}, kDeepest);
   const TrianglePoint closest = closest_on_triangle(p, a.now_W, b.now_W, c.now_W);
   const double distance = std::sqrt(closest.squared);
   const Vec3 to_closest = distance > kLevel ? Vec3((closest.point - p) / distance) : Vec3(-face_nhat);
@@ -341,7 +246,7 @@ void FeaturePairs::face_on_vertex(FeatureCandidate& candidate) noexcept {
   if (closest.feature != TriangleFeature::face) {
     const double allowance = face.rises_at_edges != 0 || face.rises_at_corners != 0 ? 2 * kDeepest : 0;
     if (is_above(distance - allowance, ahead - allowance))
-      return gathering_->set_apart(candidate, tool, to_closest, {p}, allowance);
+      return lookahead_.gathering().set_apart(candidate, tool, to_closest, {p}, allowance);
   }
   const auto which = static_cast<unsigned>(closest.feature);
   const bool on_face = is_on(face, closest, height);
@@ -377,9 +282,9 @@ void FeaturePairs::edge_on_edge(FeatureCandidate& candidate) noexcept {
     const double from_ahead = gap + nhat.dot(from.ahead_W - a0),
                  to_ahead = gap + nhat.dot(to.ahead_W - to.now_W);
     if (is_above(gap, std::min(from_ahead, to_ahead)))
-      return gathering_->set_apart(candidate, tool, nhat, {b0, b1}, 0);
+      return lookahead_.gathering().set_apart(candidate, tool, nhat, {b0, b1}, 0);
     if (is_below(gap, std::max(from_ahead, to_ahead)))
-      return gathering_->set_apart(candidate, tool, -nhat, {b0, b1}, kDeepest);
+      return lookahead_.gathering().set_apart(candidate, tool, -nhat, {b0, b1}, kDeepest);
     const ClosestOfEdges closest = closest_of_edges(a0, u, b0, v);
     if (is_on(of_tool, closest.s, u.norm()) && is_on(of_scene, closest.t, v.norm())) {
       if (gap >= -kDeepest && on_side(of_scene.across, nhat, -1, kMostTurn) &&
@@ -391,11 +296,12 @@ void FeaturePairs::edge_on_edge(FeatureCandidate& candidate) noexcept {
   // Their ends tell of them. Lines that go on do so for kDeepest.
   const Vec3 apart = between_ends(a0, u, b0, v);
   const double distance = apart.norm();
-  if (distance > kLevel) gathering_->set_apart(candidate, tool, apart / distance, {b0, b1}, kDeepest);
+  if (distance > kLevel)
+    lookahead_.gathering().set_apart(candidate, tool, apart / distance, {b0, b1}, kDeepest);
 }
 
 std::size_t FeaturePairs::bytes() const {
-  return tool_->bytes() + scene_->bytes() + gathering_->bytes() + next_->bytes() + passing_.bytes() +
+  return tool_->bytes() + scene_->bytes() + lookahead_.bytes() + passing_.bytes() +
          places_.size() * sizeof(Place) + kMostPairs * sizeof(FeaturePair);
 }
 

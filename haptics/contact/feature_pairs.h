@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "haptics/contact/feature_gathering.h"
+#include "haptics/contact/feature_lookahead.h"
 #include "haptics/contact/feature_passing.h"
 #include "haptics/geometry/feature_mesh.h"
 #include "haptics/geometry/point_triangle.h"
@@ -74,12 +74,6 @@ private:
   // Whether a gap now, and ahead, is wider than the look reaches; or deeper than what is a pair.
   bool is_above(double gap, double ahead) const noexcept { return std::min(gap, ahead) > reach_; }
   bool is_below(double gap, double ahead) const noexcept { return std::max(gap, ahead) < -deepest_; }
-  bool covers(const FeatureGathering& gathering) noexcept;
-  ToolWay way_from(const Pose& X_WT) const noexcept;
-  bool gather(std::size_t most) noexcept;
-  bool gather_around(std::size_t most) noexcept;
-  void gather_next() noexcept;
-  void make_room() noexcept;
   void vertex_on_face(FeatureCandidate& candidate) noexcept;
   void face_on_vertex(FeatureCandidate& candidate) noexcept;
   void edge_on_edge(FeatureCandidate& candidate) noexcept;
@@ -92,16 +86,10 @@ private:
   Pose X_WT_, X_WT_ahead_;
   Mat3 R_WT_ = Mat3::Identity(), R_WT_ahead_ = Mat3::Identity();
   double reach_ = 0, deepest_ = 0;  // m, of the look
-  Vec6 ahead_ = Vec6::Zero();       // (6) likewise
   std::uint64_t looks_ = 0;         // how many there were
   std::vector<Place> places_;       // (tool's vertices)
-  double room_;                     // m, around a way, at least
-  // The candidates of this look, and those of the ticks after, which are gathered a part in each look.
-  std::unique_ptr<FeatureGathering> gathering_, next_;
+  FeatureLookahead lookahead_;
   FeaturePassing passing_;
-  ToolWay::Place now_, then_;     // on the gathering's way: this look's pose, and the one ahead
-  double ways_ = 1, beside_ = 1;  // how many ways ahead candidates are gathered along, and how far beside
-  double widest_ = 1;             // the most beside that was not too much
   std::vector<FeaturePair> pairs_;
   double least_gap_ = 0;
   bool complete_ = true;

@@ -63,6 +63,10 @@ inline Bounds Bounds4::operator[](unsigned lane) const {
   return bounds;
 }
 
+inline float Bounds4::size(unsigned lane) const {
+  return high_[0][lane] - low_[0][lane] + (high_[1][lane] - low_[1][lane]) + (high_[2][lane] - low_[2][lane]);
+}
+
 inline unsigned Bounds4::overlapping(const Bounds& one) const noexcept {
   using namespace lanes;
   Mask near = ~Mask{};

@@ -34,6 +34,7 @@ public:
   Bounds4();  // nothing meets them
   void set(unsigned lane, const Bounds& bounds);
   Bounds operator[](unsigned lane) const;
+  float size(unsigned lane) const;  // m, as of Bounds
 
   // Boxes that hold all that is in these on the sweep's way or around; cones of the middle, and wider.
   Bounds4 swept(const Sweep& sweep) const noexcept;

@@ -82,10 +82,21 @@ TEST(FeaturePairs, ADividedBoxTouchesAsAWholeOneDoes) {
 // gathered along the way, a part in each look.
 TEST(FeaturePairs, AreTheSameHoweverOneCameThere) {
   const auto tool = features(brick()), scene = features(ring());
-  FeaturePairs on_the_way(tool, scene), with_foresight(tool, scene);
+  FeaturePairs on_the_way(tool, scene), with_foresight(tool, scene), by_leaps(tool, scene);
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto near = [&](const Pose& X_WT, double size) {
+    return Pose{quaternion_exp(100 * size * Vec3(any(random), any(random), any(random))) * X_WT.q,
+                X_WT.p + size * Vec3(any(random), any(random), any(random))};
+  };
   const auto pose = [](int i) {
     const double s = 0.01 * i;
     return Pose{quaternion_exp(Vec3(s, 0.3 * s, 0)), Vec3(0.009 + 0.004 * std::cos(3 * s), 0.006, 0.001 * s)};
+  };
+  const auto ahead_of = [](const Pose& next, const Pose& X_WT) {
+    Vec6 ahead;
+    ahead << next.p - X_WT.p, rotation_vector(next.q * X_WT.q.conjugate());
+    return ahead;
   };
   const auto named = [](std::span<const FeaturePair> pairs, double reach) {
     std::vector<std::pair<std::uint64_t, double>> all;
@@ -99,14 +110,18 @@ TEST(FeaturePairs, AreTheSameHoweverOneCameThere) {
     const double reach = i % 3 == 0 ? 0.004 : 0.002;
     const Pose X_WT = pose(i), next = pose(i + 1);
     ASSERT_TRUE(on_the_way.look(X_WT, reach));
+    // It shakes, now more and now less, or rests.
+    for (int leap = 0; leap < i % 5; ++leap)
+      ASSERT_TRUE(
+          by_leaps.look(near(X_WT, i % 60 < 30 ? 3e-5 : 3e-4), ahead_of(near(X_WT, 1e-4), X_WT), reach));
+    ASSERT_TRUE(by_leaps.look(X_WT, reach));
     FeaturePairs at_once(tool, scene);
     ASSERT_TRUE(at_once.look(X_WT, reach));
-    Vec6 ahead;
-    ahead << next.p - X_WT.p, rotation_vector(next.q * X_WT.q.conjugate());
-    ASSERT_TRUE(with_foresight.look(X_WT, ahead, reach));
+    ASSERT_TRUE(with_foresight.look(X_WT, ahead_of(next, X_WT), reach));
     const auto expected = named(at_once.pairs(), reach);
     EXPECT_EQ(named(on_the_way.pairs(), reach), expected) << i;
     EXPECT_EQ(named(with_foresight.pairs(), reach), expected) << i;
+    EXPECT_EQ(named(by_leaps.pairs(), reach), expected) << i;
     seen += expected.size();
   }
   EXPECT_GT(seen, 100u);
