@@ -72,7 +72,7 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
       scene_(std::move(scene_W)),
       places_(tool_->vertices().size()),
       lookahead_(*tool_, *scene_, kMostTurn, kDeepest),
-      passing_(tool_, scene_) {
+      passing_(tool_, scene_, kMostTurn) {
   // The memory is there before the first tick.
   pairs_.resize(kMostPairs);
   pairs_.clear();

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/contact/feature_pairs.h"
 #include "haptics/geometry/point_triangle.h"
 #include "haptics/math/functions.h"
 
@@ -16,15 +15,15 @@ constexpr double kOnFace = 1e-9;          // m, what lies this far beyond a face
 constexpr double kOnLine = 1e-9;          // of an edge's length, beyond its ends likewise
 constexpr double kNearlyParallel = 1e-9;  // squared sine of the angle between edges
 
-// Whether a point that is that far below a face, at least, is over it or under it.
+// Whether a point that lies on a triangle's plane, or at most `depth` under it, is on or under the triangle.
 bool is_on_face(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, double depth) {
   return closest_on_triangle(p, a, b, c).squared <= math::square(depth + kOnFace);
 }
 
-// Whether all that lies that way of an edge (unit directions) is on one side of the plane across nhat, but
-// for FeaturePairs::kMostTurn: above it (sign 1), or below (-1).
-bool is_beside(const std::array<Vec3, 2>& ways, const Vec3& nhat, double sign) {
-  return std::min(sign * nhat.dot(ways[0]), sign * nhat.dot(ways[1])) >= -FeaturePairs::kMostTurn;
+// Whether both faces beside an edge (unit directions, along them away from it) are on one side of the plane
+// across nhat, but for `slack` rad: above it (sign 1), or below (-1).
+bool is_beside(const std::array<Vec3, 2>& ways, const Vec3& nhat, double sign, double slack) {
+  return std::min(sign * nhat.dot(ways[0]), sign * nhat.dot(ways[1])) >= -slack;
 }
 
 // The one root within 0 to 1 of the parabola through these values there and in the middle; begin >= 0, end
@@ -41,8 +40,8 @@ double root_of_parabola(double begin, double middle, double end) {
 }  // namespace
 
 FeaturePassing::FeaturePassing(std::shared_ptr<const FeatureMesh> tool_T,
-                               std::shared_ptr<const FeatureMesh> scene_W)
-    : tool_(std::move(tool_T)), scene_(std::move(scene_W)), ends_(tool_->vertices().size()) {}
+                               std::shared_ptr<const FeatureMesh> scene_W, double slack)
+    : tool_(std::move(tool_T)), scene_(std::move(scene_W)), slack_(slack), ends_(tool_->vertices().size()) {}
 
 double FeaturePassing::free_part(const FeatureGathering& gathering, const Pose& X_from, const Pose& X_to,
                                  double in, double depth) noexcept {
@@ -150,7 +149,8 @@ void FeaturePassing::edge_through_edge(const FeatureCandidate& candidate) noexce
   const double s = v.cross(w).dot(across) / squared, t = u.cross(w).dot(across) / squared;
   if (!(std::min(s, t) >= -kOnLine && std::max(s, t) <= 1 + kOnLine)) return;
   const Vec3 nhat = across * (sign / std::sqrt(squared));
-  if (is_beside(of_scene.across, nhat, -1) && is_beside(of_tool.across, R_from_.transpose() * nhat, 1))
+  if (is_beside(of_scene.across, nhat, -1, slack_) &&
+      is_beside(of_tool.across, R_from_.transpose() * nhat, 1, slack_))
     stop(at, end / length_to);
 }
 

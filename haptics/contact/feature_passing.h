@@ -18,7 +18,9 @@ namespace fulcrum {
 
 class FeaturePassing {
 public:
-  FeaturePassing(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
+  // slack rad: by how much the faces beside two edges that meet may be off their own sides.
+  FeaturePassing(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W,
+                 double slack);
 
   // 0 to 1: the part of the step from X_from to X_to that the tool may go until one of the candidates, which
   // were in by no more than `in` m, has gone in by `depth` m. Points go along straight lines, which are off
@@ -41,6 +43,7 @@ private:
   void stop(double at, double gap_after) noexcept;
 
   std::shared_ptr<const FeatureMesh> tool_, scene_;
+  double slack_;  // rad
   Pose X_from_, X_to_;
   Mat3 R_from_ = Mat3::Identity(), R_to_ = Mat3::Identity();
   double in_ = 0, depth_ = 0;  // m

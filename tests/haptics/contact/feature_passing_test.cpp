@@ -39,16 +39,16 @@ Solid blade() {
   return shapes::solid_of(shapes::box(Vec3(-10e-6, -1e-3, -1e-3), Vec3(10e-6, 0, 1e-3)));
 }
 
-// The first wire of a fence, at x = 0: 20 um thick, upright.
+// A wire, 20 um thick and upright.
 Solid wire() {
   return shapes::solid_of(shapes::box(Vec3(-10e-6, -1e-3, -10e-6), Vec3(10e-6, 1e-3, 10e-6)));
 }
 
-TEST(FeaturePassing, SharpEdgesMeetThoughBothEndsOfTheStepAreFree) {
+TEST(FeaturePassing, ThinPartsMeetThoughBothEndsOfTheStepAreFree) {
   // The blade's edge and the wire are across each other. From 100 um before the wire to 100 um behind it.
   const Vec3 before(-120e-6, 0, 0), way(240e-6, 0, 0);
   EXPECT_NEAR(free_part(blade(), wire(), at(before), going(way)), (100e-6 + kDepth) / 240e-6, 1e-9);
-  // Turned, edges of the one meet edges of the other; and seen from the other part.
+  // The blade turned along the wire; and the wire as the tool.
   const Pose X_turned{quaternion_exp(Vec3(0.7, 0, 0)), before};
   EXPECT_NEAR(free_part(blade(), wire(), X_turned, going(way)), (100e-6 + kDepth) / 240e-6, 1e-9);
   EXPECT_NEAR(free_part(wire(), blade(), at(before), going(way)), (100e-6 + kDepth) / 240e-6, 1e-9);
