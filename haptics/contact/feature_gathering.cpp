@@ -131,21 +131,15 @@ void FeatureGathering::go_on(std::size_t visits) noexcept {
 }
 
 void FeatureGathering::descend(const Meeting& meeting) noexcept {
-  Posed& tool = posed_[kind_];
-  const Bounds4& tool_W = pose(tool, meeting.tool);
+  ++visits_;
+  const Bounds4& tool_W = pose(posed_[kind_], meeting.tool);
   const Bounds4& scene_W = scene_tree(static_cast<Kind>(kind_)).groups()[meeting.scene].bounds;
-  if (meeting.scene_lane != Meeting::kAll) {
-    ++visits_;
-    for (unsigned meets = tool_W.meeting(scene_W[meeting.scene_lane]); meets != 0; meets &= meets - 1)
-      meet({meeting.tool, meeting.scene, lowest_bit(meets), meeting.scene_lane});
-    return;
-  }
-  const bool is_one = meeting.tool_lane != Meeting::kAll;
-  const std::uint32_t first = is_one ? meeting.tool_lane : 0, last = is_one ? first : 3;
-  for (std::uint32_t lane = first; lane <= last; ++lane) {
-    ++visits_;
-    for (unsigned meets = scene_W.meeting(tool_W[lane]); meets != 0; meets &= meets - 1)
-      meet({meeting.tool, meeting.scene, lane, lowest_bit(meets)});
+  unsigned meets = scene_W.meeting(tool_W);
+  if (meeting.tool_lane != Meeting::kAll) meets &= 0xFU << 4 * meeting.tool_lane;
+  if (meeting.scene_lane != Meeting::kAll) meets &= 0x1111U << meeting.scene_lane;
+  for (; meets != 0; meets &= meets - 1) {
+    const unsigned bit = lowest_bit(meets);
+    meet({meeting.tool, meeting.scene, bit / 4, bit % 4});
   }
 }
 

@@ -59,7 +59,7 @@ public:
   static constexpr std::size_t kAnyNumber = ~std::size_t{0};
   // most: candidates of a kind; more are too many, as are more visits than most_visits. Then it ends undone.
   void begin(const ToolWay& way, std::size_t most, std::size_t most_visits = kAnyNumber) noexcept;
-  // Looks at so many more boxes of the one beside four of the other, or up to three more than that.
+  // Looks at so many more groups of the one's tree beside groups of the other's, four boxes each.
   void go_on(std::size_t visits) noexcept;
   void go_on() noexcept { go_on(kAnyNumber); }
   void give_up() noexcept { state_ = State::none; }

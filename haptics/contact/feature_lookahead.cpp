@@ -24,10 +24,10 @@ constexpr double kForgetting = 0.75;    // of how the tool moved, in each look
 // How far ahead the next one looks: half as far after one that was too much, and then a little farther again.
 constexpr double kLeastScale = 0.1, kGrowth = 1.1;
 constexpr std::size_t kEnough = 8192;        // candidates of a kind: more are too much
-constexpr std::size_t kEnoughVisits = 4096;  // at once, beyond what is needed: more are too much
-constexpr std::size_t kManyVisits = 32768;   // in shares likewise
-constexpr std::size_t kFewVisits = 1024;     // so little may be gathered from farther around the next time
-constexpr std::size_t kLeastVisits = 256;    // in a share
+constexpr std::size_t kEnoughVisits = 2048;  // at once, beyond what is needed: more are too much
+constexpr std::size_t kManyVisits = 16384;   // in shares likewise
+constexpr std::size_t kFewVisits = 512;      // so little may be gathered from farther around the next time
+constexpr std::size_t kLeastVisits = 128;    // in a share
 constexpr double kMostServed = 100;          // looks: a gathering that served for more tells of no more haste
 
 }  // namespace

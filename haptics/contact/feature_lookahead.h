@@ -63,7 +63,7 @@ private:
   double room_;                       // m, around a way, at least
   double scale_ = 1;                  // 0 to 1, of how far ahead the next one looks
   // What the next one will cost, and what one at once cost the last time.
-  std::size_t expected_visits_ = 1024, at_once_visits_ = 1024;
+  std::size_t expected_visits_ = 512, at_once_visits_ = 512;
 };
 
 }  // namespace fulcrum

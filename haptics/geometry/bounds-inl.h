@@ -33,6 +33,12 @@ inline Four all(double x) {
   return Four{narrow, narrow, narrow, narrow};
 }
 
+// One lane of it, four times.
+template <unsigned kLane>
+Four all_of(const Four& four) {
+  return __builtin_shufflevector(four, four, kLane, kLane, kLane, kLane);
+}
+
 inline unsigned bits_of(const Mask& mask) {
 #ifdef __SSE__
   return static_cast<unsigned>(__builtin_ia32_movmskps(std::bit_cast<Four>(mask)));
@@ -74,18 +80,36 @@ inline unsigned Bounds4::overlapping(const Bounds& one) const noexcept {
   return bits_of(near);
 }
 
-inline unsigned Bounds4::meeting(const Bounds& one) const noexcept {
+inline unsigned Bounds4::meeting(const Bounds4& others) const noexcept {
   using namespace lanes;
-  const unsigned overlap = overlapping(one);
-  if (overlap == 0) return 0;
+  // All sixteen at once: without a branch on each of them they take about as long as two with one.
+  const std::array low{load(low_[0]), load(low_[1]), load(low_[2])},
+      high{load(high_[0]), load(high_[1]), load(high_[2])};
+  const auto overlapping = [&]<unsigned kLane>() {
+    Mask near = ~Mask{};
+    for (std::size_t i = 0; i < 3; ++i)
+      near &=
+          (low[i] <= all_of<kLane>(load(others.high_[i]))) & (high[i] >= all_of<kLane>(load(others.low_[i])));
+    return bits_of(near) << 4 * kLane;
+  };
+  const unsigned overlaps = overlapping.template operator()<0>() | overlapping.template operator()<1>() |
+                            overlapping.template operator()<2>() | overlapping.template operator()<3>();
+  if (overlaps == 0) return 0;
   // Opposite as far as the angles of both cones together: cos(a + b) <= -axis . axis', or a + b is half a
   // turn or more.
-  const Four cosine_b = load(cosine_), sine_b = load(sine_);
-  const Four cosine = one.cosine * cosine_b - one.sine * sine_b,
-             sine = one.sine * cosine_b + one.cosine * sine_b;
-  const Four dot = load(axis_[0]) * one.axis[0] + load(axis_[1]) * one.axis[1] + load(axis_[2]) * one.axis[2];
-  const Mask half_a_turn = (sine < 0.0F) | ((sine <= kRoundOfCosine) & (cosine < 0.0F));
-  return overlap & bits_of((cosine + dot <= kRoundOfCosine) | half_a_turn);
+  const std::array axis{load(axis_[0]), load(axis_[1]), load(axis_[2])};
+  const Four cosine_a = load(cosine_), sine_a = load(sine_);
+  const auto opposed = [&]<unsigned kLane>() {
+    const Four cosine_b = all_of<kLane>(load(others.cosine_)), sine_b = all_of<kLane>(load(others.sine_));
+    const Four cosine = cosine_b * cosine_a - sine_b * sine_a, sine = sine_b * cosine_a + cosine_b * sine_a;
+    Four dot = axis[0] * all_of<kLane>(load(others.axis_[0]));
+    dot += axis[1] * all_of<kLane>(load(others.axis_[1]));
+    dot += axis[2] * all_of<kLane>(load(others.axis_[2]));
+    const Mask half_a_turn = (sine < 0.0F) | ((sine <= kRoundOfCosine) & (cosine < 0.0F));
+    return bits_of((cosine + dot <= kRoundOfCosine) | half_a_turn) << 4 * kLane;
+  };
+  return overlaps & (opposed.template operator()<0>() | opposed.template operator()<1>() |
+                     opposed.template operator()<2>() | opposed.template operator()<3>());
 }
 
 }  // namespace fulcrum

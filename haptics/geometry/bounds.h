@@ -38,10 +38,11 @@ public:
 
   // Boxes that hold all that is in these on the sweep's way or around; cones of the middle, and wider.
   Bounds4 swept(const Sweep& sweep) const noexcept;
-  // Bit i: the box of `one` and that of lane i overlap, and some direction of its cone is opposite to one of
-  // lane i's.
-  unsigned meeting(const Bounds& one) const noexcept;
-  unsigned overlapping(const Bounds& one) const noexcept;  // the same of the boxes alone
+  // Bit i: the box of `one` and that of lane i overlap.
+  unsigned overlapping(const Bounds& one) const noexcept;
+  // Bit 4 j + i: the boxes of the others' lane j and of lane i overlap, and some direction of the one's cone
+  // is opposite to one of the other's.
+  unsigned meeting(const Bounds4& others) const noexcept;
 
 private:
   using Lanes = std::array<float, 4>;

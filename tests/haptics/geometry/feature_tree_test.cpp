@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -41,6 +42,14 @@ Bounds at(const Vec3& p, const Vec3& axis) {
   return Bounds::of(Box3(p, p), NormalCone(axis));
 }
 
+// In one lane of four.
+constexpr unsigned kOther = 3;
+Bounds4 alone(const Bounds& bounds) {
+  Bounds4 four;
+  four.set(kOther, bounds);
+  return four;
+}
+
 class SweptBounds : public testing::Test {
 protected:
   static constexpr double kReach = 1e-4, kTurn = 0.01, kSlack = 0.05;
@@ -71,9 +80,7 @@ protected:
     return box_T.min() +
            Vec3(dice.from_to(0, 1), dice.from_to(0, 1), dice.from_to(0, 1)).cwiseProduct(box_T.sizes());
   }
-  bool meets(const Vec3& p_W, const Vec3& axis_W) const {
-    return (swept.meeting(at(p_W, axis_W)) >> kLane & 1u) != 0;
-  }
+  bool meets(const Vec3& p_W, const Vec3& axis_W) const { return swept.meeting(alone(at(p_W, axis_W))) != 0; }
 
   Dice dice;
   Box3 box_T;
@@ -92,7 +99,8 @@ TEST_F(SweptBounds, HoldWhatIsWithinReachAndOppositeAllAlongTheWay) {
     const Vec3 p_W = beside * place_T() + X_WT_then.p + dice.from_to(0, kReach) * dice.direction();
     const Vec3 opposite_W = -(X_WT_then.q * dice.beside(axis_T, dice.from_to(0, angle + kSlack)));
     ASSERT_TRUE(meets(p_W, opposite_W)) << trial;
-    EXPECT_EQ(swept.meeting(at(p_W, opposite_W)), 1u << kLane) << "a lane that holds nothing";
+    EXPECT_EQ(swept.meeting(alone(at(p_W, opposite_W))), 1u << (4 * kOther + kLane))
+        << "a lane that holds nothing";
   }
 }
 
@@ -125,6 +133,38 @@ TEST_F(SweptBounds, OfAllDirectionsStayThat) {
   for (int trial = 0; trial < 100; ++trial) EXPECT_TRUE(meets(Vec3::Zero(), dice.direction()));
 }
 
+// Each lane beside each of the other's, by what one box and one cone say of another.
+TEST(Bounds4, FourMeetFourWhereOneMeetsOne) {
+  Dice dice;
+  const auto meets = [](const Bounds& a, const Bounds& b) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (a.low[i] > b.high[i] || a.high[i] < b.low[i]) return false;
+    const double dot = a.axis[0] * b.axis[0] + a.axis[1] * b.axis[1] + a.axis[2] * b.axis[2];
+    return std::acos(std::clamp(-dot, -1.0, 1.0)) <=
+           std::atan2(a.sine, a.cosine) + std::atan2(b.sine, b.cosine);
+  };
+  const auto any = [&] {
+    const Vec3 low = dice.in_cube(0.01), size = 0.5 * (dice.in_cube(0.01) + Vec3(0.01, 0.01, 0.01));
+    return Bounds::of(Box3(low, low + size), NormalCone(dice.direction(), dice.from_to(0, 1.4)));
+  };
+  int met = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    std::array<Bounds, 4> ones, others;
+    Bounds4 four, other_four;
+    for (unsigned lane = 0; lane < 4; ++lane) {
+      four.set(lane, ones[lane] = any());
+      other_four.set(lane, others[lane] = any());
+    }
+    const unsigned meeting = four.meeting(other_four);
+    for (unsigned i = 0; i < 4; ++i)
+      for (unsigned j = 0; j < 4; ++j) {
+        EXPECT_EQ((meeting >> (4 * j + i) & 1U) != 0, meets(ones[i], others[j])) << trial << ' ' << i << j;
+        met += meets(ones[i], others[j]) ? 1 : 0;
+      }
+  }
+  EXPECT_GT(met, 1000);
+}
+
 class FeatureTreeTest : public testing::Test {
 protected:
   void grow(std::size_t count) {
@@ -153,7 +193,7 @@ protected:
       ++seen[feature.which];
       for (const Bounds4& bounds : path)
         for (const Vec3& p : {feature.box.min(), feature.box.max()})
-          EXPECT_EQ(bounds.meeting(at(p, -dice.beside(feature.cone.axis(), 0.1))), 1u);
+          EXPECT_EQ(bounds.meeting(alone(at(p, -dice.beside(feature.cone.axis(), 0.1)))), 1u << 4 * kOther);
     }
   }
 
