@@ -180,12 +180,6 @@ const FeatureGathering::Ends& FeatureGathering::ends(std::uint32_t tool_vertex) 
   return ends;
 }
 
-bool FeatureGathering::covers(const ToolWay::Place& now, const ToolWay::Place& ahead,
-                              double reach) const noexcept {
-  return reach + std::max(now.off, ahead.off) <= way_.reach &&
-         std::max(now.turn_off, ahead.turn_off) <= way_.turn;
-}
-
 void FeatureGathering::set_apart(FeatureCandidate& candidate, std::span<const std::uint32_t> tool,
                                  const Vec3& away, std::initializer_list<Vec3> scene,
                                  double allowance) noexcept {

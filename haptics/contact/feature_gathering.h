@@ -67,10 +67,9 @@ public:
   bool is_done() const { return state_ == State::done; }
   std::size_t visits() const { return visits_; }  // since it began
 
+  // What is gathered: at a place that is off it, the candidates are all that can come nearer than its reach
+  // less what the place is off, if the place is turned by no more than it.
   const ToolWay& way() const { return way_; }
-  // Whether the candidates, once they are gathered, are all that can come nearer than `reach` m at two
-  // places.
-  bool covers(const ToolWay::Place& now, const ToolWay::Place& ahead, double reach) const noexcept;
   std::span<FeatureCandidate> candidates(Kind kind) { return candidates_[kind]; }
   std::span<const FeatureCandidate> candidates(Kind kind) const { return candidates_[kind]; }
 

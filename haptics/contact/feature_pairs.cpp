@@ -80,31 +80,33 @@ FeaturePairs::FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T,
   deep_before_.reserve(kMostDeep);
 }
 
-bool FeaturePairs::look(const Pose& X_WT, const Vec6& ahead, double reach, std::size_t most) noexcept {
-  const ToolWay way{.X_WT = X_WT, .step = ahead};
+bool FeaturePairs::look(const Pose& X_WT, const Vec6& ahead, double reach, double farthest) noexcept {
   begin_depths();
   ++looks_;
+  pairs_.clear();
+  least_gap_ = std::numeric_limits<double>::infinity();
+  // A point that turns goes along an arc, which is this much off its chord.
+  const double bow = ahead.tail<3>().squaredNorm() * tool_->radius() / 8;
+  const FeatureLookahead::Known known = lookahead_.look(X_WT, ahead, reach + bow, farthest + bow);
+  complete_ = known.reach >= 0;
+  ahead_ = known.reach > bow ? Vec6(known.part * ahead) : Vec6::Zero();
+  near_ = known.reach;
+  reach_ = std::max(0.0, ahead_.isZero() ? near_ : near_ - bow);
+  const ToolWay way{.X_WT = X_WT, .step = ahead_};
   X_WT_ = X_WT;
   R_WT_ = X_WT.q.toRotationMatrix();
   X_WT_ahead_ = way.at(1);
   R_WT_ahead_ = X_WT_ahead_.q.toRotationMatrix();
-  // A point that turns goes along an arc, which is this much off its chord.
-  reach_ = reach + ahead.tail<3>().squaredNorm() * tool_->radius() / 8;
-  deepest_ = std::max(reach_, kDeepest);
-  complete_ = true;
-  pairs_.clear();
-  least_gap_ = std::numeric_limits<double>::infinity();
-  if (!lookahead_.look(X_WT, ahead, deepest_, most)) return complete_ = false;
+  if (!complete_) return false;
   const ToolWay::Place &now = lookahead_.now(), &then = lookahead_.then();
   for (FeatureCandidate& candidate : lookahead_.gathering().candidates(FeatureGathering::kVertexFace))
-    if (!candidate.is_apart(now, then, reach_) && !is_apart(candidate, {&candidate.tool, 1}))
+    if (!candidate.is_apart(now, then, near_) && !is_apart(candidate, {&candidate.tool, 1}))
       vertex_on_face(candidate);
   for (FeatureCandidate& candidate : lookahead_.gathering().candidates(FeatureGathering::kFaceVertex))
-    if (!candidate.is_apart(now, then, reach_) &&
-        !is_apart(candidate, tool_->faces()[candidate.tool].corners))
+    if (!candidate.is_apart(now, then, near_) && !is_apart(candidate, tool_->faces()[candidate.tool].corners))
       face_on_vertex(candidate);
   for (FeatureCandidate& candidate : lookahead_.gathering().candidates(FeatureGathering::kEdgeEdge)) {
-    if (candidate.is_apart(now, then, reach_)) continue;
+    if (candidate.is_apart(now, then, near_)) continue;
     const FeatureMesh::Edge& edge = tool_->edges()[candidate.tool];
     if (!is_apart(candidate, std::array{edge.from, edge.to})) edge_on_edge(candidate);
   }
@@ -162,13 +164,14 @@ const FeaturePairs::Place& FeaturePairs::place(std::uint32_t tool_vertex) noexce
 }
 
 bool FeaturePairs::is_apart(const FeatureCandidate& candidate, std::span<const std::uint32_t> tool) noexcept {
+  ++measured_;
   const Vec3 away(candidate.away[0], candidate.away[1], candidate.away[2]);
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t vertex : tool) {
     const Place& of_vertex = place(vertex);
     least = std::min({least, away.dot(of_vertex.now_W), away.dot(of_vertex.ahead_W)});
   }
-  return least - candidate.beyond > reach_;
+  return least - candidate.beyond > near_;
 }
 
 void FeaturePairs::add(std::uint64_t kind, std::uint32_t tool, std::uint32_t scene, const Vec3& p_W,

@@ -34,21 +34,36 @@ struct FeaturePair {
 
 class FeaturePairs {
 public:
-  static constexpr std::size_t kMostCandidates = FeatureGathering::kMostCandidates;  // of each kind
   static constexpr std::size_t kMostPairs = 1u << 14;
-  static constexpr double kMostTurn = 0.03;  // rad, a longer turn may meet what is no pair
-  static constexpr double kDeepest = 50e-6;  // m, what has passed farther is no pair
+  static constexpr double kMostTurn = 0.03;             // rad, a longer turn may meet what is no pair
+  static constexpr std::size_t kMeasuredATick = 16384;  // candidates
+  static constexpr double kDeepest = 50e-6;             // m, what has passed farther is no pair
 
   FeaturePairs(std::shared_ptr<const FeatureMesh> tool_T, std::shared_ptr<const FeatureMesh> scene_W);
 
+  // Until the next tick, looks gather no more than FeatureLookahead's budget has.
+  void begin_tick() noexcept {
+    lookahead_.begin_tick();
+    measured_ = 0;
+  }
+  // Whether this tick's looks have gathered, or measured, what they may: another one costs a good deal more.
+  bool is_spent() const { return lookahead_.is_spent() || measured_ > kMeasuredATick; }
+  // 0 to 1: how much of another step from there a look would know, if the budget were spent.
+  double known_part(const Vec6& ahead) const noexcept { return lookahead_.known_part(ahead); }
   // With the tool at X_WT: the pairs nearer than `reach` m, those that come as near where the tool goes
   // `ahead` (6, m and rad in W, about T), and those that have passed each other. Of these, none that came
   // from beside: that would have been in before the tool moved here, too, and was none of the last look's, a
   // short way from here. So does what lies on the far side of a wedge thinner than kDeepest, and what is on
-  // the near side tells of it. False: there were more than fit, or more candidates of a kind than `most`;
-  // then pairs() has not all of them, or none.
-  bool look(const Pose& X_WT, const Vec6& ahead, double reach, std::size_t most = kMostCandidates) noexcept;
+  // the near side tells of it. In a tick ahead() and reach() may be less than was asked for; and reach() is
+  // up to `farthest` m where that costs nothing. False: there were more than fit; then pairs() has not all
+  // of them, or none.
+  bool look(const Pose& X_WT, const Vec6& ahead, double reach, double farthest) noexcept;
+  bool look(const Pose& X_WT, const Vec6& ahead, double reach) noexcept {
+    return look(X_WT, ahead, reach, reach);
+  }
   bool look(const Pose& X_WT, double reach) noexcept { return look(X_WT, Vec6::Zero(), reach); }
+  const Vec6& ahead() const { return ahead_; }  // (6) m and rad, of the last look
+  double reach() const { return reach_; }       // m, likewise
   // The tool goes back to where it was at the look before: for the next one, the last one was not.
   void take_back() noexcept { taken_back_ = true; }
   std::span<const FeaturePair> pairs() const { return pairs_; }
@@ -72,8 +87,10 @@ private:
   // tool's feature.
   bool is_apart(const FeatureCandidate& candidate, std::span<const std::uint32_t> tool) noexcept;
   // Whether a gap now, and ahead, is wider than the look reaches; or deeper than what is a pair.
-  bool is_above(double gap, double ahead) const noexcept { return std::min(gap, ahead) > reach_; }
-  bool is_below(double gap, double ahead) const noexcept { return std::max(gap, ahead) < -deepest_; }
+  bool is_above(double gap, double ahead) const noexcept { return std::min(gap, ahead) > near_; }
+  bool is_below(double gap, double ahead) const noexcept {
+    return std::max(gap, ahead) < -std::max(near_, kDeepest);
+  }
   void vertex_on_face(FeatureCandidate& candidate) noexcept;
   void face_on_vertex(FeatureCandidate& candidate) noexcept;
   void edge_on_edge(FeatureCandidate& candidate) noexcept;
@@ -85,14 +102,16 @@ private:
   std::shared_ptr<const FeatureMesh> tool_, scene_;
   Pose X_WT_, X_WT_ahead_;
   Mat3 R_WT_ = Mat3::Identity(), R_WT_ahead_ = Mat3::Identity();
-  double reach_ = 0, deepest_ = 0;  // m, of the look
-  std::uint64_t looks_ = 0;         // how many there were
-  std::vector<Place> places_;       // (tool's vertices)
+  Vec6 ahead_ = Vec6::Zero();
+  double reach_ = 0, near_ = 0;  // m, of the look, and what is a pair: on arcs it is a little more
+  std::uint64_t looks_ = 0;      // how many there were
+  std::vector<Place> places_;    // (tool's vertices)
   FeatureLookahead lookahead_;
   FeaturePassing passing_;
   std::vector<FeaturePair> pairs_;
   double least_gap_ = 0;
   bool complete_ = true;
+  std::size_t measured_ = 0;  // candidates, in this tick
   // What is in by more than a little, at this look and at the last complete one before it.
   struct Deep {
     std::uint64_t key = 0;

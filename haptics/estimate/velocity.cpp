@@ -29,18 +29,18 @@ void VelocityEstimator::reset(const Pose& X_WH) noexcept {
 }
 
 Twist VelocityEstimator::update(const Pose& X_WH) noexcept {
-  return update(X_WH, started_ ? rotation_vector(X_WH.q * last_.q.conjugate()) : Vec3::Zero());
+  Vec6 moved = Vec6::Zero();
+  if (started_) moved << X_WH.p - last_.p, rotation_vector(X_WH.q * last_.q.conjugate());
+  return update(X_WH, moved);
 }
 
-Twist VelocityEstimator::update(const Pose& X_WH, const Vec3& turned) noexcept {
+Twist VelocityEstimator::update(const Pose& X_WH, const Vec6& moved) noexcept {
   if (!started_) {
     reset(X_WH);
     return {};
   }
-  Vec6 now = path_[head_];
-  now.head<3>() += X_WH.p - last_.p;
-  now.tail<3>() += turned;
   last_ = X_WH;
+  const Vec6 now = path_[head_] + moved;
   head_ = (head_ + 1) % path_.size();
   path_[head_] = now;
   filled_ = std::min<int>(filled_ + 1, static_cast<int>(path_.size()) - 1);

@@ -28,9 +28,8 @@ public:
 
   // Called once a tick. The first call sets the pose and answers zero.
   Twist update(const Pose& X_WH) noexcept;
-  // The same of a caller who has the turn since the last pose, (3) rad: rotation_vector() of X_WH.q times
-  // that one's conjugate.
-  Twist update(const Pose& X_WH, const Vec3& turned) noexcept;
+  // The same of a caller who says how it came there since the last call: moved (6), m and rad in W.
+  Twist update(const Pose& X_WH, const Vec6& moved) noexcept;
   // The pose jumped on purpose (a clutch, a first sample): velocity starts from zero at X_WH.
   void reset(const Pose& X_WH) noexcept;
 

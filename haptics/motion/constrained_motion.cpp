@@ -70,7 +70,7 @@ ToolAnswer ConstrainedMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
   if (limited) faults |= kMotionLimited;
   if (!outcome_.complete) faults |= kContactsReduced;
   if (!outcome_.in_band) faults |= kToolInside;
-  return tool_.settle(X_WG, V_WG);
+  return tool_.settle(X_WG, V_WG, false);
 }
 
 void ConstrainedMotion::look() noexcept {

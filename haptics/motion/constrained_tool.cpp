@@ -37,10 +37,10 @@ void ConstrainedTool::begin(const Pose& X_WG) noexcept {
   qp_.set_metric(metric_);
 }
 
-ToolAnswer ConstrainedTool::settle(const Pose& X_WG, const Twist& V_WG) noexcept {
+ToolAnswer ConstrainedTool::settle(const Pose& X_WG, const Twist& V_WG, bool is_late) noexcept {
   ToolAnswer answer;
   answer.X_WT = tool_.state().X_WT;
-  answer.coupling_F_T_W = tool_.settle(X_WG, V_WG);
+  answer.coupling_F_T_W = tool_.settle(X_WG, V_WG, is_late);
   answer.full_torque_T_W = tool_.coupling().full_torque();
   answer.turn_W = tool_.coupling().turn();
   answer.contact_F_T_W = share_force(answer.coupling_F_T_W);

@@ -44,7 +44,7 @@ public:
   Vec6 solve(const Pose& X_WG, double skin) noexcept;
 
   // The tick's last word, once solve() has been at the pose that was reached.
-  ToolAnswer settle(const Pose& X_WG, const Twist& V_WG) noexcept;
+  ToolAnswer settle(const Pose& X_WG, const Twist& V_WG, bool is_late) noexcept;
   // As settle() left it.
   Touching touching() const { return regions_.touching({touching_.data(), touching_count_}); }
 

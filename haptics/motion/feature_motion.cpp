@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "haptics/math/functions.h"
 #include "haptics/math/number_text.h"
@@ -28,8 +29,7 @@ constexpr double kStill = 1e-7;    // m, and one that moves none by this moves n
 constexpr double kKept = 1e-8;     // m, a pair that a step breaks by less is kept
 constexpr double kMended = 25e-6;  // m, what is in by less is left to the next round
 constexpr std::size_t kPairsAtOnce = 48;
-constexpr std::size_t kFarCandidates = 8192;  // of each kind, at most, farther ahead than kNear
-constexpr double kWider = 1.1;                // in each tick: how fast a way that was too long grows again
+constexpr double kWider = 1.1;  // in each tick: how fast a way that was too long grows again
 constexpr int kMostMendings = 3, kMostHalvings = 6, kMostTakings = 6;
 
 }  // namespace
@@ -57,28 +57,18 @@ ToolAnswer FeatureMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint
   if (rounds.limited) faults |= kMotionLimited;
   if (!complete_) faults |= kContactsReduced;
   if (crosses_) faults |= kToolInside;
-  return tool_.settle(X_WG, V_WG);
+  const bool was_limited = std::exchange(was_limited_, rounds.limited);
+  return tool_.settle(X_WG, V_WG, rounds.limited || was_limited);
 }
 
 double FeatureMotion::way(const Vec6& step) const noexcept {
   return step.head<3>().norm() + step.tail<3>().norm() * tool_.radius();
 }
 
-// As far ahead as there is not too much to look at.
 void FeatureMotion::look(const Vec6& ahead, double reach) noexcept {
-  reach_ = std::max(reach, around_);
-  const double wanted = way(ahead);
-  double length = std::min(wanted, longest_look());
-  const auto sees = [&] {
-    ahead_ = wanted > length ? Vec6(ahead * (length / wanted)) : ahead;
-    const std::size_t candidates = length > kNear ? kFarCandidates : FeaturePairs::kMostCandidates;
-    return features_.look(tool_.state().X_WT, ahead_, reach_, candidates);
-  };
-  for (complete_ = sees(); !complete_ && (length > 0 || reach_ > kReach); complete_ = sees()) {
-    length = length > kReach ? 0.25 * length : 0;
-    longest_ = std::max(length, kReach);
-    reach_ = around_ = kReach;
-  }
+  const double wanted = way(ahead), longest = longest_look();
+  complete_ = features_.look(tool_.state().X_WT, wanted > longest ? Vec6(ahead * (longest / wanted)) : ahead,
+                             reach, std::max(reach, around_));
   // A hand whose way is not foreseen has more looked at beside it, where there is little.
   if (reach > kReach && features_.pairs().size() < kFewPairs) around_ = std::min(2 * around_, kLongest);
 }
@@ -91,9 +81,10 @@ double FeatureMotion::known_fraction(const Vec6& step) const noexcept {
     const auto product = [arm](const Vec6& a, const Vec6& b) {
       return a.head<3>().dot(b.head<3>()) + arm * a.tail<3>().dot(b.tail<3>());
     };
-    const double squared = product(ahead_, ahead_);
-    const double along = squared > 0 ? std::clamp(product(part, ahead_) / squared, 0.0, 1.0) : 0.0;
-    return way(part - along * ahead_) <= reach_;
+    const Vec6& ahead = features_.ahead();
+    const double squared = product(ahead, ahead);
+    const double along = squared > 0 ? std::clamp(product(part, ahead) / squared, 0.0, 1.0) : 0.0;
+    return way(part - along * ahead) <= features_.reach();
   };
   if (is_known(1)) return 1;
   double known = 0, unknown = 1;
@@ -101,13 +92,14 @@ double FeatureMotion::known_fraction(const Vec6& step) const noexcept {
     const double middle = 0.5 * (known + unknown);
     (is_known(middle) ? known : unknown) = middle;
   }
-  return std::max(known, std::min(1.0, reach_ / way(step)));
+  return std::max(known, std::min(1.0, features_.reach() / way(step)));
 }
 
 // Whether another look would know a good deal more of the step.
 bool FeatureMotion::knows_little(const Vec6& step) const noexcept {
-  const double length = way(step);
-  return known_fraction(step) * length < kKnown * std::min(length, longest_look());
+  const double most = std::min(1.0, longest_look() / way(step)), known = known_fraction(step);
+  if (features_.is_spent() && features_.known_part(most * step) * most < 1.5 * known) return false;
+  return known < kKnown * most;
 }
 
 // m, of a way ahead.
@@ -125,6 +117,7 @@ void FeatureMotion::look_for_crossings() noexcept {
 
 FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults) noexcept {
   Rounds rounds;
+  features_.begin_tick();
   longest_ = std::min(kWider * longest_, kLongestFree);
   around_ = std::max(kNarrower * around_, kReach);
   Pose free = tool_.state().X_WT;
@@ -151,6 +144,12 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
     rounds.limited = known < 1 || most < way(step);
     if (turn > FeaturePairs::kMostTurn && !features_.none_near())
       fraction = std::min(fraction, FeaturePairs::kMostTurn / turn);
+    // The rest of the step is the next tick's: nothing is known of it, or it would cost more than a tick has.
+    if ((fraction * way(step) < kStill || (round > 0 && features_.is_spent())) &&
+        features_.least_gap() >= 0) {
+      rounds.limited = true;
+      return rounds;
+    }
     if (fraction * way(step) > kMended)
       fraction *= features_.free_part(ToolWay{.X_WT = from, .step = step}.at(fraction), 0.5 * kMended);
     for (int halving = 0;; ++halving) {
@@ -195,8 +194,8 @@ FeatureMotion::Rounds FeatureMotion::go(const Pose& X_WG, std::uint32_t& faults)
 // So small a step that the forces at its beginning are those at its end.
 void FeatureMotion::take_last(const Vec6& step) noexcept {
   const Pose from = tool_.state().X_WT;
-  const Vec6 ahead = ahead_;
-  if (tool_.move(step * kept_fraction(step))) {
+  const Vec6 ahead = features_.ahead();
+  if (tool_.move(step * std::min(known_fraction(step), kept_fraction(step)))) {
     look(ahead);
     if (complete_ && features_.least_gap() >= 0) return;
   }
@@ -272,7 +271,8 @@ std::vector<BuiltPart> FeatureMotion::parts() const {
       {"response",
        "constraint: nearest free pose in the coupling's metric, at most " + std::to_string(kFeatureRounds) +
            " rounds of " + std::to_string(kMaxContacts) + " rows a tick, features within " +
-           number_text(kLongest * 1e3) + " mm" + tool_.friction_note(),
+           number_text(kLongest * 1e3) + " mm, " + std::to_string(FeatureLookahead::kVisitsATick) +
+           " groups of their boxes a tick" + tool_.friction_note(),
        sizeof(FeatureMotion)},
   };
 }

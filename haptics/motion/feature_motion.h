@@ -58,14 +58,13 @@ private:
   std::vector<bool> is_taken_;        // (pairs)
   std::vector<Vec3> levers_W_;        // (pairs x 3) m, (p - p_T) x nhat: how a turn opens it
   std::vector<std::pair<double, std::uint32_t>> broken_;  // m, and which pair
-  Vec6 ahead_ = Vec6::Zero();  // (6) m and rad, about T: along it, and reach_ around, pairs are known
-  double reach_ = kReach;      // m, of the last look
-  double around_ = kReach;     // m, there was little so far around
-  double longest_;             // m, farther ahead there was too much to look at
-  double skin_;                // m, rows keep the tool this far out
-  unsigned next_part_ = 0;     // of the tool, to be looked at for crossings
-  bool complete_ = true;       // the last look had room for all that was near
-  bool crosses_ = false;       // as far as it is known
+  double around_ = kReach;                                // m, there was little so far around
+  double longest_;                                        // m, a step as long went in too deep
+  double skin_;                                           // m, rows keep the tool this far out
+  unsigned next_part_ = 0;                                // of the tool, to be looked at for crossings
+  bool complete_ = true;                                  // the last look had room for all that was near
+  bool was_limited_ = false;                              // in the tick before
+  bool crosses_ = false;                                  // as far as it is known
 };
 
 }  // namespace fulcrum

@@ -66,7 +66,7 @@ ToolAnswer QuasiStaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
   ToolAnswer answer;
   answer.X_WT = tool_.state().X_WT;
   answer.contact_F_T_W = response_.push(contacts_, at_rest(answer.X_WT)).F_T_W;
-  answer.coupling_F_T_W = tool_.settle(X_WG, V_WG);
+  answer.coupling_F_T_W = tool_.settle(X_WG, V_WG, false);
   answer.full_torque_T_W = tool_.coupling().full_torque();
   answer.turn_W = tool_.coupling().turn();
   regions_.update(contacts_.contacts(), response_.forces(), tool_.state());

@@ -21,6 +21,7 @@ RigidBody handle_in_scene(const PlainScene& desc) {
 QuasiStaticTool::QuasiStaticTool(const PlainScene& desc)
     : coupling_(desc.coupling, handle_in_scene(desc)),
       velocity_(desc.velocity, desc.tick_s),
+      tick_s_(desc.tick_s),
       weight_(tool_weight(desc.tool)),
       // F_s (1 - exp(-k sag / F_s)) = weight
       sag_(-desc.coupling.max_force / desc.coupling.stiffness *
@@ -49,8 +50,10 @@ bool QuasiStaticTool::move(const Vec6& d) noexcept {
   return true;
 }
 
-Wrench QuasiStaticTool::settle(const Pose& X_WG, const Twist& V_WG) noexcept {
-  state_.V_WT = velocity_.update(state_.X_WT);
+Wrench QuasiStaticTool::settle(const Pose& X_WG, const Twist& V_WG, bool is_late) noexcept {
+  Vec6 with_hand;
+  with_hand << tick_s_ * V_WG.v, tick_s_ * V_WG.w;
+  state_.V_WT = is_late ? velocity_.update(state_.X_WT, with_hand) : velocity_.update(state_.X_WT);
   return coupling_.pull(X_WG, V_WG, state_);
 }
 

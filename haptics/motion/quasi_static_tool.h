@@ -27,12 +27,15 @@ public:
   void put(const Pose& X_WT) noexcept { state_.X_WT = X_WT; }
   void limit_torque(double limit) noexcept { coupling_.limit_torque(limit); }
   // The tick's last word: the tool's velocity, from its pose as the handle's is from its own, and the wrench
-  // of the coupling on the tool about T.
-  Wrench settle(const Pose& X_WG, const Twist& V_WG) noexcept;
+  // of the coupling on the tool about T. A tool that is late, held back by no contact, or on its way back
+  // from there, counts as moving with the hand: a damper between the two would push the hand on with all that
+  // the tool catches up, and nothing in the scene has paid for that.
+  Wrench settle(const Pose& X_WG, const Twist& V_WG, bool is_late) noexcept;
 
 private:
   VirtualCoupling coupling_;
   VelocityEstimator velocity_;
+  double tick_s_;
   BodyState state_;
   double weight_;  // N
   double sag_;     // m, how far the coupling's spring yields to the weight

@@ -149,7 +149,7 @@ HandleMotion HandleInput::follow(const DeviceSample& sample, std::uint32_t& faul
   motion.sample_age = sample.age;
   motion.engaged = !clutched_;
   // A clutch begins the velocity anew, from where the handle is now.
-  motion.V_WH = reaches_ ? velocity_.update(X_WH, moved.tail<3>()) : velocity_.update(X_WH);
+  motion.V_WH = reaches_ ? velocity_.update(X_WH, moved) : velocity_.update(X_WH);
   motion.X_WG = X_WH * X_HT_;
   motion.V_WG = {motion.V_WH.v + motion.V_WH.w.cross(Vec3(motion.X_WG.p - X_WH.p)), motion.V_WH.w};
 

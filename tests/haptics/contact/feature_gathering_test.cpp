@@ -63,7 +63,7 @@ TEST_F(FeatureGatheringTest, HasWhateverALookOnTheWayFinds) {
       X_WT.q = (quaternion_exp(in_cube(0.011)) * X_WT.q).normalized();
       X_WT.p += in_cube(1e-4);
       const ToolWay::Place place = way.place(X_WT, tool->radius());
-      if (!gathering.covers(place, place, kNear)) continue;
+      if (kNear + place.off > way.reach || place.turn_off > way.turn) continue;
       ASSERT_TRUE(pairs.look(X_WT, kNear));
       for (const FeaturePair& pair : pairs.pairs()) {
         const auto kind = pair.key >> 60;

@@ -33,7 +33,7 @@ std::vector<Eigen::Vector3d> nut_points() {
 bool check_way() {
   const std::array scene{make_cover(), make_wall()};
   const TriangleTree tree = tree_of(scene);
-  const std::vector<RoutePose> route = make_route();
+  const std::vector<RoutePose> route = make_route(0.0);
   const auto at_end = std::find_if(route.begin(), route.end(),
                                    [](const RoutePose& pose) { return pose.note == "at the bolt's end"; });
   const std::vector<RoutePose> to_bolt(route.begin(), at_end), down(at_end + 1, route.end() - 1);
@@ -62,7 +62,7 @@ bool check() {
 std::string tilted_yaml() {
   return waypoints_yaml(
       "The expert's way, but the nut is tilted once it is on the thread: torque that no force tells of.",
-      "make_nut --tilted", make_tilted_route());
+      "make_nut --tilted", make_tilted_route(light_press));
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   const auto route = [] {
     return route_yaml(
         "the nut behind the pipe, set on straight, and run down a stroke of the fingers at a time",
-        "make_nut", make_route());
+        "make_nut", make_route(light_press));
   };
   return run_maker({"make_nut", models, route, places_yaml, check}, argc, argv);
 }

@@ -49,7 +49,8 @@ void go_behind_the_pipe(std::vector<RoutePose>* route) {
 }
 
 // Clockwise, until it is home. A hand that tilts the nut does so after that many strokes.
-void run_down(std::vector<RoutePose>* route, std::optional<int> tilts_after) {
+// press m: beyond where the thread has it.
+void run_down(std::vector<RoutePose>* route, double press, std::optional<int> tilts_after) {
   const double from = angle_at_end();
   const double turns = (nut_at_end - nut_on_seat) / m12_thread.pitch;
   const double to = from - 2.0 * pi * turns - home;
@@ -59,7 +60,7 @@ void run_down(std::vector<RoutePose>* route, std::optional<int> tilts_after) {
   const int strokes = static_cast<int>(std::ceil((from - to) / stroke));
   for (int i = 1; i <= strokes; ++i) {
     const double angle = std::lerp(from, to, static_cast<double>(i) / strokes);
-    const Vector3d p(0.0, 0.0, nut_at_end + m12_thread.pitch * (angle - from) / (2.0 * pi));
+    const Vector3d p(0.0, 0.0, nut_at_end + m12_thread.pitch * (angle - from) / (2.0 * pi) - press);
     route->push_back({.note = note,
                       .X_WT = pose(p, angle),
                       .travel = stroke_time,
@@ -76,17 +77,17 @@ void run_down(std::vector<RoutePose>* route, std::optional<int> tilts_after) {
 
 }  // namespace
 
-std::vector<RoutePose> make_route() {
+std::vector<RoutePose> make_route(double press) {
   std::vector<RoutePose> route;
   go_behind_the_pipe(&route);
-  run_down(&route, std::nullopt);
+  run_down(&route, press, std::nullopt);
   return route;
 }
 
-std::vector<RoutePose> make_tilted_route() {
+std::vector<RoutePose> make_tilted_route(double press) {
   std::vector<RoutePose> route;
   go_behind_the_pipe(&route);
-  run_down(&route, 4);
+  run_down(&route, press, 4);
   return route;
 }
 
