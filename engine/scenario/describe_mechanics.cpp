@@ -10,8 +10,12 @@ void describe_contact(KeyVisitor& visitor, ContactDesc& contact) {
   visitor.numbers({"levels", "N/m", "of stiffness, that a person can choose of while running"},
                   contact.levels, above_to(0, 1e7), 12);
   visitor.number({"dissipation", "s/m", "Hunt-Crossley damping"}, contact.dissipation, from_to(0, 1000));
-  visitor.number({"friction", "", "Coulomb's coefficient, under the response constraint"}, contact.friction,
-                 from_to(0, 10));
+  visitor.number({"friction", "", "Coulomb's coefficient"}, contact.friction, from_to(0, 10));
+  visitor.number({"torsional_friction", "m",
+                  "against spinning where a contact is: the torque over the force that presses it"},
+                 contact.torsional_friction, from_to(0, 1));
+  visitor.number({"rolling_friction", "m", "against rolling: the torque over the force that presses"},
+                 contact.rolling_friction, from_to(0, 1));
   visitor.number(
       {"region_radius", "m", "touching points nearer than this, with like normals, are one region"},
       contact.region_radius, above_to(0, 1));

@@ -38,8 +38,13 @@ struct ContactDesc {
   double stiffness = 20000;      // N/m, per contact region; a constraint has none
   std::vector<double> levels{};  // (n) N/m, that a person may choose of; none: it stays what it is
   double dissipation = 20;       // s/m, Hunt-Crossley: force k d (1 + dissipation * approach speed)
-  double friction = 0;           // Coulomb's coefficient, of a constraint; 0: none is built
+  // Coulomb's coefficient; and m, the torque about the normal, and of rolling, over the force that presses.
+  double friction = 0, torsional_friction = 0, rolling_friction = 0;
   double region_radius = 0.012;  // m, touching points nearer than this with like normals are one region
 };
+
+inline bool has_friction(const ContactDesc& contact) {
+  return contact.friction > 0 || contact.torsional_friction > 0 || contact.rolling_friction > 0;
+}
 
 }  // namespace fulcrum

@@ -49,6 +49,8 @@ public:
 
   // Force on the tool from each contact of the last push(), (n x 3) N in W.
   std::span<const Vec3> forces() const { return {force_.data(), count_}; }
+  // Stiffness of each, (n) N/m, likewise.
+  std::span<const double> stiffnesses() const { return {stiffness_.data(), count_}; }
 
 private:
   struct Scale {

@@ -77,6 +77,10 @@ void RegionTracker::describe(std::span<const Contact> contacts, std::span<const 
   inherit_ids({before_.data(), count_before});
 }
 
+void RegionTracker::add_forces(std::span<const Vec3> forces) noexcept {
+  for (std::size_t r = 0; r < forces.size(); ++r) regions_[r].force_W += forces[r];
+}
+
 // Each region takes the id of the nearest one of the tick before, nearest pairs first; the rest get new ids.
 void RegionTracker::inherit_ids(std::span<const ContactRegion> before) noexcept {
   std::array<bool, kMaxRegions> taken{}, given{};

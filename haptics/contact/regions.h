@@ -33,6 +33,9 @@ public:
     describe(contacts, forces, tool);
   }
 
+  // (regions x 3) N, which push besides.
+  void add_forces(std::span<const Vec3> forces) noexcept;
+
   std::span<const ContactRegion> regions() const { return {regions_.data(), count_}; }
   // contacts: those of the last update().
   Touching touching(std::span<const Contact> contacts) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "haptics/math/number_text.h"
+#include "haptics/math/rotation.h"
 
 namespace fulcrum {
 namespace {
@@ -28,7 +29,7 @@ ConstrainedTool::ConstrainedTool(const PlainScene& desc, double slack, double ra
       regions_(desc.contact.region_radius),
       metric_(metric(desc.coupling)),
       qp_(metric_, slack * desc.coupling.stiffness),
-      friction_(desc.contact.friction),
+      contact_(desc.contact),
       radius_(radius) {}
 
 void ConstrainedTool::begin(const Pose& X_WG) noexcept {
@@ -54,7 +55,7 @@ Vec6 ConstrainedTool::solve(const Pose& X_WG, double skin) noexcept {
     rows_[i].b = contacts[i].depth + skin;
   }
   const Vec6 goal = tool_.to_goal(X_WG);
-  if (friction_ == 0.0) return solve_rows(goal);
+  if (!has_friction(contact_)) return solve_rows(goal);
   // Rows have the last word: friction never pushes a point in.
   Vec6 rubbing = friction();
   for (int pass = 0; pass < kPasses; ++pass)
@@ -93,11 +94,13 @@ Vec6 ConstrainedTool::solve_rows(const Vec6& goal) noexcept {
     if (!(multipliers_[i] > 0)) continue;
     while (next < before_count && before[next].point < contacts[i].point) ++next;
     const bool pushed = next < before_count && before[next].point == contacts[i].point;
-    pushing_[pushing_count_++] = {.point = contacts[i].point,
-                                  .contact = i,
-                                  .multiplier = multipliers_[i],
-                                  .r_W = contacts[i].p_W - tool_.state().X_WT.p,
-                                  .friction_W = pushed ? before[next].friction_W : Vec3(Vec3::Zero())};
+    pushing_[pushing_count_++] = {
+        .point = contacts[i].point,
+        .contact = i,
+        .multiplier = multipliers_[i],
+        .r_W = contacts[i].p_W - tool_.state().X_WT.p,
+        .friction_W = pushed ? before[next].friction_W : Vec3(Vec3::Zero()),
+        .friction_torque_W = pushed ? before[next].friction_torque_W : Vec3(Vec3::Zero())};
   }
   return step;
 }
@@ -106,7 +109,7 @@ Vec6 ConstrainedTool::friction() const noexcept {
   Vec6 sum = Vec6::Zero();
   for (std::size_t i = 0; i < pushing_count_; ++i) {
     sum.head<3>() += pushing_[i].friction_W;
-    sum.tail<3>() += pushing_[i].r_W.cross(pushing_[i].friction_W);
+    sum.tail<3>() += pushing_[i].r_W.cross(pushing_[i].friction_W) + pushing_[i].friction_torque_W;
   }
   return sum;
 }
@@ -121,12 +124,17 @@ Vec6 ConstrainedTool::rub_along(Vec6 step, const Vec6& under) noexcept {
                  .r_W = pushing_[i].r_W,
                  .slip_W = contact.p_W - X_WT_before_ * p_T,
                  .normal_force = pushing_[i].multiplier,
-                 .force_W = pushing_[i].friction_W};
+                 .force_W = pushing_[i].friction_W,
+                 .torque_W = pushing_[i].friction_torque_W};
   }
   // Points that no longer push no longer rub.
   step += (friction() - under).cwiseQuotient(metric_);
-  Vec6 now = rub(metric_, friction_, step, {points.data(), pushing_count_});
-  for (std::size_t i = 0; i < pushing_count_; ++i) pushing_[i].friction_W = points[i].force_W;
+  const Vec3 turned_W = rotation_vector(X_WT.q * X_WT_before_.q.conjugate());
+  const Vec6 now = rub(metric_, contact_, step, turned_W, {points.data(), pushing_count_});
+  for (std::size_t i = 0; i < pushing_count_; ++i) {
+    pushing_[i].friction_W = points[i].force_W;
+    pushing_[i].friction_torque_W = points[i].torque_W;
+  }
   return now;
 }
 
@@ -168,7 +176,13 @@ Wrench ConstrainedTool::share_force(const Wrench& coupling_F_T_W) noexcept {
 }
 
 std::string ConstrainedTool::friction_note() const {
-  return friction_ > 0 ? ", friction " + number_text(friction_) : std::string();
+  const double friction = contact_.friction, torsional = contact_.torsional_friction,
+               rolling = contact_.rolling_friction;
+  std::string note;
+  if (friction > 0) note += ", friction " + number_text(friction);
+  if (torsional > 0) note += ", " + number_text(torsional * 1e3) + " mm against spinning";
+  if (rolling > 0) note += ", " + number_text(rolling * 1e3) + " mm against rolling";
+  return note;
 }
 
 }  // namespace fulcrum

@@ -64,18 +64,19 @@ private:
   RegionTracker regions_;
   Vec6 metric_;
   ElasticQp qp_;
-  double friction_;  // coefficient
+  ContactDesc contact_;
   double radius_;
   Pose X_WT_before_;  // at the start of the tick
   ContactSet contacts_;
   std::array<QpRow, kMaxContacts> rows_;
   std::array<double, kMaxContacts> multipliers_{};  // N
   struct Pushing {
-    std::uint32_t point = 0;         // its number
-    std::size_t contact = 0;         // in contacts_ as they were then
-    double multiplier = 0;           // N
-    Vec3 r_W = Vec3::Zero();         // (3) m, from T
-    Vec3 friction_W = Vec3::Zero();  // (3) N
+    std::uint32_t point = 0;                // its number
+    std::size_t contact = 0;                // in contacts_ as they were then
+    double multiplier = 0;                  // N
+    Vec3 r_W = Vec3::Zero();                // (3) m, from T
+    Vec3 friction_W = Vec3::Zero();         // (3) N
+    Vec3 friction_torque_W = Vec3::Zero();  // (3) N m
   };
   using AllPushing = std::array<Pushing, ElasticQp::kMaxActive>;
   AllPushing pushing_{};  // at the last solution, in the order of their numbers

@@ -38,6 +38,7 @@ DynamicMotion::DynamicMotion(const PlainScene& desc)
       coupling_(coupling_of(desc, body_)),
       motion_allowance_(motion_allowance(*desc.scene_field)) {
   tool_.X_WT = desc.tool.X_WT_start;
+  if (has_friction(desc.contact)) friction_.emplace(desc.contact, body_, desc.tick_s);
   if (desc.contact.response == ContactResponse::voxel) voxels_.emplace(desc.tool_shell, desc.scene_field);
 }
 
@@ -62,7 +63,13 @@ Wrench DynamicMotion::contact_wrench(std::uint32_t& faults) noexcept {
   const PenaltyResponse::Answer answer = response_.push(contacts_, tool_);
   if (answer.stiffness_capped) faults |= kStiffnessCapped;
   regions_.update(contacts_.contacts(), response_.forces(), tool_);
-  return answer.F_T_W;
+  if (!friction_) return answer.F_T_W;
+  const auto& [contacts, region_of, regions] = touching();
+  const Wrench rubbing_F_T_W =
+      friction_->rub({contacts, region_of, response_.forces(), response_.stiffnesses()}, tool_);
+  friction_->keep(tool_);
+  regions_.add_forces(friction_->forces());
+  return answer.F_T_W + rubbing_F_T_W;
 }
 
 RigidBody::Move DynamicMotion::accelerated(const Wrench& F_T_W) const noexcept {
@@ -78,6 +85,7 @@ RigidBody::Move DynamicMotion::accelerated(const Wrench& F_T_W) const noexcept {
   }
   Linearisation around;
   response_.linearise(contacts_, tool_, around);
+  if (friction_) friction_->linearise(around);
   coupling_.linearise(tool_, around);
   const Twist V_WT = body_.accelerate(tool_, F_T_W, around, tick_s_);
   return {V_WT, V_WT};
@@ -125,6 +133,7 @@ std::vector<BuiltPart> DynamicMotion::parts() const {
        std::string(integrator_text(integrator_)) + ", tick " + number_text(tick_s_ * 1e3) + " ms",
        sizeof(BodyState)},
   };
+  if (friction_) parts.push_back({"friction", friction_->note(), sizeof(*friction_)});
   if (voxels_)
     parts.push_back({"voxels", "occupied or not, for depths by the classic method", voxels_->bytes()});
   return parts;

@@ -6,6 +6,7 @@
 
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
+#include "haptics/contact/region_friction.h"
 #include "haptics/contact/regions.h"
 #include "haptics/contact/voxel_query.h"
 #include "haptics/motion/tool_motion.h"
@@ -40,6 +41,7 @@ private:
   ContactQuery query_;
   std::optional<VoxelQuery> voxels_;  // under the response voxel; query_ then bounds the motion alone
   PenaltyResponse response_;
+  std::optional<RegionFriction> friction_;  // where the scene names it
   RegionTracker regions_;
   VirtualCoupling coupling_;
   ContactSet contacts_;

@@ -41,7 +41,9 @@ QuasiStaticMotion::QuasiStaticMotion(const PlainScene& desc)
                 Integrator::implicit_euler),
       regions_(desc.contact.region_radius),
       allowance_(motion_allowance(*desc.scene_field)),
-      tool_radius_(desc.tool_shell->max_radius_m) {}
+      tool_radius_(desc.tool_shell->max_radius_m) {
+  if (has_friction(desc.contact)) friction_.emplace(desc.contact);
+}
 
 ToolAnswer QuasiStaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::uint32_t& faults) noexcept {
   if (!looked_) outcome_ = query_.run(tool_.state().X_WT, contacts_);
@@ -65,21 +67,34 @@ ToolAnswer QuasiStaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
 
   ToolAnswer answer;
   answer.X_WT = tool_.state().X_WT;
-  answer.contact_F_T_W = response_.push(contacts_, at_rest(answer.X_WT)).F_T_W;
+  answer.contact_F_T_W = contact_wrench(at_rest(answer.X_WT));
   answer.coupling_F_T_W = tool_.settle(X_WG, V_WG, false);
   answer.full_torque_T_W = tool_.coupling().full_torque();
   answer.turn_W = tool_.coupling().turn();
   regions_.update(contacts_.contacts(), response_.forces(), tool_.state());
+  if (friction_) {
+    friction_->keep(tool_.state());
+    regions_.add_forces(friction_->forces());
+  }
   return answer;
+}
+
+Wrench QuasiStaticMotion::contact_wrench(const BodyState& tool) noexcept {
+  const Wrench F_T_W = response_.push(contacts_, tool).F_T_W;
+  if (!friction_) return F_T_W;
+  const std::span<const Contact> contacts = contacts_.contacts();
+  return F_T_W + friction_->rub(
+                     {contacts, regions_.find(contacts), response_.forces(), response_.stiffnesses()}, tool);
 }
 
 // The coupling's springs saturate; their secants take the tool all the way through free space in one step and
 // converge to the balance from any side.
 Vec6 QuasiStaticMotion::newton_step(const Pose& X_WG) noexcept {
   const BodyState tool = at_rest(tool_.state().X_WT);
-  const Wrench contact = response_.push(contacts_, tool).F_T_W;
+  const Wrench contact = contact_wrench(tool);
   Linearisation around;
   response_.linearise(contacts_, tool, around);
+  if (friction_) friction_->linearise(around);
   const Vec6 d = tool_.to_hand(X_WG);
   const Vec3 pull = saturated_spring(d.head<3>(), coupling_.stiffness, coupling_.max_force);
   const Vec3 twist =
@@ -100,7 +115,7 @@ bool QuasiStaticMotion::stiffen(double stiffness) noexcept {
 }
 
 std::vector<BuiltPart> QuasiStaticMotion::parts() const {
-  return {
+  std::vector<BuiltPart> parts{
       query_part(query_),
       {"response",
        "static: at most " + std::to_string(kMaxSteps) + " 6 x 6 steps a tick, " +
@@ -108,6 +123,8 @@ std::vector<BuiltPart> QuasiStaticMotion::parts() const {
            " points in " + std::to_string(kMaxRegions) + " regions",
        sizeof(QuasiStaticMotion)},
   };
+  if (friction_) parts.push_back({"friction", friction_->note(), sizeof(*friction_)});
+  return parts;
 }
 
 }  // namespace fulcrum

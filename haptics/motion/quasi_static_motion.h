@@ -5,8 +5,11 @@
 // each cut so that no shell point can have passed a wall. M. Wan, W. A. McNeely, "Quasi-static approximation
 // for 6 degrees-of-freedom haptic rendering", IEEE Visualization 2003.
 
+#include <optional>
+
 #include "haptics/contact/penalty.h"
 #include "haptics/contact/query.h"
+#include "haptics/contact/region_friction.h"
 #include "haptics/contact/regions.h"
 #include "haptics/motion/quasi_static_tool.h"
 #include "haptics/motion/tool_motion.h"
@@ -28,11 +31,13 @@ public:
 
 private:
   Vec6 newton_step(const Pose& X_WG) noexcept;
+  Wrench contact_wrench(const BodyState& tool) noexcept;
 
   CouplingDesc coupling_;
   QuasiStaticTool tool_;
   ContactQuery query_;
   PenaltyResponse response_;
+  std::optional<RegionFriction> friction_;  // where the scene names it
   RegionTracker regions_;
   double allowance_;  // m, see motion_allowance()
   double tool_radius_;

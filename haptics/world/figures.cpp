@@ -120,11 +120,14 @@ void check(FigureCheck& figures, const ToolDesc& tool) {
 }
 
 void check(FigureCheck& figures, const ContactDesc& contact) {
-  const auto& [response, stiffness, levels, dissipation, friction, region_radius] = contact;
+  const auto& [response, stiffness, levels, dissipation, friction, torsional_friction, rolling_friction,
+               region_radius] = contact;
   figures.above("contact.stiffness", stiffness);
   for (const double level : levels) figures.above("contact.levels", level);
   figures.at_least("contact.dissipation", dissipation);
   figures.at_least("contact.friction", friction);
+  figures.at_least("contact.torsional_friction", torsional_friction);
+  figures.at_least("contact.rolling_friction", rolling_friction);
   figures.above("contact.region_radius", region_radius);
 }
 

@@ -157,10 +157,10 @@ Result<World> World::build(SceneDesc desc, std::vector<std::unique_ptr<Effect>> 
     return Error{
         "The tool's principal moments of inertia must be positive: check its density and that its mesh "
         "encloses a volume."};
-  if (desc.contact.friction > 0 && desc.contact.response != ContactResponse::constraint)
+  if (has_friction(desc.contact) && !coupled(desc.contact.response))
     return Error{
-        "contact.friction is there for the response constraint alone: name that response, or leave friction "
-        "out."};
+        "Under the response direct the tool is where the hand wants it, and nothing rubs: name another "
+        "response, or leave friction out."};
   if (!coupled(desc.contact.response) && !desc.device.renders_force)
     return Error{"Under the response direct the device's force alone keeps the tool out, and '" +
                  desc.device.name + "' has none: name another response."};

@@ -48,8 +48,7 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
     add("response direct", "the scenario names another");
   if (!coupled(response)) add("coupling", "under the response direct the tool is where the hand wants it");
   if (response != ContactResponse::voxel) add("response voxel", "the scenario names another");
-  if (response == ContactResponse::constraint && scene.contact.friction == 0)
-    add("friction", "contact.friction is 0");
+  if (coupled(response) && !has_friction(scene.contact)) add("friction", "contact.friction is 0");
   if (response == ContactResponse::constraint) {
     if (!scene.tool_shell) {
       add("field", "contact.surface is triangles, and nothing asks for impacts");

@@ -79,96 +79,6 @@ TEST(Constraint, SlidesAlongASurface) {
   EXPECT_NEAR(result.record.contact_F_T_W.force.x(), 0, 1e-3);
 }
 
-// A box pressed askew onto the floor: nearest pose in the metric, from the hand-made minimum. Four corners at
-// +-a; the handle a depth below the floor and turned by a small angle about z. If two corners touch,
-//   minimise k_T y^2 / 2 + k_R t^2 / 2,   y, t the tool's offsets from the handle, subject to
-//   -depth + y - a sin(theta - t) = 0 at the lower edge.
-// What holds a probe back along the surface is the friction of the force that pushes it, and no more.
-TEST(Constraint, FrictionHoldsAProbeUpToItsCone) {
-  for (const double coefficient : {0.1, 0.4, 1.0}) {
-    SceneDesc desc = scene(ContactResponse::constraint, {Vec3::Zero()});
-    desc.coupling = linear_coupling();
-    desc.coupling.damping_ratio = 0;  // springs alone: a damper is felt besides
-    desc.contact.friction = coefficient;
-    World world = expect(World::build(desc));
-    const double depth = 3e-3, cone = coefficient * depth;  // m of the coupling's offset
-    held(world, above_floor(-depth));
-    const auto drag = [&](double x, double z) {
-      return step(world, at({Quat::Identity(), Vec3(x, -depth, z)}), {}).record;
-    };
-    TickRecord record;
-    for (int i = 1; i <= 100; ++i) record = drag(0.9e-2 * cone * i, 0);
-    EXPECT_NEAR(record.X_WT.p.x(), 0, 1e-6) << "it sticks";
-    for (int i = 0; i < 1000; ++i) record = drag(0.9 * cone, 0);
-    EXPECT_NEAR(record.X_WT.p.x(), 0, 1e-6) << "it does not creep";
-    EXPECT_NEAR(record.coupling_F_T_W.force.x(), 800 * 0.9 * cone, 0.01 * 800 * cone);
-    for (int i = 1; i <= 600; ++i) record = drag(0.9 * cone + 1e-2 * cone * i, 1e-2 * cone * i);
-    const Vec3 lag = Vec3(6.9 * cone, -depth, 6 * cone) - record.X_WT.p;
-    EXPECT_NEAR(std::hypot(lag.x(), lag.z()), cone, 0.01 * cone) << "it slides";
-    EXPECT_NEAR(lag.z() / lag.x(), 1, 0.01) << "against the motion";
-    EXPECT_NEAR(record.contact_F_T_W.force.y(), 800 * depth, 0.01 * 800 * depth) << "and is pushed as before";
-    EXPECT_NEAR(record.X_WT.p.y(), 0, 2e-6);
-  }
-}
-
-// Three feet under a load, twisted: each gives its cone at its radius.
-TEST(Constraint, FrictionHoldsATwist) {
-  const double r = 0.02, depth = 3e-3, coefficient = 0.3;
-  std::vector<Vec3> feet;
-  for (int i = 0; i < 3; ++i) {
-    const double angle = 2 * std::numbers::pi * i / 3;
-    feet.emplace_back(r * std::cos(angle), 0, r * std::sin(angle));
-  }
-  SceneDesc desc = scene(ContactResponse::constraint, feet);
-  desc.coupling = linear_coupling();
-  desc.coupling.damping_ratio = 0;
-  desc.contact.friction = coefficient;
-  World world = expect(World::build(desc));
-  held(world, above_floor(-depth));
-  const double most = coefficient * 800 * depth * r;  // N m
-  StepResult result;
-  for (int i = 1; i <= 300; ++i) {
-    const double angle = 2 * most / desc.coupling.angular_stiffness * i / 300;
-    result = step(world, at({quaternion_exp(Vec3(0, angle, 0)), Vec3(0, -depth, 0)}), {});
-    const double torque = result.record.coupling_F_T_W.torque.y();
-    EXPECT_NEAR(torque, std::min(most, desc.coupling.angular_stiffness * angle), 0.01 * most) << angle;
-  }
-  EXPECT_NEAR(result.record.X_WT.p.x(), 0, 2e-6);
-}
-
-// A plate of many points is dragged, tipped onto an edge and lifted: who pushes changes all the time, and
-// with it what is remembered of them.
-TEST(Constraint, FrictionStaysInItsConeWhileContactsComeAndGo) {
-  std::vector<Vec3> plate;
-  for (int i = -7; i <= 7; ++i)
-    for (int j = -7; j <= 7; ++j) plate.emplace_back(2e-3 * i, 0, 2e-3 * j);
-  SceneDesc desc = scene(ContactResponse::constraint, plate);
-  desc.coupling = linear_coupling();
-  desc.coupling.damping_ratio = 0;
-  desc.contact.friction = 0.5;
-  World world = expect(World::build(desc));
-  held(world, above_floor(-1e-3));
-  int rubbing = 0;
-  for (int i = 0; i < 1200; ++i) {
-    const double tip = 0.2 * std::sin(0.02 * i), y = -1e-3 + 2e-3 * std::sin(0.013 * i);
-    const Pose X_WH{quaternion_exp(Vec3(tip, 0.1 * std::sin(0.007 * i), 0.5 * tip)),
-                    Vec3(5e-3 * std::sin(0.01 * i), y, 5e-3 * std::sin(0.017 * i))};
-    const Vec3 F = step(world, at(X_WH), {}).record.contact_F_T_W.force;
-    const double across = std::hypot(F.x(), F.z());
-    ASSERT_LE(across, 0.5 * F.y() * 1.02 + 2e-3) << i;
-    rubbing += across > 0.1 * F.y() ? 1 : 0;
-  }
-  EXPECT_GT(rubbing, 200);
-}
-
-TEST(Constraint, FrictionIsForTheConstraintAlone) {
-  SceneDesc desc = scene(ContactResponse::penalty, {Vec3::Zero()});
-  desc.contact.friction = 0.3;
-  const Result<World> world = World::build(desc);
-  ASSERT_FALSE(world);
-  EXPECT_NE(world.error().sentence.find("name that response"), std::string::npos) << world.error().sentence;
-}
-
 std::vector<std::uint32_t> ids_of(const World& world) {
   std::vector<std::uint32_t> ids;
   for (const ContactRegion& region : world.regions()) ids.push_back(region.id);
@@ -198,6 +108,10 @@ TEST(Constraint, RegionsKeepTheirIdentityUntilTheToolLeaves) {
   for (const ContactRegion& region : world.regions()) EXPECT_GT(region.id, first.back());
 }
 
+// A box pressed askew onto the floor: nearest pose in the metric, from the hand-made minimum. Four corners at
+// +-a; the handle a depth below the floor and turned by a small angle about z. If two corners touch,
+//   minimise k_T y^2 / 2 + k_R t^2 / 2,   y, t the tool's offsets from the handle, subject to
+//   -depth + y - a sin(theta - t) = 0 at the lower edge.
 TEST(Constraint, NearestPoseIsInTheMetricOfTheCoupling) {
   const double a = 0.02, depth = 2e-3, angle = 0.04;
   SceneDesc desc = scene(ContactResponse::constraint, {{a, 0, a}, {a, 0, -a}, {-a, 0, a}, {-a, 0, -a}});
