@@ -4,6 +4,7 @@
 
 #include "haptics/math/clamp_norm.h"
 #include "haptics/math/functions.h"
+#include "haptics/math/number_text.h"
 
 namespace fulcrum {
 namespace {
@@ -71,6 +72,16 @@ Vec6 rub(const Vec6& metric, const ContactDesc& contact, Vec6& step, const Vec3&
   Vec6 sum = Vec6::Zero();
   for (const RubbingPoint& point : points) sum += about_T(point.force_W, point.torque_W, point.r_W);
   return sum;
+}
+
+std::string friction_note(const ContactDesc& contact) {
+  std::string note;
+  if (contact.friction > 0) note += ", friction " + number_text(contact.friction);
+  if (contact.torsional_friction > 0)
+    note += ", " + number_text(contact.torsional_friction * 1e3) + " mm against spinning";
+  if (contact.rolling_friction > 0)
+    note += ", " + number_text(contact.rolling_friction * 1e3) + " mm against rolling";
+  return note;
 }
 
 }  // namespace fulcrum

@@ -6,6 +6,7 @@
 // Points have no extent: one alone resists being spun on the spot, or rolled, by torques of its own.
 
 #include <span>
+#include <string>
 
 #include "haptics/contact/contact_desc.h"
 #include "haptics/math/linear.h"
@@ -27,5 +28,8 @@ struct RubbingPoint {
 // this tick before the step. Answers what the points give together, (6) N and N m about T.
 Vec6 rub(const Vec6& metric, const ContactDesc& contact, Vec6& step, const Vec3& turned_W,
          std::span<RubbingPoint> points) noexcept;
+
+// For parts(): what there is of it; empty without.
+std::string friction_note(const ContactDesc& contact);
 
 }  // namespace fulcrum

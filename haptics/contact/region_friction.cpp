@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/contact/friction.h"
 #include "haptics/math/clamp_norm.h"
 #include "haptics/math/functions.h"
-#include "haptics/math/number_text.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum {
@@ -198,9 +198,9 @@ void RegionFriction::keep(const BodyState& tool) noexcept {
 }
 
 std::string RegionFriction::note() const {
-  return "springs along the surface of each region, which hold up to " + number_text(sliding_) +
-         " of what presses it, " + number_text(torsional_ * 1e3) + " mm of it against spinning and " +
-         number_text(rolling_ * 1e3) + " mm against rolling";
+  return "springs along the surface of each region" +
+         friction_note(
+             {.friction = sliding_, .torsional_friction = torsional_, .rolling_friction = rolling_});
 }
 
 }  // namespace fulcrum

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "haptics/math/number_text.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum {
@@ -130,7 +129,7 @@ Vec6 ConstrainedTool::rub_along(Vec6 step, const Vec6& under) noexcept {
   // Points that no longer push no longer rub.
   step += (friction() - under).cwiseQuotient(metric_);
   const Vec3 turned_W = rotation_vector(X_WT.q * X_WT_before_.q.conjugate());
-  const Vec6 now = rub(metric_, contact_, step, turned_W, {points.data(), pushing_count_});
+  Vec6 now = rub(metric_, contact_, step, turned_W, {points.data(), pushing_count_});
   for (std::size_t i = 0; i < pushing_count_; ++i) {
     pushing_[i].friction_W = points[i].force_W;
     pushing_[i].friction_torque_W = points[i].torque_W;
@@ -173,16 +172,6 @@ Wrench ConstrainedTool::share_force(const Wrench& coupling_F_T_W) noexcept {
   }
   regions_.update({touching_.data(), touching_count_}, {forces_.data(), touching_count_}, tool_.state());
   return contact_F_T_W;
-}
-
-std::string ConstrainedTool::friction_note() const {
-  const double friction = contact_.friction, torsional = contact_.torsional_friction,
-               rolling = contact_.rolling_friction;
-  std::string note;
-  if (friction > 0) note += ", friction " + number_text(friction);
-  if (torsional > 0) note += ", " + number_text(torsional * 1e3) + " mm against spinning";
-  if (rolling > 0) note += ", " + number_text(rolling * 1e3) + " mm against rolling";
-  return note;
 }
 
 }  // namespace fulcrum

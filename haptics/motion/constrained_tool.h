@@ -48,7 +48,7 @@ public:
   // As settle() left it.
   Touching touching() const { return regions_.touching({touching_.data(), touching_count_}); }
 
-  std::string friction_note() const;  // of parts(); empty without friction
+  std::string friction_note() const { return fulcrum::friction_note(contact_); }
 
 private:
   Vec6 solve_rows(const Vec6& goal) noexcept;

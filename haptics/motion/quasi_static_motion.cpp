@@ -80,7 +80,7 @@ ToolAnswer QuasiStaticMotion::advance(const Pose& X_WG, const Twist& V_WG, std::
 }
 
 Wrench QuasiStaticMotion::contact_wrench(const BodyState& tool) noexcept {
-  const Wrench F_T_W = response_.push(contacts_, tool).F_T_W;
+  Wrench F_T_W = response_.push(contacts_, tool).F_T_W;
   if (!friction_) return F_T_W;
   const std::span<const Contact> contacts = contacts_.contacts();
   return F_T_W + friction_->rub(

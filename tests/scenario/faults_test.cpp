@@ -36,7 +36,7 @@ const FaultCase kFaultCases[] = {
      "5:1: unknown key 'seeed'; did you mean 'seed'?"},
     {"unknown_key_far_from_any", "  stiffness: 5000", "  colour: red",
      "11:3: unknown key 'contact.colour'; the keys here are response, stiffness, levels, dissipation, "
-     "friction, region_radius, edges, surface"},
+     "friction, torsional_friction, rolling_friction, region_radius, edges, surface"},
     {"missing_key", "title: Peg\n", "", "1:1: key 'title' is missing: as lists and windows show it"},
     {"missing_key_inside", "{file: block.glb, role: scene}", "{file: block.glb}",
      "6:10: key 'models.block.role' is missing: scene: touched; tool: held in the hand; decor: seen only"},

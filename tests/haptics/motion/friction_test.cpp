@@ -198,8 +198,31 @@ TEST_P(Friction, StaysStableWhateverPresses) {
         for (int i = 0; i < 500; ++i)
           record = step(world, at({quaternion_exp(Vec3(0.2, 0.5, -0.1)), Vec3(0.01, -0.01, 0)}), {}).record;
         EXPECT_LT((record.X_WT.p - X_WT.p).norm(), 1e-6) << stiffness << ' ' << coefficient;
+        EXPECT_LT((record.contact_F_T_W.force + record.coupling_F_T_W.force).norm(), 0.1)
+            << stiffness << ' ' << coefficient << ": it is in balance";
         EXPECT_LT(angle_between(record.X_WT.q, X_WT.q), 1e-4) << stiffness << ' ' << coefficient;
       }
+}
+
+// Nothing else damps a tool with mass that sticks, if its coupling does not.
+TEST(FrictionOfAToolWithMass, SticksWithoutRinging) {
+  SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
+  desc.mapping.force_scale = 1;
+  desc.coupling.max_force = 5000;
+  desc.coupling.damping_ratio = 0;
+  desc.contact.friction = 1;
+  desc.contact.dissipation = 1000;
+  World world = expect(World::build(desc));
+  hold(world, {Quat::Identity(), Vec3(0, -3e-3, 0)}, 3000);
+  double least = 1, most = -1;
+  for (int i = 0; i < 600; ++i) {
+    const double x = step(world, at({Quat::Identity(), Vec3(1e-3, -3e-3, 0)}), {}).record.X_WT.p.x();
+    if (i < 500) continue;
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+  EXPECT_GT(least, 1e-6);
+  EXPECT_LT(most - least, 0.01 * most);
 }
 
 INSTANTIATE_TEST_SUITE_P(Responses, Friction,
