@@ -3,7 +3,8 @@
 // the given normal forces, those that leave the points slipping as little as they can, in the coupling's
 // metric. The normal forces follow from the friction in turn: D. M. Kaufman, S. Sueda, D. L. James, D. K.
 // Pai, "Staggered projections for frictional contact in multibody systems", ACM Trans. Graphics 27(5), 2008.
-// Points have no extent: one alone resists being spun on the spot, or rolled, by torques of its own.
+// A point has no extent: by itself it resists being spun on the spot, or rolled, only where the scene names
+// torsional or rolling friction.
 
 #include <span>
 #include <string>

@@ -82,7 +82,8 @@ void RegionFriction::begin(const Pressed& pressed, const BodyState& tool) noexce
   }
 }
 
-// What the tool's mass bears in a tick. Answers how long dampers act: s, of their damping over the stiffness.
+// Keeps the springs within what the tool's mass bears in a tick. Answers the dampers' damping over the
+// springs' stiffness, s.
 double RegionFriction::bear(const BodyState& tool) noexcept {
   if (!body_) return 0;
   const Mat3 inverse_inertia_W = body_->inverse_inertia_W(tool.X_WT.q);

@@ -33,7 +33,7 @@ public:
     describe(contacts, forces, tool);
   }
 
-  // (regions x 3) N, which push besides.
+  // Adds a force on the tool to that of each region, (regions x 3) N: its friction.
   void add_forces(std::span<const Vec3> forces) noexcept;
 
   std::span<const ContactRegion> regions() const { return {regions_.data(), count_}; }

@@ -43,7 +43,7 @@ public:
   // out.
   Vec6 solve(const Pose& X_WG, double skin) noexcept;
 
-  // The tick's last word, once solve() has been at the pose that was reached.
+  // The tick's last word, once solve() has been at the pose that was reached. is_late: as of QuasiStaticTool.
   ToolAnswer settle(const Pose& X_WG, const Twist& V_WG, bool is_late) noexcept;
   // As settle() left it.
   Touching touching() const { return regions_.touching({touching_.data(), touching_count_}); }

@@ -21,6 +21,7 @@ constexpr double kLongest = 250e-6;     // m, of a way that is looked along
 constexpr double kLongestFree = 20e-3;  // m, and where there is nothing near
 constexpr int kMostLooks = 2;           // in a round, for steps that were not looked along
 constexpr double kKnown = 0.9;          // of a step: another look would not know much more
+constexpr double kMuchMore = 1.5;       // of what is known: less is not worth a look once the budget is spent
 constexpr std::size_t kFewPairs = 24;
 constexpr double kNarrower = 0.8;  // in each tick: how fast a look beside the way becomes narrow again
 constexpr int kBisections = 6;
@@ -98,7 +99,7 @@ double FeatureMotion::known_fraction(const Vec6& step) const noexcept {
 // Whether another look would know a good deal more of the step.
 bool FeatureMotion::knows_little(const Vec6& step) const noexcept {
   const double most = std::min(1.0, longest_look() / way(step)), known = known_fraction(step);
-  if (features_.is_spent() && features_.known_part(most * step) * most < 1.5 * known) return false;
+  if (features_.is_spent() && features_.known_part(most * step) * most < kMuchMore * known) return false;
   return known < kKnown * most;
 }
 

@@ -36,6 +36,7 @@ protected:
                      .max_torque = 500};
     return desc;
   }
+  static bool is_constraint() { return GetParam() == ContactResponse::constraint; }
   bool has_mass() const { return !massless(GetParam()); }
   // m: what springs may be stretched by under F, N.
   double give(double F) const {
@@ -60,7 +61,7 @@ TEST_P(Friction, HoldsAProbeUpToItsCone) {
     World world = expect(World::build(desc));
     const double depth = 3e-3;
     const double load = hold(world, above_floor(-depth), 800).record.contact_F_T_W.force.y();
-    EXPECT_NEAR(load, kPull * depth, 0.05 * kPull * depth);
+    EXPECT_NEAR(load, kPull * depth, (is_constraint() ? 0.01 : 0.05) * kPull * depth);
     const double cone = coefficient * load / kPull;  // m of the coupling's offset
     const auto drag = [&](double x, double z) {
       return step(world, at({Quat::Identity(), Vec3(x, -depth, z)}), {}).record;
@@ -78,6 +79,7 @@ TEST_P(Friction, HoldsAProbeUpToItsCone) {
     EXPECT_NEAR(std::hypot(F.x(), F.z()), coefficient * F.y(), 0.01 * coefficient * F.y()) << "it slides";
     EXPECT_NEAR(F.z() / F.x(), 1, 0.01) << "and is held against the motion";
     EXPECT_NEAR(F.y(), load, 0.01 * load) << "and pushed as before";
+    if (is_constraint()) EXPECT_NEAR(record.X_WT.p.y(), 0, 2e-6);
   }
 }
 
@@ -119,11 +121,10 @@ TEST_P(Friction, HoldsATwist) {
       result = step(world, at({quaternion_exp(Vec3(0, angle, 0)), Vec3(0, -depth, 0)}), {});
       const double torque = -result.record.contact_F_T_W.torque.y();
       ASSERT_LT(torque, 1.1 * most + kLate) << i;
-      if (kTurn * angle < 0.8 * most && GetParam() == ContactResponse::constraint)
-        ASSERT_NEAR(torque, kTurn * angle, 0.01 * most) << i;
+      if (is_constraint()) EXPECT_NEAR(torque, std::min(most, kTurn * angle), 0.01 * most) << r << ' ' << i;
     }
     EXPECT_NEAR(result.record.contact_F_T_W.torque.y(), -most, 0.02 * most) << r;
-    EXPECT_NEAR(result.record.X_WT.p.x(), 0, 5e-6);
+    EXPECT_NEAR(result.record.X_WT.p.x(), 0, is_constraint() ? 2e-6 : 5e-6);
   }
 }
 
@@ -171,7 +172,7 @@ TEST_P(Friction, StaysInItsConeWhileContactsComeAndGo) {
   EXPECT_GT(rubbing, 200);
 }
 
-// However stiff, heavy or fast: what slides loses energy and nothing grows.
+// However stiff the contact: a stand that is thrown at the floor comes to rest there, in balance.
 TEST_P(Friction, StaysStableWhateverPresses) {
   for (const double stiffness : {1e3, 1e5, 1e7})
     for (const double coefficient : {0.2, 5.0})
