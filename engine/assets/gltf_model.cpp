@@ -99,13 +99,6 @@ void make_flat_normals(ModelPart& part) {
   }
 }
 
-void make_unit(std::vector<Vec3>& normals) {
-  for (Vec3& normal : normals) {
-    const double length = normal.stableNorm();
-    normal = length > 0.0 ? Vec3(normal / length) : Vec3(Vec3::UnitY());
-  }
-}
-
 ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& primitive) {
   const auto positions = primitive.attributes.find("POSITION");
   if (positions == primitive.attributes.end())
@@ -150,24 +143,16 @@ ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& prim
 }
 
 void place(ModelPart& part, const Eigen::Affine3d& X_MN) {
-  const Mat3 linear = X_MN.linear();
-  const double determinant = linear.determinant();
-  if (determinant == 0.0)
+  if (X_MN.linear().determinant() == 0.0)
     throw GltfFault("part '" + part.name + "' is scaled to nothing; give its node a scale other than zero");
-  const Mat3 for_normals = linear.inverse().transpose();
-  for (Vec3& p : part.positions) {
-    p = X_MN * p;
+  transform(part, X_MN);
+  for (const Vec3& p : part.positions) {
     if (!(p.cwiseAbs().maxCoeff() <= kFarthest_m)) {
       throw GltfFault(
           "part '" + part.name +
           "' is moved or scaled out of all bounds, farther than 100 km; check its node's transform");
     }
   }
-  for (Vec3& n : part.normals) n = for_normals * n;
-  make_unit(part.normals);
-  if (determinant < 0.0)  // a mirror turns triangles inside out
-    for (std::size_t i = 0; i < part.indices.size(); i += 3)
-      std::swap(part.indices[i + 1], part.indices[i + 2]);
 }
 
 class Walk {
@@ -238,19 +223,6 @@ Model model_from_gltf(const tinygltf::Model& file) {
     model.materials.push_back(material_from(material));
   model.materials.push_back({});
   return model;
-}
-
-TriangleMesh to_triangle_mesh(const Model& model) {
-  TriangleMesh mesh;
-  for (const ModelPart& part : model.parts) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), part.positions.begin(), part.positions.end());
-    for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
-      mesh.triangles.push_back(
-          {first + part.indices[i], first + part.indices[i + 1], first + part.indices[i + 2]});
-    }
-  }
-  return mesh;
 }
 
 }  // namespace fulcrum

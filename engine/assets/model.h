@@ -32,6 +32,10 @@ struct Model {
   std::vector<ModelMaterial> materials;  // at least one
 };
 
+// Moves what the part has by X, which is invertible: positions, and normals so that they stay normal to the
+// surface. A mirror image is wound the other way, so that its outside stays outside.
+void transform(ModelPart& part, const Eigen::Affine3d& X);
+
 // Every part's triangles in one soup: what build_solid() takes.
 TriangleMesh to_triangle_mesh(const Model& model);
 

@@ -10,6 +10,7 @@
 
 #include "engine/assets/bake_cache.h"
 #include "engine/assets/model.h"
+#include "engine/scenario/fault.h"
 #include "engine/scenario/scenario.h"
 #include "haptics/bake/mass_properties.h"
 #include "haptics/bake/solid.h"
@@ -19,21 +20,22 @@ namespace fulcrum::scenario {
 
 // The model files, read once for both assemblies.
 struct LoadedModels {
-  std::vector<Model> models;  // of Scenario::models, each in the frame of its file
+  std::vector<Model> models;  // of Scenario::models, the tool's in M, the others in W
   Solid tool_T;               // m, in T
   MassProperties tool;        // of unit density, about T; `centre` is zero
   Vec3 p_MT =
       Vec3::Zero();  // (3) m, the centre of mass in the tool model's frame M; axes of T are those of M
   std::vector<std::string> notes;  // sentences: the tool's model was recentred, by how much
-  std::vector<std::string>
-      repaired;  // sentences: what was wrong with the tool's surface, and what was guessed
-  std::vector<std::string> warnings;  // sentences: a model may be in another unit
+  Faults repaired;  // what was wrong with the tool's surface, and what was guessed
+  Faults warnings;  // a model may be in another unit
 };
 
-Result<LoadedModels> load_models(const Scenario& scenario);
+// Every model that cannot be used is a fault, not only the first.
+Checked<LoadedModels> load_models(const Scenario& scenario);
 
-// What is touched, as the models' files have it, mended; its frame is W.
-Result<Solid> build_scene_solid(const Scenario& scenario, const LoadedModels& models);
+// What is touched, as the scenario places the models' files, mended; its frame is W. A fault names each model
+// that is no solid by itself.
+Checked<Solid> build_scene_solid(const Scenario& scenario, const LoadedModels& models);
 
 struct HandScript {
   std::string name;

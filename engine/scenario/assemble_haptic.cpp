@@ -179,12 +179,12 @@ void assemble_features(HapticAssembly& result) {
 
 }  // namespace
 
-Result<Solid> build_scene_solid(const Scenario& scenario, const LoadedModels& models) {
+Checked<Solid> build_scene_solid(const Scenario& scenario, const LoadedModels& models) {
   TriangleMesh all;
-  std::string names;
+  std::vector<std::size_t> touched;
   for (std::size_t i = 0; i < scenario.models.size(); ++i) {
     if (scenario.models[i].role != ModelRole::scene) continue;
-    names += (names.empty() ? "" : ", ") + scenario.models[i].file.where;
+    touched.push_back(i);
     const TriangleMesh mesh = as_made(scenario, models.models[i]);
     const auto first = static_cast<std::uint32_t>(all.vertices.size());
     all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
@@ -192,22 +192,33 @@ Result<Solid> build_scene_solid(const Scenario& scenario, const LoadedModels& mo
       all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
   auto solid = build_solid(all);
-  if (!solid) return Error{names + ": the models that are touched: " + solid.error().sentence};
+  if (!solid) {
+    Faults faults;
+    for (const std::size_t i : touched) {
+      const ModelEntry& entry = scenario.models[i];
+      const auto alone = build_solid(as_made(scenario, models.models[i]));
+      if (!alone)
+        faults.push_back(entry.file.where.fault("model '" + entry.name + "': " + alone.error().sentence));
+    }
+    if (faults.empty())
+      faults.push_back(scenario.models[touched.front()].file.where.fault(
+          "the models that are touched, together: " + solid.error().sentence));
+    return faults;
+  }
   for (std::string& note : solid->notes) note.insert(0, "the models that are touched: ");
-  return solid;
+  return std::move(*solid);
 }
 
 Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedModels& models,
                                        const BakeCache& cache, const BakeProgress& progress) {
   HapticAssembly result;
   result.notes = models.notes;
-  result.warnings = models.warnings;
   result.tool_T = models.tool_T;
   auto solid = build_scene_solid(scenario, models);
-  if (!solid) return solid.error();
+  if (!solid) return Error{to_text(solid.faults())};
   const Solids solids{std::move(*solid), scenario.left_handed ? mirrored(models.tool_T) : models.tool_T};
   result.scene_W = scenario.left_handed ? mirrored(solids.scene) : solids.scene;
-  result.repaired = models.repaired;
+  for (const Fault& repaired : models.repaired) result.repaired.push_back(repaired.text());
   result.repaired.insert(result.repaired.end(), result.scene_W.notes.begin(), result.scene_W.notes.end());
 
   const Pose X_MT{Quat::Identity(), models.p_MT};

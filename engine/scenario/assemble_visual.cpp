@@ -44,7 +44,7 @@ Result<std::monostate> apply(const MaterialOverride& override, std::vector<rende
   std::vector<std::string_view> names;
   for (const render::Material& material : materials)
     if (std::ranges::find(names, material.name) == names.end()) names.push_back(material.name);
-  return Error{override.where + ": no model has a material " + in_quotes(override.name) +
+  return Error{override.where.text() + ": no model has a material " + in_quotes(override.name) +
                did_you_mean(override.name, names, "there is: " + joined(names))};
 }
 

@@ -15,9 +15,15 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
       [&](std::string_view name, KeyVisitor& each) {
         ModelEntry& model = models.emplace_back();
         model.name = name;
-        each.file({"file", "", "a glTF file in the scenario's folder; metres, Y up", true}, model.file);
+        each.file({"file", "", "a glTF file in the scenario's folder; Y up", true}, model.file);
         each.choice_of({"role", "", "scene: touched; tool: held in the hand; decor: seen only", true},
                        model.role);
+        each.choice_of({"unit", "", "of the file's numbers: m, cm, mm, um, in or ft; glTF is in m"},
+                       model.unit);
+        each.each_axis({"scale", "", "of the model about its file's origin, along the file's axes"},
+                       model.scale, above_to(0, 1e6));
+        describe_pose(each, model.X_MF, "of the file's origin: in the world, or of a tool in its own frame",
+                      "of the file's axes there [w, x, y, z]");
         each.word(
             {"cut_of", "", "of decor: the model that it shows cut open, in its place in views with 'cut'"},
             model.cut_of);

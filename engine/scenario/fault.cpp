@@ -2,14 +2,15 @@
 
 namespace fulcrum::scenario {
 
-std::string place_text(std::string file, int line, int column) {
+std::string Place::text() const {
+  std::string text = file;
   if (line > 0)
-    for (const int number : {line, column}) file.append(1, ':').append(std::to_string(number));
-  return file;
+    for (const int number : {line, column}) text.append(1, ':').append(std::to_string(number));
+  return text;
 }
 
 std::string Fault::text() const {
-  return place_text(file, line, column) + ": " + sentence;
+  return Place{file, line, column}.text() + ": " + sentence;
 }
 
 std::string to_text(const Faults& faults) {

@@ -9,9 +9,6 @@
 
 namespace fulcrum::scenario {
 
-// file:line:column; the file alone if there is no line to point at.
-std::string place_text(std::string file, int line, int column);
-
 struct Fault {
   std::string file;      // or "--set KEY=VALUE", for a value that came from there
   int line = 0;          // from 1; 0: no line to point at
@@ -19,6 +16,15 @@ struct Fault {
   std::string sentence;  // what is wrong and the remedy
 
   std::string text() const;  // file:line:column: sentence
+};
+
+// Where something stands in a file; parts of Fault.
+struct Place {
+  std::string file;
+  int line = 0, column = 0;
+
+  std::string text() const;  // file:line:column; the file alone if there is no line to point at
+  Fault fault(std::string sentence) const { return {file, line, column, std::move(sentence)}; }
 };
 
 using Faults = std::vector<Fault>;

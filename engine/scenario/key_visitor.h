@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/scenario/fault.h"
 #include "engine/scenario/scenario.h"
 #include "haptics/math/names_of.h"
 
@@ -96,7 +97,7 @@ public:
   // looks.
   virtual void rule(std::string_view, bool, std::string_view) {}
   // Where the mapping that is being described stands; empty but for a reader.
-  virtual std::string where() const { return {}; }
+  virtual Place where() const { return {}; }
 
   void real(const Key& key, float& value, const Range& range);
   void vector(const Key& key, glm::vec3& value, const Range& each);

@@ -1,6 +1,7 @@
 #include "engine/scenario/load.h"
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 #include <system_error>
 #include <utility>
@@ -166,44 +167,56 @@ Faults read_materials(Scenario& scenario, const Node& root, TextStore& texts) {
 }
 
 // `source`: how faults call the text. `name`: what it is called among the texts that are kept.
-Checked<Scenario> load(const std::string& text, const std::string& source, const std::string& name,
-                       const std::filesystem::path& folder, std::span<const std::string> overrides,
-                       TextStore& texts, const std::filesystem::path& calibration = {}) {
-  auto root = parse_yaml(text, source);
-  if (!root) return root.faults();
+Inspected inspect(const std::string& text, const std::string& source, const std::string& name,
+                  const std::filesystem::path& folder, std::span<const std::string> overrides,
+                  TextStore& texts, const std::filesystem::path& calibration = {}) {
+  Inspected read;
+  Scenario& scenario = read.scenario;
+  Faults& faults = read.faults;
+  auto parsed = parse_yaml(text, source);
+  if (!parsed) {
+    faults = parsed.faults();
+    return read;
+  }
+  const Node& root = read.root = std::move(*parsed);
 
   if (!overrides.empty()) {
     Scenario described;  // takes what listing the keys appends to it
     const auto keys = list_keys([&](KeyVisitor& visitor) { describe_scenario(visitor, described); });
-    if (Faults faults = apply_overrides(*root, overrides, keys); !faults.empty()) return faults;
+    if (faults = apply_overrides(read.root, overrides, keys); !faults.empty()) return read;
   }
 
-  Scenario scenario;
   std::error_code error;
   scenario.folder = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
   if (error) scenario.folder = std::filesystem::absolute(folder, error);
   scenario.overrides.assign(overrides.begin(), overrides.end());
-  Faults faults =
-      read_tree(*root, scenario.folder, [&](KeyVisitor& visitor) { describe_scenario(visitor, scenario); });
+  faults =
+      read_tree(root, scenario.folder, [&](KeyVisitor& visitor) { describe_scenario(visitor, scenario); });
   for (HandEntry& hand : scenario.hands) {
     hand.desc.seed = static_cast<std::uint64_t>(scenario.seed);
-    append(faults, read_hand(hand, *root, scenario.folder, texts));
+    append(faults, read_hand(hand, root, scenario.folder, texts));
   }
-  append(faults, read_device(scenario.device, *root, scenario.folder, texts));
-  if (faults.empty()) faults = read_calibration(scenario, *root, calibration, texts);
-  append(faults, read_materials(scenario, *root, texts));
-  if (!faults.empty()) return faults;
+  append(faults, read_device(scenario.device, root, scenario.folder, texts));
+  if (faults.empty()) faults = read_calibration(scenario, root, calibration, texts);
+  append(faults, read_materials(scenario, root, texts));
+  if (!faults.empty()) return read;
 
   if (scenario.left_handed) {
-    if (const std::string why = why_not_mirrored(scenario); !why.empty())
-      return Faults{
-          mark_of(*root, {"left_handed"})
-              .fault("'left_handed' cannot be here, since " + why + ": leave it out, or say false")};
+    if (const std::string why = why_not_mirrored(scenario); !why.empty()) {
+      faults = {mark_of(root, {"left_handed"})
+                    .fault("'left_handed' cannot be here, since " + why + ": leave it out, or say false")};
+      return read;
+    }
     mirror(scenario);
   }
   texts.put(name, text);
   scenario.texts = {name, texts.take_used()};
-  return scenario;
+  return read;
+}
+
+Checked<Scenario> scenario_or_faults(Inspected read) {
+  if (!read.faults.empty()) return std::move(read.faults);
+  return std::move(read.scenario);
 }
 
 }  // namespace
@@ -213,8 +226,36 @@ Checked<Scenario> load_scenario(const std::filesystem::path& file, std::span<con
   const auto text = read_text(RegularFile::open_within(file.parent_path(), file.filename()));
   if (!text) return Faults{{file.string(), 0, 0, "cannot read the scenario: " + text.error().sentence}};
   TextStore texts;
-  return load(*text, file.string(), file.filename().string(), file.parent_path(), overrides, texts,
-              calibration);
+  return scenario_or_faults(inspect(*text, file.string(), file.filename().string(), file.parent_path(),
+                                    overrides, texts, calibration));
+}
+
+Inspected inspect_scenario(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  Inspected read;
+  const auto text = read_text(RegularFile::open_within(file.parent_path(), file.filename()));
+  if (!text) {
+    read.faults = {{file.string(), 0, 0, "cannot read the scenario: " + text.error().sentence}};
+    return read;
+  }
+  TextStore texts;
+  return inspect(*text, file.string(), file.filename().string(), file.parent_path(), overrides, texts);
+}
+
+Place Inspected::place(std::string_view path) const {
+  const Node* node = &root;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find('.'));
+    path.remove_prefix(std::min(part.size() + 1, path.size()));
+    std::size_t index = 0;
+    if (const NodeEntry* entry = node->find(part))
+      node = &entry->value;
+    else if (std::from_chars(part.data(), part.data() + part.size(), index).ec == std::errc() &&
+             index < node->items.size())
+      node = &node->items[index];
+    else
+      break;
+  }
+  return node->mark.place();
 }
 
 Checked<Calibration> load_calibration(const std::filesystem::path& file) {
@@ -240,7 +281,8 @@ Checked<DeviceDesc> load_device(const std::filesystem::path& file) {
 Checked<Scenario> load_scenario_text(std::string_view text, const std::filesystem::path& folder,
                                      std::span<const std::string> overrides) {
   TextStore texts;
-  return load(std::string(text), kScenarioFile, kScenarioFile, folder, overrides, texts);
+  return scenario_or_faults(
+      inspect(std::string(text), kScenarioFile, kScenarioFile, folder, overrides, texts));
 }
 
 Checked<Scenario> load_scenario_texts(const SourceTexts& texts, const std::filesystem::path& folder,
@@ -249,7 +291,7 @@ Checked<Scenario> load_scenario_texts(const SourceTexts& texts, const std::files
   if (text == texts.files.end())
     return Faults{{texts.scenario, 0, 0, "the scenario is not among the texts that were kept of it"}};
   TextStore store(texts.files);
-  return load(text->second, texts.scenario, texts.scenario, folder, overrides, store);
+  return scenario_or_faults(inspect(text->second, texts.scenario, texts.scenario, folder, overrides, store));
 }
 
 }  // namespace fulcrum::scenario

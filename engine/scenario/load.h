@@ -11,6 +11,7 @@
 #include "engine/scenario/calibration.h"
 #include "engine/scenario/fault.h"
 #include "engine/scenario/scenario.h"
+#include "engine/scenario/yaml_tree.h"
 
 namespace fulcrum::scenario {
 
@@ -25,6 +26,19 @@ namespace fulcrum::scenario {
 Checked<Scenario> load_scenario(const std::filesystem::path& file,
                                 std::span<const std::string> overrides = {},
                                 const std::filesystem::path& calibration = {});
+
+// What could be read of a scenario, and all that is wrong with its texts.
+struct Inspected {
+  Scenario scenario;
+  Faults faults;
+  Node root;  // of the scenario's own text; without entries where that is not YAML
+
+  // Where the value of a key stands, or what of its path is there.
+  Place place(std::string_view path) const;
+};
+
+// For who wants to say everything at once: load_scenario() gives a scenario only where nothing is wrong.
+Inspected inspect_scenario(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
 // The same from a text, as if it lay in `folder`; files that it names are read from there.
 Checked<Scenario> load_scenario_text(std::string_view text, const std::filesystem::path& folder,

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/assets/gltf.h"
 #include "engine/scenario/assemble.h"
@@ -18,74 +19,123 @@ constexpr double kRecentringWorthSaying = 1e-4;  // m
 // m across: of what is held or worked on, more or less was hardly meant.
 constexpr double kLargestTool = 5, kLargestScene = 50, kSmallest = 1e-3;
 
-std::string millimetres(double metres) {
+constexpr double kFarthest = 1e5;  // m from the origin, of a vertex; as glTF files are held to
+
+std::string length_text(double metres) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g mm", metres * 1e3);
+  const bool small = metres < 1e-3, medium = metres < 1;
+  std::snprintf(text, sizeof text, "%.3g %s",
+                metres * (small    ? 1e6
+                          : medium ? 1e3
+                                   : 1),
+                small    ? "um"
+                : medium ? "mm"
+                         : "m");
   return text;
 }
 
-Error at(const ModelEntry& entry, const std::string& sentence) {
-  return {entry.file.where + ": model '" + entry.name + "': " + sentence};
+Fault at(const ModelEntry& entry, const std::string& sentence) {
+  return entry.file.where.fault("model '" + entry.name + "': " + sentence);
 }
 
-// glTF is in metres, which programs that think in millimetres forget.
-std::optional<std::string> question_of_size(const ModelEntry& entry, const TriangleMesh& mesh) {
+// X_MF with unit and scale; absent: the file is as the scenario wants it.
+std::optional<Eigen::Affine3d> placement(const ModelEntry& entry) {
+  Eigen::Affine3d X = Eigen::Affine3d::Identity();
+  X.translate(entry.X_MF.p).rotate(entry.X_MF.q).scale(Vec3(metres(entry.unit) * entry.scale));
+  if (X.matrix() == Eigen::Matrix4d::Identity()) return std::nullopt;
+  return X;
+}
+
+// False: some of it is out of all bounds.
+bool place(Model& model, const ModelEntry& entry) {
+  const std::optional<Eigen::Affine3d> X = placement(entry);
+  if (!X) return true;
+  for (ModelPart& part : model.parts) {
+    transform(part, *X);
+    for (const Vec3& p : part.positions)
+      if (!(p.cwiseAbs().maxCoeff() <= kFarthest)) return false;
+  }
+  return true;
+}
+
+// Programs that think in millimetres forget that glTF is in metres.
+std::optional<Fault> question_of_size(const ModelEntry& entry, const TriangleMesh& mesh) {
   Box3 box;
   for (const Vec3& p : mesh.vertices) box.extend(p);
   const double across = mesh.vertices.empty() ? kSmallest : box.diagonal().norm();
-  if (across >= kSmallest && across <= (entry.role == ModelRole::tool ? kLargestTool : kLargestScene))
-    return std::nullopt;
-  char size[32];
-  std::snprintf(size, sizeof size, "%.3g %s", across < kSmallest ? across * 1e6 : across,
-                across < kSmallest ? "um" : "m");
-  return at(entry,
-            "it is " + std::string(size) +
-                " across; is that meant? A model is in metres: if it was made in millimetres, export it "
-                "at a scale of 0.001, and if it was scaled twice, at 1000.")
-      .sentence;
+  const bool large = across > (entry.role == ModelRole::tool ? kLargestTool : kLargestScene);
+  if (across >= kSmallest && !large) return std::nullopt;
+  const std::string cure = !large ? "If its file is scaled twice, say 'scale: 1000' beside 'file'"
+                           : entry.unit == LengthUnit::m
+                               ? "If its file is in millimetres, say 'unit: mm' beside 'file'"
+                               : "See that 'unit' is the file's, and 'scale' no second one";
+  return at(entry, "it is " + length_text(across) + " across; is that meant? " + cure + ".");
 }
 
-Result<Solid> solid_of(const ModelEntry& entry, const TriangleMesh& mesh) {
-  auto solid = build_solid(mesh);
-  if (!solid) return at(entry, solid.error().sentence);
-  return solid;
+// A model as the scenario places it; absent, with a fault: it cannot be.
+std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entry, Faults& faults) {
+  auto model = load_gltf(scenario.folder, entry.file.path);
+  if (!model) {
+    faults.push_back(at(entry, model.error().sentence));
+    return std::nullopt;
+  }
+  if (!place(*model, entry)) {
+    faults.push_back(at(entry,
+                        "it is moved or scaled out of all bounds, farther than 100 km; check its 'unit', "
+                        "'scale' and 'position'."));
+    return std::nullopt;
+  }
+  return std::move(*model);
+}
+
+void take_tool(const ModelEntry& entry, const TriangleMesh& mesh_M, LoadedModels& loaded, Faults& faults) {
+  const auto solid_M = build_solid(mesh_M);
+  if (!solid_M) {
+    faults.push_back(at(entry, solid_M.error().sentence));
+    return;
+  }
+  for (const std::string& note : solid_M->notes) loaded.repaired.push_back(at(entry, note));
+  loaded.p_MT = mass_properties(*solid_M).centre;
+  TriangleMesh mesh_T = mesh_M;
+  for (Vec3& vertex : mesh_T.vertices) vertex -= loaded.p_MT;
+  auto solid_T = build_solid(mesh_T);
+  if (!solid_T) {
+    faults.push_back(at(entry, solid_T.error().sentence));
+    return;
+  }
+  loaded.tool_T = std::move(*solid_T);
+  loaded.tool = mass_properties(loaded.tool_T);
+  if (const double offset = loaded.p_MT.norm(); offset > kRecentringWorthSaying) {
+    loaded.notes.push_back("the tool's centre of mass lies " + length_text(offset) + " from the origin of '" +
+                           entry.file.name + "'; the tool is moved and turned about its centre of mass");
+  }
 }
 
 }  // namespace
 
-Result<LoadedModels> load_models(const Scenario& scenario) {
+Checked<LoadedModels> load_models(const Scenario& scenario) {
   LoadedModels loaded;
+  Faults faults;
   if (scenario.left_handed) loaded.notes.emplace_back("the scene is mirrored, for a tool in the left hand");
   if (!scenario.why_right_handed.empty())
     loaded.notes.push_back("the scene is not mirrored, as the calibration asks: " +
                            scenario.why_right_handed);
   for (const ModelEntry& entry : scenario.models) {
-    auto model = load_gltf(scenario.folder, entry.file.path);
-    if (!model) return at(entry, model.error().sentence);
+    if (entry.file.path.empty()) {  // its key was refused, and said so
+      loaded.models.emplace_back();
+      continue;
+    }
+    std::optional<Model> model = read_model(scenario, entry, faults);
+    if (!model) continue;
     if (scenario.left_handed && entry.lettering)
       loaded.notes.push_back("the model '" + entry.name + "' is not drawn: it would be mirror-written");
     loaded.models.push_back(std::move(*model));
     if (entry.role == ModelRole::decor) continue;
     const TriangleMesh mesh_M = to_triangle_mesh(loaded.models.back());
-    if (const auto question = question_of_size(entry, mesh_M)) loaded.warnings.push_back(*question);
-    if (entry.role != ModelRole::tool) continue;
-
-    const auto solid_M = solid_of(entry, mesh_M);
-    if (!solid_M) return solid_M.error();
-    for (const std::string& note : solid_M->notes) loaded.repaired.push_back(at(entry, note).sentence);
-    loaded.p_MT = mass_properties(*solid_M).centre;
-    TriangleMesh mesh_T = mesh_M;
-    for (Vec3& vertex : mesh_T.vertices) vertex -= loaded.p_MT;
-    auto solid_T = solid_of(entry, mesh_T);
-    if (!solid_T) return solid_T.error();
-    loaded.tool_T = std::move(*solid_T);
-    loaded.tool = mass_properties(loaded.tool_T);
-    if (const double offset = loaded.p_MT.norm(); offset > kRecentringWorthSaying) {
-      loaded.notes.push_back("the tool's centre of mass lies " + millimetres(offset) +
-                             " from the origin of '" + entry.file.name +
-                             "'; the tool is moved and turned about its centre of mass");
-    }
+    if (auto question = question_of_size(entry, mesh_M)) loaded.warnings.push_back(std::move(*question));
+    if (entry.role == ModelRole::tool) take_tool(entry, mesh_M, loaded, faults);
   }
+  if (!faults.empty()) return faults;
   if (scenario.left_handed) {
     for (Model& model : loaded.models) mirror(model);
     fulcrum::mirror(loaded.p_MT);

@@ -12,7 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/assets/length_unit.h"
 #include "engine/render/visual_desc.h"
+#include "engine/scenario/fault.h"
 #include "engine/scenario/guide.h"
 #include "engine/scenario/task.h"
 #include "haptics/bake/field_bake.h"
@@ -28,7 +30,7 @@ namespace fulcrum::scenario {
 struct FileRef {
   std::string name;            // as written
   std::filesystem::path path;  // resolved, absolute
-  std::string where;           // file:line:column of the name, for a sentence about the file's contents
+  Place where;                 // of the name, for a sentence about the file's contents
 };
 
 enum class ModelRole { scene, tool, decor };  // touched; held in the hand; seen only
@@ -37,6 +39,9 @@ struct ModelEntry {
   std::string name;
   FileRef file;
   ModelRole role = ModelRole::scene;
+  LengthUnit unit = LengthUnit::m;  // of the file's numbers
+  Vec3 scale = Vec3::Ones();        // along the file's own axes
+  Pose X_MF;  // of the file's origin, scaled, in M; of what is no tool in W, where nothing else is placed
   std::string cut_of;  // the name of the model that it shows cut open; empty: none
   std::string
       material;  // what a blow on it sounds like, content/materials/MATERIAL.yaml; empty: the effect's
@@ -46,7 +51,7 @@ struct ModelEntry {
 // Replaces what the models' material of this name says.
 struct MaterialOverride {
   std::string name;
-  std::string where;
+  Place where;
   std::optional<Vec3> base_colour;  // linear
   std::optional<double> metallic;   // 0 to 1
   std::optional<double> roughness;  // 0 to 1

@@ -70,7 +70,7 @@ public:
              const std::function<void(std::string_view, KeyVisitor&)>& describe_next) override;
 
   void rule(std::string_view key, bool holds, std::string_view sentence) override;
-  std::string where() const override { return node_.mark.text(); }
+  Place where() const override { return node_.mark.place(); }
 
   using KeyVisitor::colour;
   using KeyVisitor::vector;
@@ -176,7 +176,7 @@ void TreeReader::file(const Key& key, FileRef& value) {
     return refuse("must name a file in the scenario's own folder; " + found(*node) +
                   (outside ? " leads out of it; copy the file there" : " is the folder itself"));
   }
-  value = {*name, target, node->mark.text()};
+  value = {*name, target, node->mark.place()};
 }
 
 void TreeReader::read_inner(const Key& key, const Node& node, const std::string& path,

@@ -168,12 +168,8 @@ public:
 
 }  // namespace
 
-std::string Mark::text() const {
-  return place_text(source ? *source : std::string(), line, column);
-}
-
-Fault Mark::fault(std::string sentence) const {
-  return {source ? *source : std::string(), line, column, std::move(sentence)};
+Place Mark::place() const {
+  return {source ? *source : std::string(), line, column};
 }
 
 NodeEntry* Node::find(std::string_view key) {

@@ -26,8 +26,8 @@ struct Mark {
   int line = 0;                               // from 1; 0: the whole source
   int column = 0;                             // from 1
 
-  std::string text() const;  // source:line:column
-  Fault fault(std::string sentence) const;
+  Place place() const;
+  Fault fault(std::string sentence) const { return place().fault(std::move(sentence)); }
 };
 
 struct NodeEntry;

@@ -38,7 +38,7 @@ std::optional<analysis::workprecision::PipingParts> piping_parts() {
   if (!file) return std::nullopt;
   const scenario::Checked<scenario::Scenario> piping = scenario::load_scenario(*file);
   if (!piping) return std::nullopt;
-  const Result<scenario::LoadedModels> models = scenario::load_models(*piping);
+  const scenario::Checked<scenario::LoadedModels> models = scenario::load_models(*piping);
   if (!models) return std::nullopt;
   analysis::workprecision::PipingParts parts;
   for (std::size_t i = 0; i < piping->models.size(); ++i)

@@ -3,56 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "haptics/world/world.h"
+#include "tests/scenario/box_glb.h"
 #include "tests/scenario/example.h"
 
 namespace fulcrum::scenario::test {
 namespace {
-
-// A box from `low` to `high` as a .glb with one part, "box", of one material, "steel". Faulty: one triangle
-// is wound the wrong way.
-std::string box_glb(const Eigen::Vector3f& low, const Eigen::Vector3f& high, bool faulty = false) {
-  std::string binary;
-  const auto put = [&binary](const void* data, std::size_t size) {
-    binary.append(static_cast<const char*>(data), size);
-  };
-  for (int corner = 0; corner < 8; ++corner)
-    for (int axis = 0; axis < 3; ++axis) put(corner >> axis & 1 ? &high[axis] : &low[axis], 4);
-  std::uint16_t indices[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
-                               2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
-  if (faulty) std::swap(indices[0], indices[1]);
-  put(indices, sizeof indices);
-  const auto vector = [](const Eigen::Vector3f& v) {
-    return "[" + std::to_string(v.x()) + "," + std::to_string(v.y()) + "," + std::to_string(v.z()) + "]";
-  };
-  std::string json =
-      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"box"}],)"
-      R"("materials":[{"name":"steel","pbrMetallicRoughness":{"metallicFactor":1.0}}],)"
-      R"("meshes":[{"name":"box","primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],)"
-      R"("buffers":[{"byteLength":168}],"bufferViews":[{"buffer":0,"byteLength":96},)"
-      R"({"buffer":0,"byteOffset":96,"byteLength":72}],"accessors":[{"bufferView":0,)"
-      R"("componentType":5126,"count":8,"type":"VEC3","min":)" +
-      vector(low) + ",\"max\":" + vector(high) +
-      R"(},{"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}]})";
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  std::string glb;
-  const auto word = [&glb](std::size_t value) {
-    const auto bits = static_cast<std::uint32_t>(value);
-    glb.append(reinterpret_cast<const char*>(&bits), 4);
-  };
-  glb = "glTF";
-  word(2);
-  word(12 + 8 + json.size() + 8 + binary.size());
-  word(json.size());
-  glb += "JSON" + json;
-  word(binary.size());
-  glb += std::string("BIN\0", 4) + binary;
-  return glb;
-}
 
 // A plate of 200 x 20 x 200 mm below the origin; a peg of 10 x 40 x 10 mm whose origin is at the middle of
 // its foot.
@@ -82,7 +41,7 @@ TEST_F(Assemble, PutsTheToolOnItsCentreOfMass) {
                                      "grasp.position=[0, 0.01, 0]"});
   const Scenario scenario = read(overrides);
   const auto models = load_models(scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   EXPECT_LT((models->p_MT - Vec3(0, 0.02, 0)).norm(), 1e-8);
   ASSERT_EQ(models->notes.size(), 1u);
   EXPECT_EQ(models->notes[0],
@@ -120,7 +79,7 @@ TEST_F(Assemble, LetteringIsNotDrawnWhereItWouldBeMirrorWritten) {
     const auto scenario = load_scenario_text(text, folder_.peg(), overrides);
     ASSERT_TRUE(scenario) << to_text(scenario.faults());
     const auto models = load_models(*scenario);
-    ASSERT_TRUE(models) << models.error().sentence;
+    ASSERT_TRUE(models) << to_text(models.faults());
     const auto haptic = assemble_haptic(*scenario, *models, cache_);
     ASSERT_TRUE(haptic) << haptic.error().sentence;
     const auto visual = assemble_visual(*scenario, *models, haptic->scene);
@@ -139,7 +98,7 @@ TEST_F(Assemble, LetteringIsNotDrawnWhereItWouldBeMirrorWritten) {
 TEST_F(Assemble, CarriesTheScenarioIntoTheScene) {
   const Scenario scenario = read(kCoarse);
   const auto models = load_models(scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   const auto haptic = assemble_haptic(scenario, *models, cache_);
   ASSERT_TRUE(haptic) << haptic.error().sentence;
   EXPECT_EQ(haptic->scene.tick_s, 1e-3);
@@ -155,7 +114,7 @@ TEST_F(Assemble, CarriesTheScenarioIntoTheScene) {
 TEST_F(Assemble, MeasuresContactOnTrianglesWhereTheSceneSaysSo) {
   Scenario scenario = read(kCoarse);
   const auto models = load_models(scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   const auto on_points = assemble_haptic(scenario, *models, cache_);
   ASSERT_TRUE(on_points) << on_points.error().sentence;
   EXPECT_FALSE(on_points->scene.tool_features || on_points->scene.scene_features);
@@ -184,7 +143,7 @@ TEST_F(Assemble, MeasuresContactOnTrianglesWhereTheSceneSaysSo) {
 TEST_F(Assemble, TellsAboutTheBakes) {
   const Scenario scenario = read(kCoarse);
   const auto models = load_models(scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   std::vector<std::string> told;
   double last = 0;
   const auto progress = [&](std::string_view what, double fraction) {
@@ -209,7 +168,7 @@ TEST_F(Assemble, TellsWhatWasRepaired) {
   folder_.write("scenarios/peg/peg.glb", box_glb({-0.005F, 0.0F, -0.005F}, {0.005F, 0.04F, 0.005F}, true));
   const Scenario scenario = read(kCoarse);
   const auto models = load_models(scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   const auto haptic = assemble_haptic(scenario, *models, cache_);
   ASSERT_TRUE(haptic) << haptic.error().sentence;
   ASSERT_EQ(haptic->repaired.size(), 2u);
@@ -227,19 +186,75 @@ TEST_F(Assemble, QuestionsTheSizeOfAModel) {
   folder_.write("scenarios/peg/block.glb", box_glb({-100.0F, -20.0F, -100.0F}, {100.0F, 0.0F, 100.0F}));
   folder_.write("scenarios/peg/peg.glb", box_glb({-5e-6F, 0.0F, -5e-6F}, {5e-6F, 4e-5F, 5e-6F}));
   const auto models = load_models(read(kCoarse));
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   ASSERT_EQ(models->warnings.size(), 2u);
-  EXPECT_NE(models->warnings[0].find("model 'block': it is 284 m across; is that meant?"), std::string::npos)
-      << models->warnings[0];
-  EXPECT_NE(models->warnings[1].find("model 'peg': it is 42.4 um across"), std::string::npos)
-      << models->warnings[1];
-  EXPECT_TRUE(models->warnings[1].ends_with(".")) << models->warnings[1];
+  EXPECT_NE(models->warnings[0].sentence.find("model 'block': it is 284 m across; is that meant?"),
+            std::string::npos)
+      << models->warnings[0].sentence;
+  EXPECT_NE(models->warnings[1].sentence.find("model 'peg': it is 42.4 um across"), std::string::npos)
+      << models->warnings[1].sentence;
+  EXPECT_TRUE(models->warnings[1].sentence.ends_with(".")) << models->warnings[1].sentence;
+}
+
+// The block's file has 200 x 40 x 200 mm; half as high, turned by 90 degrees about x and moved it is 0.2 m
+// wide and high, and 20 mm thick.
+TEST_F(Assemble, PlacesAModelByUnitScaleAndPose) {
+  folder_.write("scenarios/peg/block.glb", box_glb({-100.0F, -40.0F, -100.0F}, {100.0F, 0.0F, 100.0F}));
+  const std::string text =
+      replaced(kScenario, "{file: block.glb,",
+               "{file: block.glb, unit: mm, scale: [1, 0.5, 1], position: [0.3, 0.2, 0.1], "
+               "orientation: [0.70710678, 0.70710678, 0, 0],");
+  const auto scenario = load_scenario_text(text, folder_.peg(), kCoarse);
+  ASSERT_TRUE(scenario) << to_text(scenario.faults());
+  const auto models = load_models(*scenario);
+  ASSERT_TRUE(models) << to_text(models.faults());
+  EXPECT_TRUE(models->warnings.empty()) << to_text(models->warnings);
+  const auto scene = build_scene_solid(*scenario, *models);
+  ASSERT_TRUE(scene) << to_text(scene.faults());
+  EXPECT_LT((scene->bounds().min() - Vec3(0.2, 0.1, 0.08)).norm(), 1e-7);
+  EXPECT_LT((scene->bounds().max() - Vec3(0.4, 0.3, 0.1)).norm(), 1e-7);
+  ASSERT_EQ(scene->components.size(), 1u);
+  EXPECT_NEAR(scene->components[0].volume_m3, 0.2 * 0.2 * 0.02, 1e-9);
+  EXPECT_TRUE(scene->notes.empty());
+  // Normals stand on what they belong to.
+  const ModelPart& part = models->models[0].parts[0];
+  for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
+    const auto corner = [&](std::size_t k) { return part.positions[part.indices[i + k]]; };
+    const Vec3 outward = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+    EXPECT_GT(outward.dot(part.normals[part.indices[i]]), 0.999);
+  }
+}
+
+// A tool's place is that in its own frame: the start, the grasp and the touch point are of the placed model.
+TEST_F(Assemble, PlacesAToolInItsOwnFrame) {
+  const auto models = load_models(read({"models.peg.position=[0, -0.02, 0]", "models.peg.unit=cm"}));
+  ASSERT_TRUE(models) << to_text(models.faults());
+  EXPECT_LT((models->p_MT - Vec3(0, -0.0198, 0)).norm(), 1e-8);
+  EXPECT_NEAR(models->tool_T.bounds().diagonal().y(), 0.0004, 1e-9);
+}
+
+TEST_F(Assemble, RefusesAModelOutOfAllBounds) {
+  const auto models = load_models(read({"models.peg.scale=1e6", "models.block.scale=[1, 1, 1e6]"}));
+  ASSERT_FALSE(models);
+  ASSERT_EQ(models.faults().size(), 1u) << "the peg is 40 km long, the block 200";
+  EXPECT_EQ(models.faults()[0].sentence.find("model 'block': it is moved or scaled out of all bounds"), 0u);
+}
+
+TEST_F(Assemble, NamesEveryModelThatCannotBeUsed) {
+  folder_.write("scenarios/peg/block.glb", "not a model");
+  const auto models = load_models(read({"models.peg.file=none.glb"}));
+  ASSERT_FALSE(models);
+  ASSERT_EQ(models.faults().size(), 2u);
+  EXPECT_EQ(models.faults()[0].file, "scenario.yaml");
+  EXPECT_EQ(models.faults()[0].line, 6);
+  EXPECT_EQ(models.faults()[0].column, 17);
+  EXPECT_EQ(models.faults()[1].file, "--set models.peg.file=none.glb");
 }
 
 TEST_F(Assemble, DrawsTheToolAboutItsCentreOfMass) {
   const Scenario scenario = read({}, "materials: {steel: {base_colour: [1, 0, 0], roughness: 0.25}}\n");
   const auto models = load_models(scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   const auto visual = assemble_visual(scenario, *models, {});
   ASSERT_TRUE(visual) << visual.error().sentence;
   const render::VisualDesc& desc = visual->desc;
@@ -267,7 +282,7 @@ TEST_F(Assemble, GuidanceLeadsAlongTheExpertsWay) {
   ASSERT_TRUE(scenario) << to_text(scenario.faults());
   ASSERT_TRUE(scenario->effects.guidance);
   const auto models = load_models(*scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   const auto haptic = assemble_haptic(*scenario, *models, cache_);
   ASSERT_TRUE(haptic) << haptic.error().sentence;
   const std::vector<GuidancePose>& way = haptic->scene.guidance->way;
@@ -289,7 +304,7 @@ TEST_F(Assemble, GuidanceLeadsAlongTheExpertsWay) {
 TEST_F(Assemble, AGhostIsThereWhereTheSceneShowsOne) {
   const Scenario scenario = read({"variant=B"});
   const auto models = load_models(scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   ASSERT_TRUE(scenario.effects.torque_substitution);
   EXPECT_EQ(scenario.effects.torque_substitution->variant, TorqueVariant::B);
   SceneDesc scene;
@@ -314,7 +329,7 @@ TEST_F(Assemble, EachModelOfTheSceneHasItsMaterialAndItsNumber) {
   const auto scenario = load_scenario_text(text, folder_.peg(), kCoarse);
   ASSERT_TRUE(scenario) << to_text(scenario.faults());
   const auto models = load_models(*scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   const auto haptic = assemble_haptic(*scenario, *models, cache_);
   ASSERT_TRUE(haptic) << haptic.error().sentence;
   const SceneDesc& scene = haptic->scene;
@@ -342,7 +357,7 @@ TEST_F(Assemble, NobodyAsksForObjectsWhereNoImpactIsTold) {
   const Scenario one = read(named);
   EXPECT_EQ(one.texts.files.count("materials/steel.yaml"), 1u) << "a tape keeps it";
   const auto models = load_models(one);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   const auto haptic = assemble_haptic(one, *models, cache_);
   ASSERT_TRUE(haptic) << haptic.error().sentence;
   EXPECT_FALSE(haptic->scene.scene_objects) << "one object needs no telling apart";
@@ -379,7 +394,7 @@ TEST_F(Assemble, DrawsAModelCutOpenWhereAViewSaysSo) {
   const auto scenario = load_scenario_text(text, folder_.peg(), kCoarse);
   ASSERT_TRUE(scenario) << to_text(scenario.faults());
   const auto models = load_models(*scenario);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   const auto visual = assemble_visual(*scenario, *models, {});
   ASSERT_TRUE(visual) << visual.error().sentence;
   const auto seen_in = [&](std::size_t view) {
@@ -398,7 +413,7 @@ TEST_F(Assemble, DrawsAModelCutOpenWhereAViewSaysSo) {
 
 TEST_F(Assemble, TellsTheTaskOfHardTouches) {
   const auto models = load_models(read(kCoarse));
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   EXPECT_FALSE(assemble_haptic(read(kCoarse), *models, cache_)->task.hard_touch);
   auto overrides = kCoarse;
   overrides.emplace_back("hard_touch.force=0.25");
@@ -408,14 +423,14 @@ TEST_F(Assemble, TellsTheTaskOfHardTouches) {
 TEST_F(Assemble, NamesThePlaceOfWhatIsWrong) {
   const auto wrong_material = read({}, "materials: {stel: {roughness: 0.25}}\n");
   const auto models = load_models(wrong_material);
-  ASSERT_TRUE(models) << models.error().sentence;
+  ASSERT_TRUE(models) << to_text(models.faults());
   EXPECT_EQ(assemble_visual(wrong_material, *models, {}).error().sentence,
             "scenario.yaml:20:19: no model has a material 'stel'; did you mean 'steel'?");
 
   const auto missing = load_models(read({"models.peg.file=none.glb"}));
   ASSERT_FALSE(missing);
-  EXPECT_TRUE(missing.error().sentence.starts_with("--set models.peg.file=none.glb: model 'peg': "))
-      << missing.error().sentence;
+  EXPECT_TRUE(to_text(missing.faults()).starts_with("--set models.peg.file=none.glb: model 'peg': "))
+      << to_text(missing.faults());
 
   const auto thin = read({"contact.surface=points", "field.voxel=0.02", "field.band=0.06"});
   const auto refused = assemble_haptic(thin, *models, cache_);

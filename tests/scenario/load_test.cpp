@@ -49,7 +49,7 @@ TEST(Load, DefaultsAreThoseOfTheDescs) {
   EXPECT_EQ(scenario->ambient.sky, render::Ambient{}.sky);
   EXPECT_EQ(scenario->models[1].role, ModelRole::tool);
   EXPECT_EQ(scenario->models[1].file.path, folder.peg() / "peg.glb");
-  EXPECT_EQ(scenario->models[1].file.where, (folder.peg() / kScenarioFile).string() + ":7:15");
+  EXPECT_EQ(scenario->models[1].file.where.text(), (folder.peg() / kScenarioFile).string() + ":7:15");
 }
 
 TEST(Load, ReadsWallsAndDriftOfTheDevice) {

@@ -1,39 +1,131 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
+#include "engine/scenario/advice.h"
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "haptics/world/world.h"
 
 namespace fulcrum::app {
 namespace {
 
 struct CheckedFile {
-  scenario::Faults faults;
-  std::vector<std::string> told;  // sentences: what was mended of models, and what may not be meant
+  scenario::Faults faults;    // a run would be refused, or cannot go well
+  scenario::Faults warnings;  // it runs, and may not do what its author wants
+  scenario::Faults notes;     // what was mended of models, and what is worth knowing
+
+  scenario::Faults& of(scenario::Severity severity) {
+    return severity == scenario::Severity::error     ? faults
+           : severity == scenario::Severity::warning ? warnings
+                                                     : notes;
+  }
+  void take(const scenario::Faults& from, scenario::Faults CheckedFile::*to) {
+    (this->*to).insert((this->*to).end(), from.begin(), from.end());
+  }
 };
 
-// What is wrong with one file: its text first, and once that is right the models it names.
+// Which key a refusal of the assembly is about, by how it begins.
+std::string_view key_of(std::string_view refusal) {
+  constexpr std::pair<std::string_view, std::string_view> kKeys[] = {{"contact.edges", "contact.edges"},
+                                                                     {"the tool's pointshell", "shell"},
+                                                                     {"the scene's distance", "field"}};
+  for (const auto& [begins, key] : kKeys)
+    if (refusal.starts_with(begins)) return key;
+  return {};
+}
+
+// What `run` does before its first tick, and what it finds out in it.
+void look_at_assembly(const scenario::Inspected& inspected, const scenario::LoadedModels& models,
+                      CheckedFile& checked) {
+  const scenario::Scenario& scenario = inspected.scenario;
+  ProgressBar bar;
+  const Result<scenario::HapticAssembly> haptic = scenario::assemble_haptic(
+      scenario, models, BakeCache(),
+      [&](std::string_view what, double fraction) { bar.show("Baking the " + std::string(what), fraction); });
+  bar.clear();
+  if (!haptic) {
+    const scenario::Checked<Solid> scene = scenario::build_scene_solid(scenario, models);
+    const std::string& refusal = haptic.error().sentence;
+    checked.faults =
+        scene ? scenario::Faults{inspected.place(key_of(refusal)).fault(refusal)} : scene.faults();
+    return;
+  }
+  const auto at = [&](std::string_view key, const std::string& sentence) {
+    return inspected.place(key).fault(sentence);
+  };
+  for (const std::string& warning : haptic->warnings) checked.warnings.push_back(at("", warning));
+  for (const scenario::Advice& advice : scenario::advise(*haptic))
+    checked.of(advice.severity)
+        .push_back(at(advice.key, scenario::in_quotes(advice.key) + " " + advice.sentence));
+  for (const std::string& note : haptic->repaired)
+    if (std::ranges::none_of(models.repaired, [&](const auto& fault) { return fault.text() == note; }))
+      checked.notes.push_back(at("models", note));
+  if (const Result<World> world = World::build(haptic->scene); !world)
+    checked.faults.push_back(at("", world.error().sentence));
+  if (const auto visual = scenario::assemble_visual(scenario, models, haptic->scene); !visual)
+    checked.faults.push_back(at("materials", visual.error().sentence));
+}
+
+// As they stand in the scenario's own file, and then those of the files that it names.
+void sort_by_place(scenario::Faults& faults, const std::string& scenario) {
+  const auto place = [&](const scenario::Fault& fault) {
+    return std::tuple(fault.file != scenario, fault.file, fault.line, fault.column);
+  };
+  std::ranges::stable_sort(faults, {}, place);
+}
+
+// All that is wrong with one file: its texts and its models, and once those are right what becomes of them.
 CheckedFile look_at(const std::string& name_or_file) {
   const Result<std::filesystem::path> file = scenario::find_scenario(name_or_file);
-  if (!file) return {{{name_or_file, 0, 0, file.error().sentence}}, {}};
-  const scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario(*file);
-  if (!loaded) return {loaded.faults(), {}};
-  Result<scenario::LoadedModels> models = scenario::load_models(*loaded);
-  if (!models) return {{{file->string(), 0, 0, models.error().sentence}}, {}};
-  const Result<Solid> scene = scenario::build_scene_solid(*loaded, *models);
-  if (!scene) return {{{file->string(), 0, 0, scene.error().sentence}}, {}};
+  if (!file) return {{{name_or_file, 0, 0, file.error().sentence}}, {}, {}};
+  const scenario::Inspected inspected = scenario::inspect_scenario(*file);
   CheckedFile checked;
-  for (const auto& some : {models->warnings, models->repaired, scene->notes})
-    checked.told.insert(checked.told.end(), some.begin(), some.end());
+  checked.faults = inspected.faults;
+  const scenario::Checked<scenario::LoadedModels> models = scenario::load_models(inspected.scenario);
+  if (!models) checked.take(models.faults(), &CheckedFile::faults);
+  if (models) checked.take(models->warnings, &CheckedFile::warnings);
+  if (!checked.faults.empty()) {
+    sort_by_place(checked.faults, file->string());
+    return checked;
+  }
+  checked.take(models->repaired, &CheckedFile::notes);
+  look_at_assembly(inspected, *models, checked);
   return checked;
+}
+
+nlohmann::ordered_json as_json(const CheckedFile& checked) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  const auto add = [&all](const scenario::Faults& faults, std::string_view severity) {
+    for (const scenario::Fault& fault : faults)
+      all.push_back({{"file", fault.file},
+                     {"line", fault.line},
+                     {"column", fault.column},
+                     {"severity", severity},
+                     {"sentence", fault.sentence}});
+  };
+  add(checked.faults, "error");
+  add(checked.warnings, "warning");
+  add(checked.notes, "note");
+  return all;
+}
+
+void print(const std::string& file, const CheckedFile& checked) {
+  for (const scenario::Fault& fault : checked.faults) std::printf("%s\n", fault.text().c_str());
+  if (checked.faults.empty()) std::printf("%s: good\n", file.c_str());
+  for (const scenario::Fault& warning : checked.warnings)
+    std::printf("  %s %s\n", yellow("warning:").c_str(), warning.text().c_str());
+  for (const scenario::Fault& note : checked.notes) std::printf("  %s\n", note.text().c_str());
 }
 
 int check_command(const std::vector<std::string>& files, bool json) {
@@ -42,22 +134,10 @@ int check_command(const std::vector<std::string>& files, bool json) {
   for (const std::string& file : files) {
     const CheckedFile checked = look_at(file);
     good = good && checked.faults.empty();
-    for (const scenario::Fault& fault : checked.faults)
-      if (json)
-        all.push_back({{"file", fault.file},
-                       {"line", fault.line},
-                       {"column", fault.column},
-                       {"severity", "error"},
-                       {"sentence", fault.sentence}});
-      else
-        std::printf("%s\n", fault.text().c_str());
-    if (!json && checked.faults.empty()) std::printf("%s: good\n", file.c_str());
-    for (const std::string& sentence : checked.told)
-      if (json)
-        all.push_back(
-            {{"file", file}, {"line", 0}, {"column", 0}, {"severity", "note"}, {"sentence", sentence}});
-      else
-        std::printf("  %s\n", sentence.c_str());
+    if (json)
+      for (auto& each : as_json(checked)) all.push_back(std::move(each));
+    else
+      print(file, checked);
   }
   if (json) std::printf("%s\n", all.dump(2).c_str());
   return good ? kCompleted : kError;

@@ -67,11 +67,12 @@ std::optional<Prepared> prepare(const std::string& name_or_file, const std::vect
 
 std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario,
                                 const scenario::BakeProgress& progress) {
-  Result<scenario::LoadedModels> models = scenario::load_models(scenario);
+  scenario::Checked<scenario::LoadedModels> models = scenario::load_models(scenario);
   if (!models) {
-    complain(models.error().sentence);
+    complain(scenario::to_text(models.faults()));
     return std::nullopt;
   }
+  for (const scenario::Fault& warning : models->warnings) complain(warning.text());
   ProgressBar bar;
   Result<scenario::HapticAssembly> haptic =
       scenario::assemble_haptic(scenario, *models, BakeCache(), [&](std::string_view what, double fraction) {

@@ -29,7 +29,7 @@ Backdrop::Read Backdrop::read(const Wanted& wanted) {
   if (wanted.left_handed) overrides.emplace_back("left_handed=true");
   scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario(*file, overrides);
   if (!loaded) return read;
-  const Result<scenario::LoadedModels> models = scenario::load_models(*loaded);
+  const scenario::Checked<scenario::LoadedModels> models = scenario::load_models(*loaded);
   if (!models) return read;
   Result<scenario::VisualAssembly> visual = scenario::assemble_visual(*loaded, *models, SceneDesc());
   if (!visual) return read;
