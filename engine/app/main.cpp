@@ -7,5 +7,5 @@ int main(int argc, char** argv) {
   return run_program(
       argc, argv, "Fulcrum, a haptic training simulator.",
       {add_start, add_list, add_run, add_replay, add_results, add_check, add_explain, add_devices,
-       add_device_test, add_calibrate, add_doctor, add_studies, add_strip, add_schema});
+       add_device_test, add_calibrate, add_doctor, add_new, add_import, add_studies, add_strip, add_schema});
 }

@@ -2,6 +2,9 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -190,11 +193,21 @@ Result<Model> parse_glb(std::span<const std::byte> bytes, std::string_view name)
   return parse_guarded({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, true, {}, {}, name);
 }
 
+bool is_importable(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  constexpr std::array<std::string_view, 7> kKnown{".obj", ".stl", ".ply", ".3ds", ".fbx", ".dae", ".off"};
+  return std::ranges::find(kKnown, extension) != kKnown.end();
+}
+
 Result<Model> load_gltf(const std::filesystem::path& folder, const std::filesystem::path& file) {
   const auto unread = [&](const Error& why) {
     return Error{file.string() + ": " + why.sentence +
                  "; name a .glb or .gltf file that can be read, or build the models (the build makes them)."};
   };
+  if (is_importable(file))
+    return Error{file.string() + ": it is no glTF file: `fulcrum import " + file.filename().string() +
+                 "` makes a .glb of it; name that."};
   const Result<RegularFile> opened = RegularFile::open_within(folder, file);
   if (!opened) return unread(opened.error());
   const Result<std::string> content = opened->first_bytes(kLargest + 1);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,14 +21,15 @@ namespace fulcrum::scenario {
 
 // The model files, read once for both assemblies.
 struct LoadedModels {
-  std::vector<Model> models;  // of Scenario::models, the tool's in M, the others in W
-  Solid tool_T;               // m, in T
-  MassProperties tool;        // of unit density, about T; `centre` is zero
+  std::vector<Model> models;                // of Scenario::models, the tool's in M, the others in W
+  std::vector<std::optional<Model>> drawn;  // of Scenario::models, what is drawn in a model's place
+  Solid tool_T;                             // m, in T
+  MassProperties tool;                      // of unit density, about T; `centre` is zero
   Vec3 p_MT =
       Vec3::Zero();  // (3) m, the centre of mass in the tool model's frame M; axes of T are those of M
   std::vector<std::string> notes;  // sentences: the tool's model was recentred, by how much
-  Faults repaired;  // what was wrong with the tool's surface, and what was guessed
-  Faults warnings;  // a model may be in another unit
+  Faults repaired;                 // what was wrong with the tool's surface, and what was guessed
+  Faults warnings;                 // a model may be in another unit
 };
 
 // Every model that cannot be used is a fault, not only the first.

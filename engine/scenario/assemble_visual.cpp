@@ -97,8 +97,8 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   const Pose X_WT_start = scenario.tool.X_WM_start * Pose{Quat::Identity(), models.p_MT};
   for (std::size_t i = 0; i < scenario.models.size(); ++i) {
     const ModelEntry& entry = scenario.models[i];
-    add_model(desc, entry, models.models[i], models.p_MT, X_WT_start, layers_of(entry, scenario.models),
-              !(scenario.left_handed && entry.lettering));
+    add_model(desc, entry, models.drawn[i] ? *models.drawn[i] : models.models[i], models.p_MT, X_WT_start,
+              layers_of(entry, scenario.models), !(scenario.left_handed && entry.lettering));
   }
   for (const MaterialOverride& material : scenario.materials)
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();

@@ -5,6 +5,7 @@
 #include <map>
 #include <system_error>
 
+#include "engine/assets/gltf.h"
 #include "engine/scenario/load.h"
 #include "engine/scenario/words.h"
 
@@ -107,6 +108,10 @@ Result<fs::path> find_scenario(std::string_view name_or_file, const std::vector<
   const auto named = files.find(std::string(name_or_file));
   if (named != files.end()) return named->second;
   const fs::path path(name_or_file);
+  if (is_importable(path) || path.extension() == ".glb" || path.extension() == ".gltf")
+    return Error{in_quotes(name_or_file) + " is a model, and no scenario: " +
+                 (is_importable(path) ? "`fulcrum import` makes a .glb of it, and " : "") +
+                 "a scenario's `models` name it"};
   if (is_path(name_or_file)) {
     if (is_file(path)) return path;
     if (is_file(path / kScenarioFile)) return path / kScenarioFile;

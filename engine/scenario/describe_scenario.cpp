@@ -18,6 +18,11 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
         each.file({"file", "", "a glTF file in the scenario's folder; Y up", true}, model.file);
         each.choice_of({"role", "", "scene: touched; tool: held in the hand; decor: seen only", true},
                        model.role);
+        each.file({"drawn", "",
+                   "of what is touched or held: a glTF file that is drawn in its place, coarser or finer"},
+                  model.drawn);
+        each.rule("drawn", model.drawn.name.empty() || model.role != ModelRole::decor,
+                  "is for what is touched or held: of decor 'file' itself is drawn");
         each.choice_of({"unit", "", "of the file's numbers: m, cm, mm, um, in or ft; glTF is in m"},
                        model.unit);
         each.each_axis({"scale", "", "of the model about its file's origin, along the file's axes"},

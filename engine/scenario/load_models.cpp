@@ -73,10 +73,11 @@ std::optional<Fault> question_of_size(const ModelEntry& entry, const TriangleMes
 }
 
 // A model as the scenario places it; absent, with a fault: it cannot be.
-std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entry, Faults& faults) {
-  auto model = load_gltf(scenario.folder, entry.file.path);
+std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entry, const FileRef& file,
+                                Faults& faults) {
+  auto model = load_gltf(scenario.folder, file.path);
   if (!model) {
-    faults.push_back(at(entry, model.error().sentence));
+    faults.push_back(file.where.fault("model '" + entry.name + "': " + model.error().sentence));
     return std::nullopt;
   }
   if (!place(*model, entry)) {
@@ -123,10 +124,13 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
   for (const ModelEntry& entry : scenario.models) {
     if (entry.file.path.empty()) {  // its key was refused, and said so
       loaded.models.emplace_back();
+      loaded.drawn.emplace_back();
       continue;
     }
-    std::optional<Model> model = read_model(scenario, entry, faults);
+    std::optional<Model> model = read_model(scenario, entry, entry.file, faults);
     if (!model) continue;
+    loaded.drawn.push_back(entry.drawn.path.empty() ? std::nullopt
+                                                    : read_model(scenario, entry, entry.drawn, faults));
     if (scenario.left_handed && entry.lettering)
       loaded.notes.push_back("the model '" + entry.name + "' is not drawn: it would be mirror-written");
     loaded.models.push_back(std::move(*model));
@@ -138,6 +142,8 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
   if (!faults.empty()) return faults;
   if (scenario.left_handed) {
     for (Model& model : loaded.models) mirror(model);
+    for (std::optional<Model>& model : loaded.drawn)
+      if (model) mirror(*model);
     fulcrum::mirror(loaded.p_MT);
     loaded.tool_T = mirrored(std::move(loaded.tool_T));
     loaded.tool = mirrored(loaded.tool);

@@ -38,6 +38,7 @@ enum class ModelRole { scene, tool, decor };  // touched; held in the hand; seen
 struct ModelEntry {
   std::string name;
   FileRef file;
+  FileRef drawn;  // what is seen of it, where that is another file; without a name: `file`
   ModelRole role = ModelRole::scene;
   LengthUnit unit = LengthUnit::m;  // of the file's numbers
   Vec3 scale = Vec3::Ones();        // along the file's own axes

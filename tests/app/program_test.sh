@@ -9,7 +9,7 @@ cd "$work" || exit 1
 # --- commands
 expect 0 '^fulcrum [0-9]' "$FULCRUM" --version
 expect 0 'run' "$FULCRUM" --help
-for command in list run replay results check explain devices device-test calibrate doctor stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
+for command in import list run replay results check explain devices device-test calibrate doctor stability compare ambiguity schema hardness uniformity workprecision strip; do expect 0 '.' "$FULCRUM" $command --help; done
 expect 2 'run .*Run a scenario' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" # app.start has it with a display
 mkdir apart && cp "$FULCRUM" apart/fulcrum
 expect 1 'apart/fulcrum-studies, which could not be started .*tools/run --build' apart/fulcrum hardness

@@ -29,6 +29,10 @@ while IFS= read -r line; do
     "fulcrum run "*--headless*) expect 0 'Completed' "${word[@]}" ;;
     "fulcrum run "*) expect 3 'Not completed' "${word[@]}" --headless --seconds 0.1 --out "run_$seen" ;;
     "fulcrum check FILE") expect 0 'good' fulcrum check "$FULCRUM_CONTENT/scenarios/piping/scenario.yaml" ;;
+    "fulcrum new "*) expect 0 'is made' "${word[@]}" ;;
+    "fulcrum import part.stl")
+      printf 'solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\nendsolid\n' >part.stl
+      expect 0 'part.stl -> part.glb' "${word[@]}" ;;
     "fulcrum strip PRESSES.csv")
       printf '0.03,120\n0.1,4910\n0.17,9700\n' >PRESSES.csv
       expect 0 'low_ohm' "${word[@]}" ;;

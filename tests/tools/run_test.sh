@@ -35,7 +35,8 @@ needs content_texts results
 needs content_texts --version
 needs "fulcrum-studies content_piping" workprecision
 needs "fulcrum-studies content_teeth" compare teeth
-needs "fulcrum-studies content" --build
+needs "fulcrum-studies fulcrum-import content" --build
+needs "fulcrum-import content_texts" import part.obj
 rmdir "$tree/content/scenarios/teeth"
 
 on "$run"

@@ -4,7 +4,7 @@
 set(FULCRUM_CONTENT_DIR ${CMAKE_BINARY_DIR}/content)
 
 file(GLOB content_mesh CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tools/content/mesh/*.cpp)
-add_library(content_mesh STATIC ${content_mesh})
+add_library(content_mesh STATIC ${content_mesh} ${CMAKE_SOURCE_DIR}/engine/assets/gltf_builder.cpp)
 target_link_libraries(content_mesh PUBLIC fulcrum::options fulcrum::haptics_math PRIVATE tinygltf)
 target_include_directories(content_mesh PUBLIC ${CMAKE_SOURCE_DIR})
 

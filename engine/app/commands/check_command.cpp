@@ -15,6 +15,7 @@
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "engine/scenario/words.h"
 #include "haptics/world/world.h"
 
 namespace fulcrum::app {

@@ -18,6 +18,8 @@ void add_calibrate(Program& program);
 void add_doctor(Program& program);
 void add_strip(Program& program);
 void add_schema(Program& program);
+void add_import(Program& program);
+void add_new(Program& program);
 void add_studies(Program& program);
 
 }  // namespace fulcrum::app

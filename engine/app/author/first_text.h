@@ -1,0 +1,20 @@
+#pragma once
+// A guessed scenario as its author finds it: files with comments that say what was guessed, and why.
+
+#include <string>
+
+#include "engine/app/author/first_guess.h"
+
+namespace fulcrum::app {
+
+// The names of the models' files, in the scenario's folder.
+struct FirstFiles {
+  std::string title;
+  std::string scene, tool;
+  std::string device;  // a table of content/devices
+};
+
+std::string scenario_text(const FirstFiles& files, const FirstGuess& guess);
+std::string expert_text(const FirstGuess& guess);  // the hand that knows how
+
+}  // namespace fulcrum::app

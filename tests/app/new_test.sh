@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# A scenario of one's own, made by the program: it runs at once, and its expert carries it out. $FULCRUM is the program.
+set -uo pipefail
+. "$(dirname "$(readlink -f "$0")")/../support/expect.sh"
+top=$(readlink -f "$(dirname "$(readlink -f "$0")")/../..")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+
+# polygon_tool NAME SIDES LENGTH WIDTH TIP: an OBJ of a pyramid frustum along x, in millimetres; its tip at x = 0.
+tool() {
+  awk -v n="$2" -v l="$3" -v w="$4" -v t="$5" 'BEGIN {
+    for (i = 0; i < n; ++i) printf "v 0 %f %f\n", t * cos(6.2831853 * i / n), t * sin(6.2831853 * i / n)
+    for (i = 0; i < n; ++i) printf "v %f %f %f\n", l, w * cos(6.2831853 * i / n), w * sin(6.2831853 * i / n)
+    for (i = 0; i < n; ++i) { j = (i + 1) % n; printf "f %d %d %d\nf %d %d %d\n", i+1, j+1, n+j+1, i+1, n+j+1, n+i+1 }
+    for (i = 2; i < n; ++i) printf "f %d %d %d\nf %d %d %d\n", 1, i+1, i, n+1, n+i, n+i+1 }' >"$1.obj"
+}
+# bowl NAME RADIUS DEPTH: an STL, Z up, of a block with a round hollow in it, in millimetres.
+bowl() {
+  awk -v r="$2" -v d="$3" 'function tri(ax,ay,az,bx,by,bz,cx,cy,cz) { printf "facet normal 0 0 0\nouter loop\nvertex %f %f %f\nvertex %f %f %f\nvertex %f %f %f\nendloop\nendfacet\n", ax,ay,az,bx,by,bz,cx,cy,cz }
+    function x(k,i) { return r * k / 12 * cos(6.2831853 * i / 48) } function y(k,i) { return r * k / 12 * sin(6.2831853 * i / 48) } function z(k) { return -d * (1 - (k/12)^2) }
+    BEGIN { print "solid bowl"
+      for (i = 0; i < 48; ++i) { j = i + 1
+        tri(0,0,z(0), x(1,i),y(1,i),z(1), x(1,j),y(1,j),z(1))
+        for (k = 1; k < 12; ++k) { tri(x(k,i),y(k,i),z(k), x(k+1,i),y(k+1,i),z(k+1), x(k+1,j),y(k+1,j),z(k+1)); tri(x(k,i),y(k,i),z(k), x(k+1,j),y(k+1,j),z(k+1), x(k,j),y(k,j),z(k)) }
+        tri(x(12,i),y(12,i),0, x(12,i),y(12,i),-2*d, x(12,j),y(12,j),-2*d); tri(x(12,i),y(12,i),0, x(12,j),y(12,j),-2*d, x(12,j),y(12,j),0)
+        tri(0,0,-2*d, x(12,j),y(12,j),-2*d, x(12,i),y(12,i),-2*d) }
+      print "endsolid" }' >"$1.stl"
+}
+
+# --- with nothing: a board and a pin
+expect 0 'my_first/scenario.yaml is made' "$FULCRUM" new my_first
+grep -q 'title: "My first"' my_first/scenario.yaml || fail "the title is not the folder's"
+expect 0 '^./my_first: good$' "$FULCRUM" check ./my_first
+expect 0 '^\[\]$' "$FULCRUM" check ./my_first --json
+expect 0 'Completed' "$FULCRUM" run ./my_first --headless --hand expert --out A
+grep -q '"max_penetration_m": 0.0' A/summary.json || fail "the expert's pin is pushed into the board"
+expect 1 'my_first is there already' "$FULCRUM" new my_first
+
+# --- with meshes of other programs: several shapes, each from two files to a felt and scored scene
+tool probe 12 120 4 0.5
+tool stick 4 60 6 5.9
+tool chisel 3 250 15 3
+bowl dish 60 25
+bowl cup 20 30
+bowl tray 300 20
+for scene in dish cup tray; do
+  for hand in probe stick chisel; do
+    name=${scene}_$hand
+    expect 0 'is made' "$FULCRUM" new "$name" --scene $scene.stl --tool $hand.obj
+    expect 0 "^./$name: good" "$FULCRUM" check "./$name"
+    "$FULCRUM" check "./$name" | grep 'warning' && fail "$name: something may not feel right"
+    expect 0 'Completed' "$FULCRUM" run "./$name" --headless --hand expert --out "run_$name"
+  done
+done
+# The bowl's lowest place is 25 mm deep in its middle: the tip of the probe gets there.
+grep -q 'touch, position: \[0, -0.02[45]' dish_probe/scenario.yaml || fail "the dish is not touched at its lowest place: $(grep 'name: touch' dish_probe/scenario.yaml)"
+
+# --- a copy of what is shipped
+expect 0 'is made' "$FULCRUM" new copy --from stick
+cmp -s copy/scenario.yaml "$(dirname "$FULCRUM")/content/scenarios/stick/scenario.yaml" || fail "a copy is another one"
+expect 1 "there is no scenario 'stik'; did you mean 'stick'" "$FULCRUM" new other --from stik
+
+# --- the page for who makes a first one, command by command
+mkdir page && cd page || exit 1
+fulcrum() { "$FULCRUM" "$@"; }
+ran=0
+while read -r command; do
+  ran=$((ran + 1))
+  read -r -a word <<<"$command"
+  case $command in
+    *--headless*) expect 0 'Completed' "${word[@]}" ;;
+    "fulcrum run "*) expect 3 'Not completed' "${word[@]}" --headless --seconds 0.1 --out "page_$ran" ;;
+    *) expect 0 '.' "${word[@]}" ;;
+  esac
+done < <(grep -E '^    fulcrum' "$top/docs/first-scenario.md")
+[ "$ran" -ge 5 ] || fail "only $ran commands were found in docs/first-scenario.md"
+cd .. || exit 1
+
+# --- what cannot be
+expect 2 'needs both' "$FULCRUM" new half --scene dish.stl
+expect 2 'leave --scene and --tool out' "$FULCRUM" new half --from stick --scene dish.stl --tool probe.obj
+expect 1 'none.obj is no file' "$FULCRUM" new half --scene dish.stl --tool none.obj
+printf 'v 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\n' >open.obj
+expect 1 'cannot be (held|touched)' "$FULCRUM" new half --scene open.obj --tool probe.obj
+[ ! -e half ] || fail "what could not be made was left half done"
+expect 1 'cannot be made' "$FULCRUM" new /proc/none
+
+[ $failures = 0 ] && echo "all good"
+exit $((failures > 0))
