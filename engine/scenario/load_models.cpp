@@ -6,6 +6,7 @@
 #include "engine/assets/gltf.h"
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/mirror.h"
+#include "engine/scenario/nearby.h"
 #include "haptics/bake/mirrored.h"
 #include "haptics/math/mirror.h"
 
@@ -77,7 +78,10 @@ std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entr
                                 Faults& faults) {
   auto model = load_gltf(scenario.folder, file.path);
   if (!model) {
-    faults.push_back(file.where.fault("model '" + entry.name + "': " + model.error().sentence));
+    std::string sentence = model.error().sentence;
+    const std::string near = nearby_files(file.name, scenario.folder);
+    if (!near.empty() && sentence.ends_with('.')) sentence.pop_back();
+    faults.push_back(file.where.fault("model '" + entry.name + "': " + sentence + near));
     return std::nullopt;
   }
   if (!place(*model, entry)) {

@@ -134,7 +134,12 @@ std::optional<std::string_view> nearest(std::string_view word, std::span<const s
       best_distance = distance;
     }
   }
-  return best;
+  if (best) return best;
+  // The name without its unit: 'fov' of 'fov_deg'.
+  const std::string with_unit = std::string(word) + "_";
+  for (const std::string_view candidate : candidates)
+    if (candidate.starts_with(with_unit)) return candidate;
+  return std::nullopt;
 }
 
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string> candidates) {

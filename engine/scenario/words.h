@@ -31,7 +31,8 @@ double widened(float value);
 // Insertions, deletions, replacements and swaps of neighbours that make b of a.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// The candidate that a slip of the hand would have made `word` of; absent if none is near. An equal distance:
+// The candidate that a slip of the hand would have made `word` of, or `word` with a unit behind it; absent if
+// none is near. An equal distance:
 // the first.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> candidates);
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string> candidates);

@@ -13,6 +13,7 @@
 
 #include "engine/files/utf8.h"
 #include "engine/scenario/words.h"
+#include "engine/scenario/yaml_slips.h"
 
 namespace fulcrum::scenario {
 
@@ -202,9 +203,12 @@ Checked<Node> parse_yaml(std::string_view text, std::string_view source) {
   } catch (const Refusal& refusal) {
     return Faults{refusal.fault};
   } catch (const YAML::Exception& exception) {
+    const Mark mark = builder.mark_of(exception.mark);
+    const bool speaks_of_brackets = exception.msg.find("flow") != std::string::npos;
+    if (const auto slip = find_slip(text, mark.line, speaks_of_brackets))
+      return Faults{{std::string(source), slip->line, slip->column, slip->sentence}};
     // The message may repeat what the text has, a line's end or what a terminal obeys.
-    return Faults{
-        builder.mark_of(exception.mark).fault("this is not valid YAML: " + on_one_line(exception.msg))};
+    return Faults{mark.fault("this is not valid YAML: " + on_one_line(exception.msg))};
   } catch (const std::exception& exception) {
     return Faults{{std::string(source), 0, 0, std::string("the text cannot be read: ") + exception.what()}};
   }

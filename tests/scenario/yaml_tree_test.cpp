@@ -18,6 +18,23 @@ std::string repeated(std::string_view text, std::size_t count) {
   return result;
 }
 
+// What the parser stumbles over stands far from the slip.
+TEST(YamlTree, NamesSlipsOfTheHand) {
+  const auto said = [](const char* text) {
+    const auto root = parse_yaml(text, "f");
+    return root ? std::string("read") : to_text(root.faults());
+  };
+  EXPECT_EQ(said("a: [1, 2\nb: 3\nc: 4\n"), "f:1:4: this '[' is not closed: write ']' where the list ends");
+  EXPECT_EQ(said("a: {x: [1, 2], y: 3\nb: 3\n"),
+            "f:1:4: this '{' is not closed: write '}' where the mapping ends");
+  EXPECT_EQ(said("a: [\"[\", '[', 3 # [\n  , 4\nb: 3\n"),
+            "f:1:4: this '[' is not closed: write ']' where the list ends");
+  EXPECT_EQ(said("a:\n\tb: 1\n"),
+            "f:2:1: this line is indented with a tab, which YAML does not allow: use spaces");
+  EXPECT_EQ(said("title: a [ in text\nb: 1\n"), "read");
+  EXPECT_EQ(said("title: a [ in text\nb: c: d\n").find("not closed"), std::string::npos);
+}
+
 TEST(YamlTree, KnowsWhereEverythingStands) {
   const auto root = parse_yaml("a: 1\nb:\n  - x\n  - {c: \"2\"}\n", "f");
   ASSERT_TRUE(root);

@@ -72,8 +72,13 @@ std::string tool_block(const FirstGuess& guess) {
 
 }  // namespace
 
+std::string schema_line(const std::string& schemas, const std::string& kind) {
+  return schemas.empty() ? "" : "# yaml-language-server: $schema=" + schemas + "/" + kind + ".json\n";
+}
+
 std::string scenario_text(const FirstFiles& files, const FirstGuess& guess) {
-  return "fulcrum: 1\n"
+  return schema_line(files.schemas, "scenario") +
+         "fulcrum: 1\n"
          "title: " +
          quoted(files.title) +
          "\n"
@@ -110,10 +115,11 @@ std::string scenario_text(const FirstFiles& files, const FirstGuess& guess) {
          "\nlight: {kind: directional, direction: [-0.5, -1, -0.6], intensity: 2.5, shadow: true}\n";
 }
 
-std::string expert_text(const FirstGuess& guess) {
+std::string expert_text(const FirstFiles& files, const FirstGuess& guess) {
   Pose pressed = guess.X_WM_touch;
   pressed.p += (pressed.q * guess.axis) * std::min(0.002, 0.5 * guess.radius);
-  return "fulcrum: 1\n"
+  return schema_line(files.schemas, "hand") +
+         "fulcrum: 1\n"
          "# Where the hand wants the tool's model, and how many seconds the way there takes.\n"
          "waypoints:\n"
          "  - {" +

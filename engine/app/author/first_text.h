@@ -11,10 +11,15 @@ namespace fulcrum::app {
 struct FirstFiles {
   std::string title;
   std::string scene, tool;
-  std::string device;  // a table of content/devices
+  std::string device;   // a table of content/devices
+  std::string schemas;  // the folder where the schemas are that editors read; empty: none was found
 };
 
 std::string scenario_text(const FirstFiles& files, const FirstGuess& guess);
-std::string expert_text(const FirstGuess& guess);  // the hand that knows how
+std::string expert_text(const FirstFiles& files, const FirstGuess& guess);  // the hand that knows how
+
+// The first line of a file of that kind, "scenario" or "hand", by which an editor completes and explains
+// keys.
+std::string schema_line(const std::string& schemas, const std::string& kind);
 
 }  // namespace fulcrum::app

@@ -20,6 +20,7 @@
 #include "engine/scenario/content.h"
 #include "engine/scenario/content_file.h"
 #include "engine/scenario/load.h"
+#include "engine/scenario/text_store.h"
 
 namespace fulcrum::app {
 namespace {
@@ -52,6 +53,30 @@ bool may_make(const fs::path& folder) {
   return refuse(folder.string() + " is there already: name a folder that is not.");
 }
 
+// Where the program's own content has its schemas; empty: nowhere.
+std::string schema_folder() {
+  for (const fs::path& root : scenario::content_roots()) {
+    std::error_code ignored;
+    const fs::path folder = fs::absolute(root / "schema", ignored);
+    if (fs::is_directory(folder, ignored)) return folder.string();
+  }
+  return {};
+}
+
+// Files that named their schema by where they lay name it by where it is.
+bool name_schemas(const fs::path& folder) {
+  std::error_code fault;
+  for (const auto& entry : fs::directory_iterator(folder, fault)) {
+    if (entry.path().extension() != ".yaml") continue;
+    const std::string kind = entry.path().filename() == scenario::kScenarioFile ? "scenario" : "hand";
+    const std::string before = schema_line("../../schema", kind);
+    const Result<std::string> text = scenario::read_text(RegularFile::open(entry.path()));
+    if (!text || !text->starts_with(before)) continue;
+    if (!put(entry.path(), schema_line(schema_folder(), kind) + text->substr(before.size()))) return false;
+  }
+  return true;
+}
+
 // All that lies in a scenario's folder.
 bool copy_scenario(const std::string& name, const fs::path& folder) {
   const Result<fs::path> file = scenario::find_scenario(name);
@@ -60,7 +85,7 @@ bool copy_scenario(const std::string& name, const fs::path& folder) {
   fs::create_directories(folder, fault);
   if (!fault) fs::copy(file->parent_path(), folder, fs::copy_options::recursive, fault);
   if (fault) return refuse(folder.string() + " cannot be made: " + fault.message() + ".");
-  return true;
+  return name_schemas(folder);
 }
 
 // The mesh as a .glb of that name in the folder. Other formats are read by the program beside this one.
@@ -128,8 +153,8 @@ bool make_scenario(const NewOptions& options, const fs::path& folder) {
   const scenario::Checked<DeviceDesc> device = scenario::load_device(table->second);
   if (!device) return refuse(scenario::to_text(device.faults()));
   const FirstGuess guess = guess_scenario(*scene, *tool, *device);
-  const FirstFiles files{title_of(folder), "scene.glb", "tool.glb", kDevice};
-  if (!put(folder / "expert.yaml", expert_text(guess)) ||
+  const FirstFiles files{title_of(folder), "scene.glb", "tool.glb", kDevice, schema_folder()};
+  if (!put(folder / "expert.yaml", expert_text(files, guess)) ||
       !put(folder / scenario::kScenarioFile, scenario_text(files, guess)))
     return false;
   if (!guess.is_clear)

@@ -29,7 +29,8 @@ std::string route_yaml(const std::string& how, const std::string& program,
 
 std::string waypoints_yaml(const std::string& what, const std::string& command,
                            const std::vector<RoutePose>& route) {
-  std::string text = "fulcrum: 1\n# " + what + "\n# Written by `" + command + "`.\nwaypoints:\n";
+  std::string text = "# yaml-language-server: $schema=../../schema/hand.json\nfulcrum: 1\n# " + what +
+                     "\n# Written by `" + command + "`.\nwaypoints:\n";
   for (const RoutePose& pose : route) {
     if (!pose.note.empty()) text += "  # " + pose.note + "\n";
     const Eigen::Vector3d p = pose.X_WT.translation();

@@ -66,6 +66,7 @@ std::string seconds(double value) {
 
 std::string wrong_turns_yaml() {
   std::string text =
+      "# yaml-language-server: $schema=../../schema/hand.json\n"
       "fulcrum: 1\n"
       "# The expert's way, but the spanner turned wrongly about its long axis while the pipes hold its ring "
       "on both\n"
