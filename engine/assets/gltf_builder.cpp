@@ -1,6 +1,6 @@
 #include "engine/assets/gltf_builder.h"
 
-#include <cstring>
+#include <algorithm>
 
 namespace fulcrum {
 namespace {
@@ -14,7 +14,8 @@ int add_view(tinygltf::Model& gltf, const std::vector<Item>& items, int target) 
   view.byteLength = items.size() * sizeof(Item);
   view.target = target;
   bytes.resize(view.byteOffset + view.byteLength);
-  std::memcpy(bytes.data() + view.byteOffset, items.data(), view.byteLength);
+  std::copy_n(reinterpret_cast<const unsigned char*>(items.data()), view.byteLength,
+              bytes.data() + view.byteOffset);
   gltf.bufferViews.push_back(view);
   return static_cast<int>(gltf.bufferViews.size() - 1);
 }

@@ -130,7 +130,7 @@ nlohmann::ordered_json as_json(const std::string& file, const fs::path& out, con
 
 // Where the model of `file` goes: `out` itself where that names a .glb, otherwise a file in it.
 fs::path out_path(const std::string& file, const Options& options) {
-  const fs::path out(options.out);
+  fs::path out(options.out);
   if (out.extension() == ".glb") return out;
   return (out / fs::path(file).filename().replace_extension(".glb")).lexically_normal();
 }

@@ -201,6 +201,11 @@ void describe_hand_path(KeyVisitor& visitor, std::vector<Waypoint>& waypoints) {
         each.number({"travel", "s", "from the waypoint before; the first has none"}, waypoint.travel,
                     above_to(0, 3600));
         each.number({"dwell", "s", "how long the hand rests here"}, waypoint.dwell, from_to(0, 3600));
+        each.boolean(
+            {"through", "",
+             "the hand goes through without a rest; not of the first and the last, which it rests at"},
+            waypoint.through);
+        each.rule("through", !waypoint.through || waypoint.dwell <= 0, "is for a waypoint without 'dwell'");
         each.optional_number(
             {"hold", "m",
              "where the hand holds the stick from here on, along it from the handle's origin; "

@@ -37,7 +37,7 @@ void mirror(Checkpoint& checkpoint) {
 void mirror(HandEntry& hand) {
   auto& [name, path, desc, waypoints] = hand;
   for (Waypoint& waypoint : waypoints) {
-    auto& [X_WT, travel, dwell, hold, press, stop] = waypoint;
+    auto& [X_WT, travel, dwell, hold, press, stop, through] = waypoint;
     fulcrum::mirror(X_WT);
   }
 }

@@ -33,7 +33,8 @@ struct HandDesc {
 
 // Where the hand wants the tool, and when. Between two waypoints the hand moves on a minimum-jerk profile
 // (Flash and Hogan 1985, J. Neurosci. 5), straight and along the shortest rotation, and rests on each for
-// `dwell`.
+// `dwell`. Through some it goes without a rest, at the velocity of the straight way from the waypoint before
+// to the one after, and without acceleration.
 struct Waypoint {
   Pose X_WT;
   double travel = 1;  // s, from the waypoint before
@@ -43,6 +44,7 @@ struct Waypoint {
   std::optional<double> hold{}, press{};
   // s. Where it is given the hand presses its stop button on arrival and its go button so long after.
   std::optional<double> stop{};
+  bool through = false;  // not of the first and the last, and without dwell
 };
 
 // Bits of DeviceSample::buttons, above all that a device in a hand has.
@@ -67,9 +69,12 @@ public:
   double duration() const { return end_.back(); }
 
 private:
+  bool passes(std::size_t i) const;
+
   std::vector<Waypoint> waypoints_;
-  std::vector<double> end_;  // s, when each waypoint's dwell ends
-  std::vector<Grip> grips_;  // at each
+  std::vector<Twist> twists_;  // of T in W, at each
+  std::vector<double> end_;    // s, when each waypoint's dwell ends
+  std::vector<Grip> grips_;    // at each
   bool slides_ = false;
 };
 

@@ -37,6 +37,16 @@ expect 0 'Completed' "$FULCRUM" run ./my_first --headless --hand expert --out A
 grep -q '"max_penetration_m": 0.0' A/summary.json || fail "the expert's pin is pushed into the board"
 expect 1 'my_first is there already' "$FULCRUM" new my_first
 
+# --- the expert's way by doing it: what a run recorded becomes a path that carries the task out as well
+expect 0 'redone.yaml: [0-9]+ waypoints for [0-9.]+ s, within 0' "$FULCRUM" path ./my_first A --out redone.yaml
+[ "$(grep -c position redone.yaml)" -lt 60 ] || fail "the path has $(grep -c position redone.yaml) waypoints"
+expect 1 'redone.yaml is there already' "$FULCRUM" path ./my_first A --out redone.yaml
+cp -r my_first redone && cp redone.yaml redone/expert.yaml
+expect 0 'good' "$FULCRUM" check ./redone
+expect 0 'Completed' "$FULCRUM" run ./redone --headless --hand expert --out R
+expect 1 'is a tape' "$FULCRUM" path ./my_first A/tape --out other.yaml
+expect 1 'none' "$FULCRUM" path ./my_first none --out other.yaml
+
 # --- with meshes of other programs: several shapes, each from two files to a felt and scored scene
 tool probe 12 120 4 0.5
 tool stick 4 60 6 5.9

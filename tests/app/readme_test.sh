@@ -44,7 +44,7 @@ while IFS= read -r line; do
       fi ;;
     "fulcrum") # app.start works it in a window
       expect 2 'Subcommands' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" ;;
-    "fulcrum list" | "fulcrum results" | "fulcrum replay "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum device-test "*" --yes" | "fulcrum doctor" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
+    "fulcrum list" | "fulcrum results" | "fulcrum replay "* | "fulcrum path "* | "fulcrum explain "* | "fulcrum devices" | "fulcrum device-test "*" --yes" | "fulcrum doctor" | "fulcrum schema") expect 0 '.' "${word[@]}" ;;
     python3*) command -v python3 >/dev/null && expect 0 '^[0-9.e-]+$' bash -c "$command" ;;
     *) fail "README names '$command', and tests/app/readme_test.sh does not know what it is to do" ;;
   esac

@@ -69,7 +69,7 @@ Vec3 place_from_above(const TriangleDistance& scene, const Box3& box) {
       if (const auto hit = scene.first_crossing(from, to)) return from + hit->fraction * (to - from);
     }
   }
-  return middle;
+  return box.center();
 }
 
 class Guesser {

@@ -1,7 +1,11 @@
 #include "engine/app/author/first_text.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "engine/scenario/content.h"
 
 namespace fulcrum::app {
 namespace {
@@ -71,6 +75,15 @@ std::string tool_block(const FirstGuess& guess) {
 }
 
 }  // namespace
+
+std::string schema_folder() {
+  for (const std::filesystem::path& root : scenario::content_roots()) {
+    std::error_code ignored;
+    const std::filesystem::path folder = std::filesystem::absolute(root / "schema", ignored);
+    if (std::filesystem::is_directory(folder, ignored)) return folder.string();
+  }
+  return {};
+}
 
 std::string schema_line(const std::string& schemas, const std::string& kind) {
   return schemas.empty() ? "" : "# yaml-language-server: $schema=" + schemas + "/" + kind + ".json\n";

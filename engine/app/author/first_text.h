@@ -18,6 +18,9 @@ struct FirstFiles {
 std::string scenario_text(const FirstFiles& files, const FirstGuess& guess);
 std::string expert_text(const FirstFiles& files, const FirstGuess& guess);  // the hand that knows how
 
+// Where the program's own content has its schemas; empty: nowhere.
+std::string schema_folder();
+
 // The first line of a file of that kind, "scenario" or "hand", by which an editor completes and explains
 // keys.
 std::string schema_line(const std::string& schemas, const std::string& kind);

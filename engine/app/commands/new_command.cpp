@@ -53,16 +53,6 @@ bool may_make(const fs::path& folder) {
   return refuse(folder.string() + " is there already: name a folder that is not.");
 }
 
-// Where the program's own content has its schemas; empty: nowhere.
-std::string schema_folder() {
-  for (const fs::path& root : scenario::content_roots()) {
-    std::error_code ignored;
-    const fs::path folder = fs::absolute(root / "schema", ignored);
-    if (fs::is_directory(folder, ignored)) return folder.string();
-  }
-  return {};
-}
-
 // Files that named their schema by where they lay name it by where it is.
 bool name_schemas(const fs::path& folder) {
   std::error_code fault;

@@ -32,15 +32,14 @@ Error another_rate(const std::string& file, double rate_Hz) {
   return {sentence + "give --set tick_rate_Hz=" + exactly + "."};
 }
 
-// How far the coupling yields under the tool's weight: a person aims so much higher.
+}  // namespace
+
 double sag(const SceneDesc& scene) {
   if (!scene.tool.weight || !coupled(scene.contact.response)) return 0;
   const double weight = std::min(scene.tool.mass * kGravity, 0.95 * scene.coupling.max_force);
   return -scene.coupling.max_force / scene.coupling.stiffness *
          math::log1p(-weight / scene.coupling.max_force);
 }
-
-}  // namespace
 
 std::optional<scenario::Scenario> load_named(const std::string& name_or_file,
                                              const std::vector<std::string>& overrides,

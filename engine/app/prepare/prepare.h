@@ -46,6 +46,9 @@ std::string device_on_screen(const Prepared& prepared, const SceneDesc& scene);
 // and renders no force.
 SceneDesc scene_for_device(const Prepared& prepared, const std::string& device);
 
+// m, how far the coupling yields under the tool's weight: a hand aims so much higher than its path says.
+double sag(const SceneDesc& scene);
+
 // Why the scenario has no hand of that name, with those that it has; absent: it has one. `still` is always
 // there. Known before anything is baked.
 std::optional<Error> refuse_hand(const scenario::Scenario& scenario, const std::string& scenario_name,
