@@ -89,8 +89,8 @@ void print(const std::string& file, const fs::path& out, const fs::path& drawn, 
   if (imported.thin_triangles > 0)
     line(count_text(imported.thin_triangles, "triangle") + (imported.thin_triangles == 1 ? " is" : " are") +
          " lower than a micrometre, which costs time only.");
-  if (imported.textures > 0)
-    line(count_text(imported.textures, "texture") + (imported.textures == 1 ? " is" : " are") +
+  if (imported.images > 0)
+    line(count_text(imported.images, "image") + (imported.images == 1 ? " is" : " are") +
          " left out: only colours are taken.");
   if (!drawn.empty()) {
     char text[64];
@@ -121,7 +121,7 @@ nlohmann::ordered_json as_json(const std::string& file, const fs::path& out, con
           {"thin_triangles", imported.thin_triangles},
           {"drawn_triangles", imported.drawn ? nlohmann::ordered_json(imported.drawn_triangles) : nullptr},
           {"drawn_deviation_m", imported.drawn ? nlohmann::ordered_json(imported.drawn_deviation) : nullptr},
-          {"textures_left_out", imported.textures},
+          {"images_left_out", imported.images},
           {"can_be_touched", imported.why_not_solid.empty()},
           {"why_not", or_null(imported.why_not_solid)},
           {"mended", imported.mended},

@@ -87,7 +87,7 @@ Result<Imported> import_file(const std::filesystem::path& file, const ImportOpti
   if (!read) return read.error();
   Imported imported;
   imported.format = read->format;
-  imported.textures = read->textures;
+  imported.images = read->images;
   const Box3 box = box_of(read->model);
   imported.unit_m =
       options.unit ? Guess<double>{metres(*options.unit), {}} : guess_unit(*read, box.diagonal().norm());

@@ -68,7 +68,7 @@ double linear(double screen) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-ModelMaterial material_from(const aiMaterial& source, std::size_t& textures) {
+ModelMaterial material_from(const aiMaterial& source, std::size_t& images) {
   ModelMaterial material;
   material.name = source.GetName().C_Str();
   aiColor4D colour;
@@ -83,7 +83,7 @@ ModelMaterial material_from(const aiMaterial& source, std::size_t& textures) {
   if (source.Get(AI_MATKEY_ROUGHNESS_FACTOR, number) == aiReturn_SUCCESS)
     material.roughness = std::clamp(number, 0.0F, 1.0F);
   for (unsigned int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type)
-    textures += source.GetTextureCount(static_cast<aiTextureType>(type));
+    images += source.GetTextureCount(static_cast<aiTextureType>(type));
   return material;
 }
 
@@ -185,7 +185,7 @@ Result<ReadMesh> read_gltf(const fs::path& file) {
                   .said_of_unit = {},
                   .unit_m = 1.0,
                   .y_is_up = true,
-                  .textures = 0};
+                  .images = 0};
 }
 
 }  // namespace
@@ -222,7 +222,7 @@ Result<ReadMesh> read_mesh(const fs::path& file) {
   read.unit_m = unit_in_figures(*scene);
   read.y_is_up = extension == ".3ds" || extension == ".dae" || extension == ".fbx";
   for (unsigned int i = 0; i < scene->mNumMaterials; ++i)
-    read.model.materials.push_back(material_from(*scene->mMaterials[i], read.textures));
+    read.model.materials.push_back(material_from(*scene->mMaterials[i], read.images));
   if (read.model.materials.empty()) read.model.materials.push_back({});
   if (const std::string why = take_nodes(*scene, read.model); !why.empty()) return refused(why);
   return read;

@@ -18,7 +18,7 @@ struct ReadMesh {
   std::string said_of_unit;
   std::optional<double> unit_m;  // what its format, or its own figures, say one unit is
   bool y_is_up = false;          // its format says so, or its reader has turned it
-  std::size_t textures = 0;      // that its materials name, and that are left out
+  std::size_t images = 0;        // that its materials name, and that are left out
 };
 
 // Refused, with a sentence: no file, no such format, damaged, no triangles, numbers that are not finite, more

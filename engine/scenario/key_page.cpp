@@ -91,7 +91,7 @@ public:
     // Each mapping of the file's own has a table of its own.
     for (std::size_t i = 0; i < later_.size(); ++i) {
       const Section section = later_[i];
-      text_ += "\n### " + section.path + "\n\n" + section.about + ".\n\n";
+      text_ += "\n### " + section.path + "\n\n" + sentence(section.about) + "\n\n";
       begin_table();
       add_rows(section.schema, "", true);
     }
@@ -104,6 +104,11 @@ private:
     std::string path, about;
     Json schema;
   };
+
+  static std::string sentence(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text + ".";
+  }
 
   void begin_table() { text_ += "| key | value | default | meaning |\n| --- | --- | --- | --- |\n"; }
 

@@ -100,6 +100,8 @@ private:
     } else {
       faulty_.push_back(key.name);
       fault(parsed.fault().mark, full(key.name) + " " + parsed.fault().sentence);
+      for (const ValueFault& other : parsed.fault().others)
+        fault(other.mark, full(key.name) + " " + other.sentence);
     }
   }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/scenario/words.h"
@@ -60,12 +62,18 @@ Parsed<std::vector<double>> parse_reals(const Node& node, std::size_t count, con
                       "must be " + what + "; found " + std::to_string(node.items.size()) + " values"};
   }
   std::vector<double> values;
+  std::vector<ValueFault> faults;
   for (const Node& item : node.items) {
     const auto value = parse_real(item, each, unit);
-    if (!value) return ValueFault{value.fault().mark, "has a component that " + value.fault().sentence};
-    values.push_back(*value);
+    if (value)
+      values.push_back(*value);
+    else
+      faults.push_back({value.fault().mark, "has a component that " + value.fault().sentence});
   }
-  return values;
+  if (faults.empty()) return values;
+  ValueFault first = std::move(faults.front());
+  first.others.assign(std::make_move_iterator(faults.begin() + 1), std::make_move_iterator(faults.end()));
+  return first;
 }
 
 }  // namespace

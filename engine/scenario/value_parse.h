@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/scenario/key_visitor.h"
 #include "engine/scenario/yaml_tree.h"
@@ -14,7 +15,8 @@ namespace fulcrum::scenario {
 // What is wrong with a value, and where: a list's element has a place of its own.
 struct ValueFault {
   Mark mark;
-  std::string sentence;  // "must be a number in m; found 'thin'"
+  std::string sentence;              // "must be a number in m; found 'thin'"
+  std::vector<ValueFault> others{};  // of a list's further elements
 };
 
 template <class T>

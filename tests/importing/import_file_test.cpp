@@ -118,7 +118,7 @@ TEST_F(ImportFile, NamesPartsAndColoursThem) {
   EXPECT_EQ(material.name, "red");
   EXPECT_FLOAT_EQ(material.base_colour[0], 1);
   EXPECT_NEAR(material.base_colour[2], 0.2140, 1e-4) << "half of a screen's white is 0.214 of its light";
-  EXPECT_EQ(imported.textures, 1u);
+  EXPECT_EQ(imported.images, 1u);
   const Imported coloured = read("c.ply", ply(kBlock));
   ASSERT_EQ(coloured.model.parts.at(0).colours.size(), coloured.model.parts[0].positions.size());
   EXPECT_LT((coloured.model.parts[0].colours[0] - Vec3(1, 0.5029, 0)).norm(), 1e-3);

@@ -11,6 +11,7 @@
 #include "haptics/bake/mass_properties.h"
 #include "haptics/bake/overlap_depth.h"
 #include "haptics/bake/triangle_distance.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum::app {
 namespace {
@@ -63,8 +64,8 @@ Vec3 place_from_above(const TriangleDistance& scene, const Box3& box) {
   for (int ring = 0; ring <= 10; ++ring) {
     for (int step = 0; step < std::max(1, 8 * ring); ++step) {
       const double angle = 2 * std::numbers::pi * step / std::max(1, 8 * ring);
-      const double x = middle.x() + 0.09 * ring * half.x() * std::cos(angle);
-      const double z = middle.z() + 0.09 * ring * half.z() * std::sin(angle);
+      const double x = middle.x() + 0.09 * ring * half.x() * math::cos(angle);
+      const double z = middle.z() + 0.09 * ring * half.z() * math::sin(angle);
       const Vec3 from(x, above, z), to(x, box.min().y() - half.y() - 1e-3, z);
       if (const auto hit = scene.first_crossing(from, to)) return from + hit->fraction * (to - from);
     }
@@ -130,8 +131,8 @@ private:
 
   void lean() {
     const auto leaning = [&](double angle, double about) {
-      const Vec3 down(-std::sin(angle) * std::sin(about), -std::cos(angle),
-                      -std::sin(angle) * std::cos(about));
+      const Vec3 down(-math::sin(angle) * math::sin(about), -math::cos(angle),
+                      -math::sin(angle) * math::cos(about));
       return Quat::FromTwoVectors(guess_.axis, down);
     };
     Quat q = leaning(0, 0);

@@ -1,8 +1,9 @@
 #include "engine/app/author/starter_models.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
+
+#include "haptics/math/functions.h"
 
 namespace fulcrum::app {
 namespace {
@@ -44,7 +45,7 @@ ModelPart turned(const char* name, const std::vector<Eigen::Vector2d>& radius_an
   const auto at = [&](std::size_t ring, int side) {
     const double angle = 2 * std::numbers::pi * (side % kSides) / kSides;
     const Eigen::Vector2d& p = radius_and_height[ring];
-    return Vec3(p.x() * std::cos(angle), p.y(), -p.x() * std::sin(angle));
+    return Vec3(p.x() * math::cos(angle), p.y(), -p.x() * math::sin(angle));
   };
   std::vector<Vec3> bottom, top;
   for (int side = 0; side < kSides; ++side) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -121,6 +122,16 @@ std::string title_of(const fs::path& folder) {
   return title.empty() ? "A scene of my own" : title;
 }
 
+// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+:@%";
+  if (text.find_first_not_of(kPlain) == text.npos) return text;
+  std::string word = "'";
+  for (const char c : text) c == '\'' ? word += "'\\''" : word += c;
+  return word + "'";
+}
+
 bool make_scenario(const NewOptions& options, const fs::path& folder) {
   std::error_code fault;
   fs::create_directories(folder, fault);
@@ -175,9 +186,9 @@ int new_command(const NewOptions& options) {
     return kError;
   }
   const fs::path file = folder / scenario::kScenarioFile;
-  const std::string name = file.string();
+  const std::string name = shell_word(file.string());
   std::printf("%s is made. What was guessed is said in it.\n  fulcrum run %s\n  fulcrum check %s\n",
-              bold(name).c_str(), name.c_str(), name.c_str());
+              bold(file.string()).c_str(), name.c_str(), name.c_str());
   return kCompleted;
 }
 

@@ -108,6 +108,8 @@ int path_command(const PathOptions& options) {
       "left out\n",
       bold(options.out).c_str(), fitted.waypoints.size(), motion->tick_s * static_cast<double>(poses.size()),
       1e3 * fitted.position_error, kDegrees * fitted.angle_error_rad, fitted.trimmed_start);
+  if (fitted.position_error > 1e-3 * options.tolerance_mm)
+    complain("what was done trembles by more than the tolerance: nothing is gained by one so small.");
   return kCompleted;
 }
 
