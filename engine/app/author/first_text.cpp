@@ -95,7 +95,7 @@ std::string scenario_text(const FirstFiles& files, const FirstGuess& guess) {
          "title: " +
          quoted(files.title) +
          "\n"
-         "about: \"What has to be done, in one line.\"\n"
+         "about: Touch it with the tip, and lift the tip off again.  # what has to be done, in one line\n"
          "time_limit: 60  # s\n\n"
          "# Lengths are metres; y is up, z comes towards the trainee. `fulcrum check` says what is wrong or "
          "may not feel\n"
