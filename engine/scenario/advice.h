@@ -21,8 +21,8 @@ struct Advice {
   Severity severity = Severity::warning;
 };
 
-// A checkpoint is said to be out of reach where none of some hundred poses with the
-// touch point at it keeps the tool out of the scene: a search, not a proof, and not of the way there.
+// A checkpoint is said to be out of reach where none of the poses that are tried, 7 places for each of some
+// 25 orientations, keeps the tool out of the scene: a search, not a proof, and not of the way there.
 std::vector<Advice> advise(const HapticAssembly& assembly);
 
 }  // namespace fulcrum::scenario

@@ -32,8 +32,7 @@ double widened(float value);
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 // The candidate that a slip of the hand would have made `word` of, or `word` with a unit behind it; absent if
-// none is near. An equal distance:
-// the first.
+// none is near. An equal distance: the first.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> candidates);
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string> candidates);
 

@@ -2,9 +2,6 @@
 // Two models, one to hold and one to touch -> a first scenario: how the tool is held and where it points, a
 // place to touch, where to begin, how the device's workspace lies in the scene, where to look from.
 
-#include <string>
-#include <vector>
-
 #include "haptics/bake/solid.h"
 #include "haptics/device/device.h"
 #include "haptics/math/pose.h"
@@ -17,7 +14,7 @@ struct FirstGuess {
   double length = 0;                // m, of the tool along it
   Pose X_HM;                        // it is held by the other end, the handle's axes along M's
   Pose X_WM_start, X_WM_touch;      // before the place and at it
-  Vec3 place = Vec3::Zero();        // (3) m in W, on the scene's surface
+  Vec3 place = Vec3::Zero();        // (3) m in W, of the touch point when the tool touches
   double radius = 0;                // m, how near counts as there
   double density = 7850;            // kg/m^3; 0: `mass` instead
   double mass = 0.1;                // kg
