@@ -155,6 +155,13 @@ void place(ModelPart& part, const Eigen::Affine3d& X_MN) {
   }
 }
 
+// A custom property of an object that is a text; empty: there is none.
+std::string property(const tinygltf::Node& node, const std::string& name) {
+  if (!node.extras.IsObject() || !node.extras.Has(name)) return {};
+  const tinygltf::Value& value = node.extras.Get(name);
+  return value.IsString() ? value.Get<std::string>() : std::string();
+}
+
 class Walk {
 public:
   explicit Walk(const tinygltf::Model& file) : file_(file), seen_(file.nodes.size(), false) {}
@@ -199,6 +206,8 @@ private:
         throw GltfFault("a mesh is made of triangle strips or fans; export it as plain triangles");
       ModelPart part = part_from(file_, primitive);
       part.name = node.name.empty() ? mesh.name : node.name;
+      part.marked_role = property(node, "fulcrum_role");
+      part.marked_material = property(node, "fulcrum_material");
       indices_ += part.indices.size();
       if (indices_ > kMaxIndices)
         throw GltfFault("it shows more than 50 million triangles; simplify it before export");

@@ -18,6 +18,9 @@ struct ModelPart {
   std::vector<Vec3> colours;           // (n x 3) linear, 0 to 1, times the material's; or none
   std::vector<std::uint32_t> indices;  // (3 m), counter-clockwise seen from outside
   std::uint32_t material = 0;          // into Model::materials
+  // What the file's author has marked its object with, as glTF custom properties; empty: nothing.
+  std::string marked_role;      // fulcrum_role
+  std::string marked_material;  // fulcrum_material: of what a blow on it sounds like
 };
 
 struct ModelMaterial {

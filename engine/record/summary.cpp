@@ -124,6 +124,11 @@ std::string summary_json(const Summary& summary) {
     document["hard_touches"] = summary.hard_touches->count;
     document["hard_touch_s"] = summary.hard_touches->time_s;
   }
+  if (summary.slips) document["slips"] = *summary.slips;
+  if (summary.trespasses) {
+    document["trespasses"] = summary.trespasses->count;
+    document["trespass_s"] = summary.trespasses->time_s;
+  }
   if (summary.left_handed) document["left_handed"] = true;
   if (summary.guided) document["guided"] = true;
   if (summary.frames_per_s) document["frames_per_s"] = *summary.frames_per_s;

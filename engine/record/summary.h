@@ -18,7 +18,8 @@ struct CheckpointResult {
   std::optional<double> reached_s;
 };
 
-struct HardTouches {
+// Of what the task counts.
+struct Counted {
   std::int64_t count = 0;
   double time_s = 0;  // that they lasted
 };
@@ -53,7 +54,9 @@ struct Summary {
   bool guided = false;  // the person was led, be it for a tick
   std::vector<CheckpointResult> checkpoints;
   std::optional<double> completion_time_s;
-  std::optional<HardTouches> hard_touches;  // absent where the task does not count them
+  // Absent where the task does not count them.
+  std::optional<Counted> hard_touches, trespasses;
+  std::optional<std::int64_t> slips;
   double torque_error_Nms = 0;
   double force_error_Ns = 0, force_error_rendered_Ns = 0;  // of contact; what the motors were told
   double peak_force_N = 0, peak_force_rendered_N = 0;

@@ -75,12 +75,14 @@ std::uint32_t write_markers(std::span<const Marker> markers, std::span<const Mar
           return {FULCRUM_MARKER_DWELLING, colours.dwelling};
         case MarkerState::Show::done:
           return {FULCRUM_MARKER_DONE, colours.done};
+        case MarkerState::Show::avoid:
+          return {FULCRUM_MARKER_DONE, colours.avoid};
         default:
           return {FULCRUM_MARKER_NEXT, colours.next};
       }
     }();
     if (states[i].show != MarkerState::Show::hidden) {
-      to[count].sphere = with(markers[i].position, markers[i].radius);
+      to[count].sphere = with(states[i].position.value_or(markers[i].position), markers[i].radius);
       to[count].state = {kind, std::clamp(states[i].progress, 0.0F, 1.0F), 0.0F, 0.0F};
       to[count].tint = with(tint);
       ++count;

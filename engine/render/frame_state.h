@@ -12,9 +12,10 @@ namespace fulcrum::render {
 class OverlayPass;
 
 struct MarkerState {
-  enum class Show { hidden, next, dwelling, done };
+  enum class Show { hidden, next, dwelling, done, avoid };
   Show show = Show::hidden;
-  float progress = 0.0F;  // 0..1, the part of the dwell time that is over; read when dwelling
+  float progress = 0.0F;                // 0..1, how much of it is done; read when dwelling
+  std::optional<glm::vec3> position{};  // m, in place of the marker's own
 };
 
 // Linear, as in the scene target, where 0.6 stands for a radiance of 1.5: brighter would lose its hue in tone
@@ -23,6 +24,7 @@ struct MarkerColours {
   glm::vec3 next{0.03F, 0.33F, 0.68F};
   glm::vec3 dwelling{0.70F, 0.34F, 0.01F};
   glm::vec3 done{0.04F, 0.46F, 0.12F};
+  glm::vec3 avoid{0.62F, 0.05F, 0.04F};
 };
 
 struct GhostState {

@@ -29,6 +29,13 @@ std::string millimetres(double metres) {
   return text;
 }
 
+// (3) m, in W: where the touch point is once the checkpoint's way is done.
+Vec3 end_of(const Checkpoint& checkpoint) {
+  if (checkpoint.insert)
+    return checkpoint.position + checkpoint.insert->depth * checkpoint.insert->direction_W;
+  return checkpoint.follow.empty() ? checkpoint.position : checkpoint.follow.back();
+}
+
 std::string place_text(const Vec3& p) {
   char text[96];
   std::snprintf(text, sizeof text, "[%.4g, %.4g, %.4g]", p.x(), p.y(), p.z());
@@ -76,12 +83,14 @@ private:
     return {q_WT, p_W - q_WT * assembly_.task.touch_point};
   }
 
-  // How the tool may be turned at a checkpoint: as hands come by, as it starts, and at random.
-  std::vector<Quat> turns(const Checkpoint& checkpoint) const {
+  // How the tool may be turned at a place of a checkpoint: as that asks, or as hands come by, as it starts,
+  // and at random.
+  std::vector<Quat> turns(const Checkpoint& checkpoint, const Vec3& place_W) const {
     std::vector<Quat> turns;
+    if (checkpoint.facing) return {checkpoint.facing->q_WT};
     for (const HandScript& hand : assembly_.hands)
       for (const Waypoint& waypoint : hand.waypoints)
-        if ((waypoint.X_WT * assembly_.task.touch_point - checkpoint.position).norm() <= checkpoint.radius)
+        if ((waypoint.X_WT * assembly_.task.touch_point - place_W).norm() <= checkpoint.radius)
           turns.push_back(waypoint.X_WT.q);
     turns.push_back(assembly_.scene.tool.X_WT_start.q);
     SplitMix random(1);
@@ -105,8 +114,15 @@ private:
 
   void look_at_checkpoint(std::size_t index) {
     const Checkpoint& checkpoint = assembly_.task.checkpoints[index];
-    const std::string key = "checkpoints." + std::to_string(index) + ".position";
-    const double depth = -to_scene_.signed_distance(checkpoint.position);
+    const std::string key = "checkpoints." + std::to_string(checkpoint.written);
+    look_at_place(checkpoint, checkpoint.position, key + ".position");
+    for (std::size_t i = 0; i < checkpoint.follow.size(); ++i)
+      look_at_place(checkpoint, checkpoint.follow[i], key + ".follow." + std::to_string(i) + ".to");
+    if (checkpoint.insert) look_at_place(checkpoint, end_of(checkpoint), key + ".insert.depth");
+  }
+
+  void look_at_place(const Checkpoint& checkpoint, const Vec3& place_W, const std::string& key) {
+    const double depth = -to_scene_.signed_distance(place_W);
     if (solid_touch_point_ && depth > checkpoint.radius + kClear) {
       found_.push_back({key,
                         "lies " + millimetres(depth) + " deep in the scene and counts within " +
@@ -118,7 +134,7 @@ private:
     }
     // The middle, and most of the way to the border along the axes.
     std::array<Vec3, 7> places;
-    places.fill(checkpoint.position);
+    places.fill(place_W);
     for (int axis = 0; axis < 3; ++axis)
       for (int side = 0; side < 2; ++side)
         places[static_cast<std::size_t>(1 + 2 * axis + side)][axis] +=
@@ -126,7 +142,7 @@ private:
     const double clear = std::min(kPushedOut, 0.5 * checkpoint.radius);
     int tried = 0;
     double beyond = std::numeric_limits<double>::infinity();  // of poses in which the tool is clear
-    for (const Quat& turn : turns(checkpoint)) {
+    for (const Quat& turn : turns(checkpoint, place_W)) {
       for (const Vec3& place : places) {
         ++tried;
         const Pose X_WT = with_touch_point_at(place, turn);
@@ -153,7 +169,10 @@ private:
   // The hand's path as it is meant, by the task's own judge: what comes after the end is never played.
   void look_at_path(const HandScript& hand) {
     TaskDesc task = assembly_.task;
-    for (Checkpoint& checkpoint : task.checkpoints) checkpoint.needs = Needs::place;
+    for (Checkpoint& checkpoint : task.checkpoints) {
+      checkpoint.needs = Needs::place;
+      checkpoint.force.reset();
+    }
     task.hard_touch.reset();
     const double tick_s = assembly_.scene.tick_s;
     TaskJudge judge(task, tick_s);
@@ -165,9 +184,11 @@ private:
       if (judge.state().completed) break;
     }
     if (!judge.state().completed) return;
-    const Checkpoint& last = task.checkpoints.back();
+    const auto index =
+        std::ranges::find(judge.state().reached, judge.completion_time()) - judge.state().reached.begin();
+    const Checkpoint& last = task.checkpoints[static_cast<std::size_t>(index)];
     const auto is_there = [&](const Waypoint& waypoint) {
-      return (waypoint.X_WT * task.touch_point - last.position).norm() <= last.radius;
+      return (waypoint.X_WT * task.touch_point - end_of(last)).norm() <= last.radius;
     };
     const auto there = std::find_if(hand.waypoints.rbegin(), hand.waypoints.rend(), is_there);
     const auto after = there == hand.waypoints.rend() ? 0 : there - hand.waypoints.rbegin();

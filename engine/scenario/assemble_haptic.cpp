@@ -255,8 +255,9 @@ Result<HapticAssembly> assemble_haptic(const Scenario& scenario, const LoadedMod
   }
   couple_without_motors(scene);
 
-  result.task = {scenario.checkpoints, scenario.dwell, scenario.tool.touch_point - models.p_MT,
-                 scenario.tool.touch_name, scenario.hard_touch};
+  result.task = {scenario.checkpoints,     scenario.dwell,      scenario.tool.touch_point - models.p_MT,
+                 scenario.tool.touch_name, scenario.hard_touch, scenario.order,
+                 scenario.avoid,           scenario.score};
   for (const HandEntry& hand : scenario.hands) {
     HandScript script{hand.name, hand.desc, hand.waypoints};
     for (Waypoint& waypoint : script.waypoints) waypoint.X_WT = waypoint.X_WT * X_MT;

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "engine/render/turned.h"
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/device_shapes.h"
 #include "engine/scenario/holding_axes.h"
@@ -14,6 +17,9 @@
 namespace fulcrum::scenario {
 
 namespace {
+
+// Of a bar that shows where to go: of the radius there, and m.
+constexpr double kWayOfRadius = 0.15, kThickestWay = 0.001;
 
 render::Mesh mesh_of(const ModelPart& part, const Vec3& origin) {
   render::Mesh mesh;
@@ -79,6 +85,30 @@ void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& m
   }
 }
 
+// What a checkpoint's touch point has to go along, as a thin bar from corner to corner.
+void add_way(render::VisualDesc& desc, const Checkpoint& checkpoint, std::uint32_t layers) {
+  std::vector<Vec3> corners{checkpoint.position};
+  std::ranges::copy(checkpoint.follow, std::back_inserter(corners));
+  if (checkpoint.insert)
+    corners.push_back(checkpoint.position + checkpoint.insert->depth * checkpoint.insert->direction_W);
+  const auto thick = static_cast<float>(std::min(kWayOfRadius * checkpoint.radius, kThickestWay));
+  render::Mesh mesh;
+  mesh.name = "way of " + checkpoint.name;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    render::add_bar(mesh, narrowed(corners[i]), narrowed(corners[i + 1]), thick, thick);
+    render::add_ball(mesh, narrowed(corners[i + 1]), thick);
+  }
+  render::Instance instance;
+  instance.mesh = desc.meshes.size();
+  instance.material = desc.materials.size();
+  instance.name = mesh.name;
+  instance.casts_shadow = false;
+  instance.layers = layers;
+  desc.materials.push_back({mesh.name, {0.03F, 0.33F, 0.68F}, 0.0F, 0.5F});
+  desc.meshes.push_back(std::move(mesh));
+  desc.instances.push_back(std::move(instance));
+}
+
 }  // namespace
 
 bool draws_arms(const Scenario& scenario, const SceneDesc& scene) {
@@ -112,7 +142,10 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   for (const Checkpoint& checkpoint : scenario.checkpoints) {
     desc.markers.push_back(
         {checkpoint.name, narrowed(checkpoint.position), static_cast<float>(checkpoint.radius)});
+    if (is_way(checkpoint)) add_way(desc, checkpoint, kWhole | kCut);
   }
+  for (const Avoided& ball : scenario.avoid)
+    desc.markers.push_back({ball.name, narrowed(ball.position), static_cast<float>(ball.radius)});
   desc.key_light = scenario.light;
   desc.ambient = scenario.ambient;
   desc.background = scenario.background;

@@ -26,6 +26,7 @@ void describe_material_file(KeyVisitor& visitor, ImpactMaterial& material);
 
 // Parts of describe_scenario(), in files of their own.
 void describe_tool(KeyVisitor& visitor, ToolEntry& tool);
+void describe_task(KeyVisitor& visitor, Scenario& scenario);       // checkpoints to variant
 void describe_mechanics(KeyVisitor& visitor, Scenario& scenario);  // field to device
 void describe_effects(KeyVisitor& visitor, Scenario& scenario);
 // Where a scenario says what models are made of that do not say so themselves.

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <set>
 #include <string>
 
 #include "engine/scenario/describe.h"
-#include "engine/scenario/hint.h"
 
 namespace fulcrum::scenario {
 
@@ -18,6 +16,11 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
         each.file({"file", "", "a glTF file in the scenario's folder; Y up", true}, model.file);
         each.choice_of({"role", "", "scene: touched; tool: held in the hand; decor: seen only", true},
                        model.role);
+        each.boolean(
+            {"marked", "",
+             "of the file's objects those alone that are marked with this role, by a custom property "
+             "'fulcrum_role', and with this material, by 'fulcrum_material'"},
+            model.marked);
         each.file({"drawn", "",
                    "of what is touched or held: a glTF file that is drawn in its place, coarser or finer"},
                   model.drawn);
@@ -69,46 +72,6 @@ void describe_materials(KeyVisitor& visitor, std::vector<MaterialOverride>& mate
         each.optional_number({"metallic", "", "0 dielectric to 1 metal"}, material.metallic, kFraction);
         each.optional_number({"roughness", "", "0 mirror to 1 matt"}, material.roughness, kFraction);
       });
-}
-
-void describe_task(KeyVisitor& visitor, Scenario& scenario) {
-  std::set<std::string> names, mirrored_names;
-  visitor.list(
-      {"checkpoints", "", "where the tool's touch point has to go, in order", true}, 1,
-      [&](KeyVisitor& each) {
-        Checkpoint& checkpoint = scenario.checkpoints.emplace_back();
-        each.text({"name", "", "as results and panels call it", true}, checkpoint.name);
-        const bool differs = names.insert(checkpoint.name).second;
-        each.rule("name", differs, "is the name of an earlier one; choose another");
-        std::string& mirrored = checkpoint.mirrored_name;
-        each.text({"mirrored_name", "",
-                   "its name where 'left_handed' mirrors the scene, such as 'left 1' of 'right 1'; "
-                   "without it the same"},
-                  mirrored);
-        const std::string& seen = mirrored.empty() ? checkpoint.name : mirrored;
-        each.rule(mirrored.empty() ? "name" : "mirrored_name", mirrored_names.insert(seen).second || !differs,
-                  "is the name of an earlier one where the scene is mirrored; choose another");
-        each.vector({"position", "m", "in the world", true}, checkpoint.position, kPosition);
-        each.number({"radius", "m", "how near counts as there"}, checkpoint.radius, above_to(0, 10));
-        each.choice_of({"needs", "",
-                        "place: to be there; touch: something is touched all the while; stop: the "
-                        "force is stopped there and taken up again"},
-                       checkpoint.needs);
-        each.text({"hint", "",
-                   "what to do, in the window while it is the next; {move}, {turn}, {finely}, {stop} "
-                   "and {go_on} stand for how the device in hand does that"},
-                  checkpoint.hint);
-        const std::string fault = hint_fault(checkpoint.hint);
-        each.rule("hint", fault.empty(), fault);
-      });
-  visitor.number({"dwell", "s", "how long the touch point must stay at a checkpoint without a break"},
-                 scenario.dwell, from_to(0, 600));
-  visitor.mapping({"hard_touch", "", "touches that are too hard are counted; without it none are"},
-                  [&](KeyVisitor& inner) {
-                    inner.number(
-                        {"force", "N", "of the scene on the tool, above which a touch is too hard", true},
-                        scenario.hard_touch.emplace(), above_to(0, 1000));
-                  });
 }
 
 // s, of a waypoint's dwell after its stop: longer than a tick of the slowest loop.

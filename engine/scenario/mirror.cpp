@@ -1,5 +1,6 @@
 #include "engine/scenario/mirror.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/scenario/words.h"
@@ -29,9 +30,29 @@ void mirror(DeviceEntry& device) {
 }
 
 void mirror(Checkpoint& checkpoint) {
-  auto& [name, position, radius, mirrored_name, needs, hint] = checkpoint;
+  auto& [name, position, radius, mirrored_name, needs, hint, dwell, follow, insert, turn, force, facing,
+         optional, after, written] = checkpoint;
   if (!mirrored_name.empty()) std::swap(name, mirrored_name);
   fulcrum::mirror(position);
+  for (Vec3& corner : follow) fulcrum::mirror(corner);
+  if (insert) fulcrum::mirror(insert->direction_W);
+  // A turn against the clock is one with the clock in a mirror.
+  if (turn) fulcrum::mirror_axis(turn->axis_W);
+  if (facing) {
+    Pose turned{facing->q_WT, Vec3::Zero()};
+    fulcrum::mirror(turned);
+    facing->q_WT = turned.q;
+  }
+}
+
+// Who names an earlier one means it by its name in the same image.
+void mirror_all(std::vector<Checkpoint>& checkpoints) {
+  for (Checkpoint& checkpoint : checkpoints) {
+    const auto before = std::ranges::find(checkpoints, checkpoint.after, &Checkpoint::name);
+    if (before != checkpoints.end() && !before->mirrored_name.empty())
+      checkpoint.after = before->mirrored_name;
+  }
+  for (Checkpoint& checkpoint : checkpoints) mirror(checkpoint);
 }
 
 void mirror(HandEntry& hand) {
@@ -77,12 +98,13 @@ void mirror(Scenario& scenario) {
   auto& [title, about, difficulty, time_limit, seed, tick_rate_Hz, left_handed, why_right_handed, models,
          materials, tool, field, shell, contact, surface, edges, integrator, coupling, velocity_estimator,
          device, effects, impact, impact_material, impact_materials, holding_point, checkpoints, dwell,
-         hard_touch, hands, guide, sound, views, light, ambient, background, folder, overrides, texts] =
-      scenario;
+         hard_touch, order, avoid, score, variant, hands, guide, sound, views, light, ambient, background,
+         folder, overrides, texts] = scenario;
   mirror(tool);
   mirror(device);
   fulcrum::mirror(effects);
-  for (Checkpoint& checkpoint : checkpoints) mirror(checkpoint);
+  mirror_all(checkpoints);
+  for (Avoided& ball : avoid) fulcrum::mirror(ball.position);
   for (HandEntry& hand : hands) mirror(hand);
   if (guide) mirror(*guide);
   for (View& view : views) mirror(view);
@@ -92,7 +114,7 @@ void mirror(Scenario& scenario) {
 
 void mirror(Model& model) {
   for (ModelPart& part : model.parts) {
-    auto& [name, positions, normals, colours, indices, material] = part;
+    auto& [name, positions, normals, colours, indices, material, marked_role, marked_material] = part;
     for (Vec3& p : positions) fulcrum::mirror(p);
     for (Vec3& n : normals) fulcrum::mirror(n);
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);

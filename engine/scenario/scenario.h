@@ -17,6 +17,7 @@
 #include "engine/scenario/fault.h"
 #include "engine/scenario/guide.h"
 #include "engine/scenario/task.h"
+#include "engine/scenario/variant.h"
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/pointshell_bake.h"
 #include "haptics/device/hand.h"
@@ -40,6 +41,7 @@ struct ModelEntry {
   FileRef file;
   FileRef drawn;  // what is seen of it, where that is another file; without a name: `file`
   ModelRole role = ModelRole::scene;
+  bool marked = false;  // of the file's objects those alone that are marked with this role and `material`
   LengthUnit unit = LengthUnit::m;  // of the file's numbers
   Vec3 scale = Vec3::Ones();        // along the file's own axes
   Pose X_MF;  // of the file's origin, scaled, in M; of what is no tool in W, where nothing else is placed
@@ -147,6 +149,10 @@ struct Scenario {
   std::vector<Checkpoint> checkpoints;
   double dwell = TaskDesc{}.dwell;   // s
   std::optional<double> hard_touch;  // N
+  Order order = Order::given;
+  std::vector<Avoided> avoid;
+  ScoreWeights score;
+  VariantDesc variant;  // checkpoints are what it has made of them
   std::vector<HandEntry> hands;
   std::optional<GuideDesc> guide;
   std::optional<SoundEntry> sound;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scenario/task.h"
 #include "engine/session/trial_metrics.h"
 
 namespace fulcrum::session {
@@ -21,13 +22,14 @@ struct Criterion {
 struct Score {
   std::vector<Criterion> criteria;
   // 0 to 100: the points there are, over the most that there may be. None: there is no expert to compare
-  // with, or the person was guided.
+  // with, the person was guided, or the task gives no points.
   std::optional<double> total;
 };
 
 // expert: the same task, done by the scenario's own hand; null: what only a comparison could judge is told
-// and not judged.
-Score score(const TrialMetrics& trial, const TrialMetrics* expert);
+// and not judged. Without points to be had by comparison there is a total without an expert, too.
+Score score(const TrialMetrics& trial, const TrialMetrics* expert,
+            const scenario::ScoreWeights& weights = {});
 
 // "41.2 s", "312 mm", "1.35 N": three digits, and never less than its unit makes sense of.
 std::string in_seconds(double time);

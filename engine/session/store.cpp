@@ -49,7 +49,8 @@ StoredTrial read_trial(const sql::Statement& row) {
 
 TrialEvent::Kind kind_named(std::string_view name) {
   using Kind = TrialEvent::Kind;
-  for (const Kind kind : {Kind::checkpoint, Kind::hard_touch, Kind::touch_on_the_way, Kind::pause})
+  for (const Kind kind :
+       {Kind::checkpoint, Kind::hard_touch, Kind::touch_on_the_way, Kind::slip, Kind::trespass, Kind::pause})
     if (name_of(kind) == name) return kind;
   return Kind::fault;
 }

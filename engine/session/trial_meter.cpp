@@ -32,6 +32,10 @@ std::string_view name_of(TrialEvent::Kind kind) {
       return "hard touch";
     case TrialEvent::Kind::touch_on_the_way:
       return "touch on the way";
+    case TrialEvent::Kind::slip:
+      return "slip";
+    case TrialEvent::Kind::trespass:
+      return "trespass";
     case TrialEvent::Kind::pause:
       return "pause";
     case TrialEvent::Kind::fault:
@@ -46,6 +50,7 @@ TrialMeter::TrialMeter(const scenario::TaskDesc& task, double tick_s)
       ticks_each_(std::max<std::int64_t>(1, std::llround(kSpeedInterval / tick_s))),
       force_ticks_(kForceSteps, 0),
       ticks_untouched_(std::llround(kTouchPause / tick_s)),
+      reached_(task.checkpoints.size(), false),
       curves_{Envelope(tick_s), Envelope(tick_s), Envelope(tick_s), Envelope(tick_s)} {}
 
 void TrialMeter::note_event(TrialEvent::Kind kind, std::string text) {
@@ -69,8 +74,15 @@ void TrialMeter::note(const TickRecord& record, const scenario::TaskState& task)
   }
   note_motion(record);
   note_touch(record, task);
-  for (; step_ < task.step && step_ < task_.checkpoints.size(); ++step_)
-    note_event(TrialEvent::Kind::checkpoint, task_.checkpoints[step_].name);
+  for (std::size_t i = 0; i < task_.checkpoints.size(); ++i) {
+    if (!task.reached[i] || reached_[i]) continue;
+    reached_[i] = true;
+    note_event(TrialEvent::Kind::checkpoint, task_.checkpoints[i].name);
+  }
+  if (task.slips > slips_) note_event(TrialEvent::Kind::slip, {});
+  if (task.trespasses > trespasses_) note_event(TrialEvent::Kind::trespass, {});
+  slips_ = task.slips;
+  trespasses_ = task.trespasses;
   ++ticks_;
 }
 
@@ -112,7 +124,9 @@ void TrialMeter::note_touch(const TickRecord& record, const scenario::TaskState&
   }
   const bool begins = static_cast<double>(ticks_untouched_) * tick_s_ >= kTouchPause;
   ticks_untouched_ = 0;
-  if (begins && !task.completed && !task.inside && task.step == step_) {
+  const auto noted = static_cast<std::size_t>(std::ranges::count(reached_, true));
+  const bool reaches = reached_count(task) > noted;
+  if (begins && !task.completed && !task.inside && !reaches) {
     ++on_the_way_;
     note_event(TrialEvent::Kind::touch_on_the_way, {});
   }
@@ -141,8 +155,11 @@ TrialMetrics TrialMeter::metrics(const scenario::TaskState& task) const {
   metrics.time = static_cast<double>(ticks_) * tick_s_;
   metrics.completed = task.completed;
   metrics.guided = guided_;
-  metrics.checkpoints = std::ssize(task_.checkpoints);
-  metrics.checkpoints_reached = static_cast<std::int64_t>(task.step);
+  for (std::size_t i = 0; i < task_.checkpoints.size(); ++i) {
+    const bool optional = task_.checkpoints[i].optional;
+    ++(optional ? metrics.optional_checkpoints : metrics.checkpoints);
+    if (task.reached[i]) ++(optional ? metrics.optional_reached : metrics.checkpoints_reached);
+  }
   metrics.path = path_;
   if (!too_long_)
     metrics.smoothness = spectral_arc_length(speeds_, static_cast<double>(ticks_each_) * tick_s_);
@@ -154,6 +171,9 @@ TrialMetrics TrialMeter::metrics(const scenario::TaskState& task) const {
   metrics.touches_on_the_way = on_the_way_;
   if (task_.hard_touch) metrics.hard_touches = task.hard_touches;
   metrics.hard_touch_time = task.hard_touch_time;
+  if (has_ways(task_)) metrics.slips = task.slips;
+  if (!task_.avoid.empty()) metrics.trespasses = task.trespasses;
+  metrics.trespass_time = task.trespass_time;
   metrics.torque_error = torque_error_;
   metrics.force_error = force_sum_ * tick_s_;
   return metrics;

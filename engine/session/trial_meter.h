@@ -16,7 +16,7 @@
 namespace fulcrum::session {
 
 struct TrialEvent {
-  enum class Kind { checkpoint, hard_touch, touch_on_the_way, pause, fault };
+  enum class Kind { checkpoint, hard_touch, touch_on_the_way, slip, trespass, pause, fault };
   double time = 0;  // s, of the trial
   Kind kind = Kind::checkpoint;
   std::string text;  // the checkpoint's name, or what is wrong; empty: the kind says all
@@ -72,7 +72,8 @@ private:
   std::int64_t contact_ticks_ = 0, ticks_untouched_;
   double force_sum_ = 0, force_peak_ = 0, depth_peak_ = 0, torque_error_ = 0;
   std::int64_t on_the_way_ = 0, hard_touches_ = 0;
-  std::size_t step_ = 0;
+  std::vector<bool> reached_;  // (checkpoints) noted as an event
+  std::int64_t slips_ = 0, trespasses_ = 0;
   std::uint32_t faults_ = 0;
 
   TrialCurves curves_;

@@ -24,6 +24,15 @@ constexpr Figure count(std::string_view name) {
           [](TrialMetrics& m, double value) { m.*member = std::llround(value); }};
 }
 
+template <std::optional<std::int64_t> TrialMetrics::*member>
+constexpr Figure count_if_any(std::string_view name) {
+  return {name,
+          [](const TrialMetrics& m) {
+            return m.*member ? std::optional(static_cast<double>(*(m.*member))) : std::nullopt;
+          },
+          [](TrialMetrics& m, double value) { m.*member = std::llround(value); }};
+}
+
 constexpr Figure kFigures[] = {
     number<&TrialMetrics::time>("time_s"),
     {"completed", [](const TrialMetrics& m) { return std::optional(m.completed ? 1.0 : 0.0); },
@@ -39,14 +48,15 @@ constexpr Figure kFigures[] = {
     number<&TrialMetrics::force_peak>("force_peak_N"),
     number<&TrialMetrics::depth_peak>("depth_peak_m"),
     count<&TrialMetrics::touches_on_the_way>("touches_on_the_way"),
-    {"hard_touches",
-     [](const TrialMetrics& m) {
-       return m.hard_touches ? std::optional(static_cast<double>(*m.hard_touches)) : std::nullopt;
-     },
-     [](TrialMetrics& m, double value) { m.hard_touches = std::llround(value); }},
+    count_if_any<&TrialMetrics::hard_touches>("hard_touches"),
     number<&TrialMetrics::hard_touch_time>("hard_touch_s"),
     number<&TrialMetrics::torque_error>("torque_error_Nms"),
     number<&TrialMetrics::force_error>("force_error_Ns"),
+    count<&TrialMetrics::optional_reached>("optional_reached"),
+    count<&TrialMetrics::optional_checkpoints>("optional_checkpoints"),
+    count_if_any<&TrialMetrics::slips>("slips"),
+    count_if_any<&TrialMetrics::trespasses>("trespasses"),
+    number<&TrialMetrics::trespass_time>("trespass_s"),
 };
 
 }  // namespace

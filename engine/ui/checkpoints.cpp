@@ -16,7 +16,8 @@ constexpr float kWidth = 236.0F;
 constexpr float kRow = 25.0F;
 constexpr float kHead = 60.0F;
 constexpr float kDwellRow = 18.0F;
-constexpr float kFoot = 30.0F;  // the line of what is counted
+constexpr float kFoot = 30.0F;  // the line of what is counted, the first of them
+constexpr float kFaultRow = 21.0F;
 constexpr float kBar = 40.0F;
 constexpr double kShortOfTime = 0.1;  // of the limit, that is left
 
@@ -39,6 +40,7 @@ void draw_symbol(const Canvas& canvas, ImVec2 middle, Show show) {
       canvas.circle(middle, 6.0F, canvas.colours().warn, 1.8F);
       return canvas.disc(middle, 2.6F, canvas.colours().warn);
     case Show::hidden:
+    case Show::avoid:
       return canvas.circle(middle, 6.0F, theme::kFaint, 1.2F);
   }
 }
@@ -61,13 +63,21 @@ void draw_row(const Canvas& canvas, ImVec2 at, const CheckpointLine& line) {
   }
 }
 
-void draw_hard_touches(const Canvas& canvas, ImVec2 at, std::int64_t count) {
-  const ImU32 colour = count > 0 ? canvas.colours().warn : theme::kSecondary;
+void draw_faults(const Canvas& canvas, ImVec2 at, const std::vector<CountLine>& faults) {
   const float left = at.x + theme::kPadding;
   const float right = at.x + kWidth - theme::kPadding;
   canvas.box({left, at.y + 3.0F}, {right - left, 1.0F}, theme::kTrack, 0.0F);
-  canvas.text(canvas.fonts().body, {left, at.y + 11.0F}, colour, "Hard touches");
-  canvas.text(canvas.fonts().strong, {right, at.y + 11.0F}, colour, std::to_string(count), Align::right);
+  float y = at.y + 11.0F;
+  for (const CountLine& line : faults) {
+    const ImU32 colour = line.count > 0 ? canvas.colours().warn : theme::kSecondary;
+    canvas.text(canvas.fonts().body, {left, y}, colour, line.name);
+    canvas.text(canvas.fonts().strong, {right, y}, colour, std::to_string(line.count), Align::right);
+    y += kFaultRow;
+  }
+}
+
+float faults_height(const OverlayState& state) {
+  return state.faults.empty() ? 0.0F : kFoot + static_cast<float>(state.faults.size() - 1) * kFaultRow;
 }
 
 float head_height(const OverlayState& state) {
@@ -138,7 +148,7 @@ std::size_t row_count(const Rows& rows) {
 
 float checkpoints_height(const OverlayState& state, std::size_t rows) {
   if (state.checkpoints.empty()) return 0.0F;
-  return head_height(state) + static_cast<float>(rows) * kRow + (state.hard_touches ? kFoot : 0.0F) + 8.0F;
+  return head_height(state) + static_cast<float>(rows) * kRow + faults_height(state) + 8.0F;
 }
 
 Area checkpoints_area(const Canvas& canvas, const OverlayState& state) {
@@ -165,7 +175,7 @@ void draw_checkpoints(const Canvas& canvas, const OverlayState& state) {
                 "and " + std::to_string(more) + " more");
     y += kRow;
   }
-  if (state.hard_touches) draw_hard_touches(canvas, {at.x, y}, *state.hard_touches);
+  if (!state.faults.empty()) draw_faults(canvas, {at.x, y}, state.faults);
 }
 
 }  // namespace fulcrum::ui

@@ -26,6 +26,12 @@ struct CheckpointLine {
   render::MarkerState state;  // hidden: still to come
 };
 
+// What should not be, and how often it was: "Hard touches", 3.
+struct CountLine {
+  std::string name;
+  std::int64_t count = 0;
+};
+
 // The trial's clock, and how long to stay at a checkpoint.
 struct TrialTime {
   double now_s = 0.0;
@@ -116,21 +122,21 @@ struct OverlayState {
   std::string scenario;                  // heading of the checkpoints
   Dial force_N;
   Dial torque_Nm;
-  std::vector<CheckpointLine> checkpoints;   // empty: no list
-  std::optional<std::int64_t> hard_touches;  // below them; none: the task does not count them
-  std::optional<TrialTime> trial;            // above them; none: no clock
-  std::optional<Target> target;              // none: nothing shows the way
-  std::optional<EdgePlace> tool;             // none: it is in the picture
-  std::vector<TouchMark> touches;            // px; empty: nothing is touched, or it is not to be shown
-  std::optional<SecondView> second_view;     // none: there is one view alone
-  std::optional<Debrief> debrief;            // none: the trial has not ended
-  std::optional<Timeline> timeline;          // none: the trial has not ended
-  std::vector<CueLine> cues;                 // empty: no panel
-  std::string variant;                       // of the study that the switches amount to; read with the cues
-  bool torque_bad = false;                   // no force tells of it; read with the cues
-  bool tells_torque = true;                  // the first cues do, in a line below their heading
-  std::optional<HoldingPanel> holding;       // none: no panel
-  std::vector<MotorBar> motors;              // empty: no panel
+  std::vector<CheckpointLine> checkpoints;  // empty: no list
+  std::vector<CountLine> faults;            // below them; empty: the task counts none
+  std::optional<TrialTime> trial;           // above them; none: no clock
+  std::optional<Target> target;             // none: nothing shows the way
+  std::optional<EdgePlace> tool;            // none: it is in the picture
+  std::vector<TouchMark> touches;           // px; empty: nothing is touched, or it is not to be shown
+  std::optional<SecondView> second_view;    // none: there is one view alone
+  std::optional<Debrief> debrief;           // none: the trial has not ended
+  std::optional<Timeline> timeline;         // none: the trial has not ended
+  std::vector<CueLine> cues;                // empty: no panel
+  std::string variant;                      // of the study that the switches amount to; read with the cues
+  bool torque_bad = false;                  // no force tells of it; read with the cues
+  bool tells_torque = true;                 // the first cues do, in a line below their heading
+  std::optional<HoldingPanel> holding;      // none: no panel
+  std::vector<MotorBar> motors;             // empty: no panel
   TickHealth ticks;
   bool figures_visible = false;  // those of the ticks; without them only trouble is told
   Force force = Force::on;

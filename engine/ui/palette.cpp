@@ -25,7 +25,8 @@ const Palette kColourBlind{
     .lead = IM_COL32(20, 92, 200, 255),
     .markers = {.next = {0.02F, 0.22F, 0.85F},
                 .dwelling = {0.72F, 0.36F, 0.01F},
-                .done = {0.52F, 0.60F, 0.72F}},
+                .done = {0.52F, 0.60F, 0.72F},
+                .avoid = {0.50F, 0.14F, 0.0F}},
 };
 
 }  // namespace

@@ -167,6 +167,12 @@ TEST(ExpertRun, IsShownAtTheSamePartOfTheTask) {
   EXPECT_NEAR(same_part(run, all, 19), 12, 1e-12);
   EXPECT_NEAR(same_part(run, all, 40), 12, 1e-12);
   EXPECT_NEAR(same_part(run, {}, 5), 5, 1e-12) << "without checkpoints, at the same second";
+  // The second one was passed: from 4 s to 12 s of the expert while the trainee goes from 8 s to 18 s.
+  const std::vector<std::optional<double>> passed = {8.0, std::nullopt, 18.0};
+  EXPECT_NEAR(same_part(run, passed, 13), 8, 1e-12);
+  const std::vector<std::optional<double>> other_order = {8.0, 3.0, 19.0};
+  EXPECT_NEAR(same_part(run, other_order, 5), 5, 1e-12) << "at the same second";
+  EXPECT_NEAR(same_part(run, other_order, 50), 12, 1e-12);
   // Two checkpoints in the same tick.
   const std::vector<std::optional<double>> at_once = {8.0, 8.0, std::nullopt};
   EXPECT_NEAR(same_part(run, at_once, 8), 10, 1e-12);

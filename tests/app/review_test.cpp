@@ -162,13 +162,13 @@ TEST_F(ReviewTest, SaysAtWhichMomentTheExpertIsSeen) {
 
 TEST_F(ReviewTest, ShowsTheTaskAsItStoodThen) {
   review_.go_to(0, sink_);
-  EXPECT_EQ(review_.task(sink_).step, 0U);
-  EXPECT_FALSE(review_.task(sink_).reached[0]);
+  EXPECT_EQ(review_.task(sink_, stick_->haptic.task).step, 0U);
+  EXPECT_FALSE(review_.task(sink_, stick_->haptic.task).reached[0]);
   review_.go_to(0.4, sink_);
-  EXPECT_EQ(review_.task(sink_).step, 1U);
-  EXPECT_TRUE(review_.task(sink_).reached[0]);
-  EXPECT_FALSE(review_.task(sink_).completed);
-  EXPECT_NEAR(review_.task(sink_).time, 0.4, 1e-12);
+  EXPECT_EQ(review_.task(sink_, stick_->haptic.task).step, 1U);
+  EXPECT_TRUE(review_.task(sink_, stick_->haptic.task).reached[0]);
+  EXPECT_FALSE(review_.task(sink_, stick_->haptic.task).completed);
+  EXPECT_NEAR(review_.task(sink_, stick_->haptic.task).time, 0.4, 1e-12);
 }
 
 }  // namespace

@@ -60,10 +60,11 @@ TEST(SeekCost, IsAtMostAFrameAndMemoryIsBounded) {
     const double begun = processor_s();
     review.go_to(90.0 * ((i * 17) % kSeeks) / kSeeks, sink);
     const ui::Timeline timeline = review.timeline(sink, plot_limits(scene, stick->haptic.task));
-    const ui::OverlayState overlay =
-        overlay_state(*stick, scene, review.record(), sink.afterglow(), review.task(sink));
-    const render::FrameState frame = bridge.frame(review.record(), sink.afterglow(), review.task(sink),
-                                                  visual->desc.camera, overlay.time_s);
+    const ui::OverlayState overlay = overlay_state(*stick, scene, review.record(), sink.afterglow(),
+                                                   review.task(sink, stick->haptic.task));
+    const render::FrameState frame =
+        bridge.frame(review.record(), sink.afterglow(), review.task(sink, stick->haptic.task),
+                     visual->desc.camera, overlay.time_s);
     const double sought = processor_s();
     ASSERT_EQ(timeline.plots.size(), 4U);
     ASSERT_FALSE((*renderer)->frame(frame));

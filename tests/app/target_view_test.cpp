@@ -5,8 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace fulcrum::app {
 namespace {
@@ -128,8 +132,7 @@ TEST(TargetView, TellsHowMuchFartherOrNearerTheTargetIs) {
 TEST(TargetView, ShowsTheCheckpointThatIsNextAndNoneAfterTheLast) {
   scenario::TaskDesc task = task_to({0.3, 0.8, -1});
   task.checkpoints.push_back({"then", Vec3(-0.3, 0.8, -1), 0.02});
-  scenario::TaskState state;
-  state.step = 1;
+  scenario::TaskState state = state_after(task, {1.0, {}});
   state.inside = true;
   state.dwell_progress = 0.25;
   const auto then = target_view(kCamera, kPicture, touching(Vec3::Zero()), task, state);
@@ -139,14 +142,13 @@ TEST(TargetView, ShowsTheCheckpointThatIsNextAndNoneAfterTheLast) {
   EXPECT_EQ(then->progress, 0.25F);
   EXPECT_EQ(then->dwell_s, 3.0);
   expect_at(then->at.place, seen({-0.3, 0.8, -1}));
-  state.step = 2;
-  EXPECT_FALSE(target_view(kCamera, kPicture, touching(Vec3::Zero()), task, state));
+  EXPECT_FALSE(target_view(kCamera, kPicture, touching(Vec3::Zero()), task, state_after(task, {1.0, 2.0})));
   EXPECT_FALSE(target_view(kCamera, kPicture, touching(Vec3::Zero()), {}, {}));
 }
 
 TEST(TargetView, NamesTheTouchPointAtTheBeginning) {
   scenario::TaskDesc task = task_to({0.3, 0.8, -1});
-  scenario::TaskState state;
+  scenario::TaskState state = state_after(task, {{}});
   const auto name = [&] {
     return target_view(kCamera, kPicture, touching(Vec3::Zero()), task, state)->touch_name;
   };
@@ -178,21 +180,25 @@ TEST(TargetView, PointsToAToolThatIsOutOfThePicture) {
 
 TEST(TargetView, AToolThatIsNowhereHasNoWay) {
   const TickRecord lost = touching(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
-  EXPECT_FALSE(target_view(kCamera, kPicture, lost, task_to({0.3, 0.8, -1}), {}));
+  const scenario::TaskDesc task = task_to({0.3, 0.8, -1});
+  EXPECT_FALSE(target_view(kCamera, kPicture, lost, task, state_after(task, {{}})));
 }
 
 TEST(TargetView, SaysWhatIsLackingThere) {
   scenario::TaskDesc task = task_to({0.3, 0.8, -1});
-  scenario::TaskState state;
-  state.inside = state.lacks = true;
-  const auto lacks = [&](scenario::Needs needs) {
-    task.checkpoints[0].needs = needs;
+  scenario::TaskState state = state_after(task, {{}});
+  state.inside = true;
+  const auto name = [&](scenario::Lack lack) {
+    state.lack = lack;
     return target_view(kCamera, kPicture, touching({0.3, 0.8, -1}), task, state).value_or(ui::Target{}).name;
   };
-  EXPECT_EQ(lacks(scenario::Needs::touch), "touch it");
-  EXPECT_EQ(lacks(scenario::Needs::stop), "stop the force here");
-  state.lacks = false;
-  EXPECT_EQ(lacks(scenario::Needs::stop), "there");
+  EXPECT_EQ(name(scenario::Lack::touch), "touch it");
+  EXPECT_EQ(name(scenario::Lack::stop), "stop the force here");
+  EXPECT_EQ(name(scenario::Lack::more_force), "press harder");
+  EXPECT_EQ(name(scenario::Lack::less_force), "press less hard");
+  EXPECT_EQ(name(scenario::Lack::facing), "turn the tool");
+  EXPECT_EQ(name(scenario::Lack::less_depth), "too deep");
+  EXPECT_EQ(name(scenario::Lack::nothing), "there");
 }
 
 TEST(Advice, IsTheHintOfTheNextCheckpointAsTheDeviceDoesIt) {
@@ -200,9 +206,9 @@ TEST(Advice, IsTheHintOfTheNextCheckpointAsTheDeviceDoesIt) {
   task.checkpoints[0].hint = "Go there: {move}. Then {stop}.";
   task.checkpoints.push_back({"on", Vec3(0, 0, 0), 0.02});
   const auto said = [&](std::size_t step, const char* device) {
-    scenario::TaskState state;
-    state.step = step;
-    return advice(task, state, device_words(device));
+    std::vector<std::optional<double>> reached(task.checkpoints.size());
+    std::fill_n(reached.begin(), step, 1.0);
+    return advice(task, state_after(task, std::move(reached)), device_words(device));
   };
   EXPECT_EQ(said(0, "spacemouse"), "Go there: push the cap. Then press Esc.");
   EXPECT_EQ(said(0, "dualsense+dualsense_coils"),

@@ -17,6 +17,19 @@ bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& f
   return std::ranges::mismatch(folder, file).in1 == folder.end() && file != folder;
 }
 
+bool is_unit(const Vec3& v) {
+  return std::abs(v.norm() - 1) < 1e-9;
+}
+
+void expect_sound(const Checkpoint& checkpoint) {
+  expect(checkpoint.position.allFinite() && checkpoint.radius > 0);
+  for (const Vec3& corner : checkpoint.follow) expect(corner.allFinite());
+  if (checkpoint.insert) expect(is_unit(checkpoint.insert->direction_W) && checkpoint.insert->depth > 0);
+  if (checkpoint.turn) expect(is_unit(checkpoint.turn->axis_W) && checkpoint.turn->angle > 0);
+  if (checkpoint.force) expect(checkpoint.force->least < checkpoint.force->most);
+  if (checkpoint.facing) expect(std::abs(checkpoint.facing->q_WT.norm() - 1) < 1e-9);
+}
+
 void expect_sound(const Scenario& scenario) {
   expect(scenario.time_limit > 0 && std::isfinite(scenario.time_limit));
   expect(scenario.tick_rate_Hz >= kSlowestTicks_Hz && scenario.tick_rate_Hz <= kFastestTicks_Hz);
@@ -24,8 +37,8 @@ void expect_sound(const Scenario& scenario) {
   expect(std::ranges::count(scenario.models, ModelRole::tool, &ModelEntry::role) == 1);
   for (const ModelEntry& model : scenario.models) expect(lies_in(scenario.folder, model.file.path));
   expect(!scenario.checkpoints.empty());
-  for (const Checkpoint& checkpoint : scenario.checkpoints)
-    expect(checkpoint.position.allFinite() && checkpoint.radius > 0);
+  for (const Checkpoint& checkpoint : scenario.checkpoints) expect_sound(checkpoint);
+  expect(!std::ranges::all_of(scenario.checkpoints, &Checkpoint::optional));
   for (const HandEntry& hand : scenario.hands) {
     expect(lies_in(scenario.folder, hand.path.path) && !hand.waypoints.empty());
     for (const Waypoint& waypoint : hand.waypoints) expect(waypoint.X_WT.is_finite());

@@ -204,10 +204,10 @@ TEST_F(NeedsTest, ATouchHasToLast) {
   TaskJudge task(needing(Needs::touch), kTick);
   take(task, 100, {});
   EXPECT_TRUE(task.state().inside);
-  EXPECT_TRUE(task.state().lacks);
+  EXPECT_NE(task.state().lack, Lack::nothing);
   EXPECT_EQ(task.state().dwell_progress, 0);
   take(task, 3, {.regions = 1});
-  EXPECT_FALSE(task.state().lacks);
+  EXPECT_EQ(task.state().lack, Lack::nothing);
   EXPECT_DOUBLE_EQ(task.state().dwell_progress, 2.0 / 3.0);
   take(task, 1, {});  // let go: the count begins anew
   take(task, 3, {.regions = 2});
@@ -219,12 +219,12 @@ TEST_F(NeedsTest, ATouchHasToLast) {
 TEST_F(NeedsTest, AStopCountsOnceTheForceIsTakenUpAgain) {
   TaskJudge task(needing(Needs::stop), kTick);
   take(task, 100, {});
-  EXPECT_TRUE(task.state().lacks);
+  EXPECT_NE(task.state().lack, Lack::nothing);
   take(task, 50, {.faults = kStopRequested});
   EXPECT_FALSE(task.state().completed);
   EXPECT_DOUBLE_EQ(task.state().time, 0.099);
   take(task, 3, {});
-  EXPECT_FALSE(task.state().lacks);
+  EXPECT_EQ(task.state().lack, Lack::nothing);
   EXPECT_FALSE(task.state().completed);
   take(task, 1, {});  // the dwell time after that
   EXPECT_TRUE(task.state().completed);
@@ -238,7 +238,7 @@ TEST_F(NeedsTest, AStopElsewhereIsNone) {
   take(task, 10, {.p_WC = kAtA, .faults = kStopRequested});  // a handle is led there while it is stopped
   take(task, 100, {});
   EXPECT_EQ(task.state().step, 0u);
-  EXPECT_TRUE(task.state().lacks);
+  EXPECT_NE(task.state().lack, Lack::nothing);
 }
 
 TEST_F(NeedsTest, WhoLeavesHasToStopAgain) {
@@ -272,7 +272,7 @@ TEST_F(NeedsTest, EachCheckpointNeedsAStopOfItsOwn) {
   take(task, 10, {.faults = kStopRequested});
   take(task, 100, {});
   EXPECT_EQ(task.state().step, 1u);
-  EXPECT_TRUE(task.state().lacks);
+  EXPECT_NE(task.state().lack, Lack::nothing);
 }
 
 TickRecord touch(std::int64_t tick, double force) {

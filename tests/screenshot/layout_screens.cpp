@@ -91,7 +91,7 @@ OverlayState ear() {
       "Needle to the eardrum",
       {"canal opening", "first bend", "second bend", "over the umbo", "front recess"},
       "Take a bent needle along an S-shaped ear canal to the drum; it has to be rolled to pass the bends.");
-  state.hard_touches = 3;
+  state.faults = {{"Hard touches", 3}};
   state.target->at.in_sight = false;
   state.target->at.way = {0.8F, 0.6F};
   state.target->at.place = {0.98F, 0.8F};

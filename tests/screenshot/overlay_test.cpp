@@ -219,16 +219,18 @@ TEST(CuePanel, SwitchesOnAtTheGainOfBeforeAndTheBarSetsIt) {
   EXPECT_FALSE(pressed_cue(state, {}, {1280.0F, 720.0F, 1155.0F, 120.0F}));
 }
 
-TEST_F(OverlayTest, HardTouchesAreCountedBelowTheCheckpointsAndWarn) {
+TEST_F(OverlayTest, FaultsAreCountedBelowTheCheckpointsAndWarn) {
   OverlayState state = full_state();
   const auto corner = [&] { return test::mean(draw(state), 0.0F, 0.0F, 0.4F, 0.6F); };
   const float without = corner().g;
-  state.hard_touches = 0;
+  state.faults = {{"Hard touches", 0}};
   const glm::vec3 none = corner();
   EXPECT_LT(none.g, without - 0.5F);  // the card is longer
-  state.hard_touches = 3;
+  state.faults.front().count = 3;
   const glm::vec3 some = corner();
   EXPECT_GT(some.r - some.b, none.r - none.b + 0.2F);  // and the line yellow
+  state.faults.push_back({"Slips", 0});
+  EXPECT_LT(corner().g, some.g - 0.3F);  // longer still
 }
 
 // A bar on its side of the middle, in the colour of its load, and marks of what has been.

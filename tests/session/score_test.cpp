@@ -115,16 +115,60 @@ TEST(Score, OfAGuidedTrialIsNone) {
   EXPECT_EQ(all.criteria.size(), score(best, &best).criteria.size() + 2) << "its figures are told";
 }
 
+TEST(Score, GoesByTheTasksWeights) {
+  const TrialMetrics best = expert();
+  TrialMetrics trial = best;
+  trial.checkpoints_reached = 2;
+  trial.optional_checkpoints = 4;
+  trial.optional_reached = 1;
+  trial.slips = 1;
+  trial.trespasses = 2;
+  trial.time = 2.75 * best.time;
+  const Score all =
+      score(trial, &best, {.checkpoints = 60, .optional = 8, .time = 30, .path = 0, .slips = 10});
+  EXPECT_EQ(points(all, "Checkpoints"), 30);
+  EXPECT_EQ(points(all, "Optional checkpoints"), 2);
+  EXPECT_NEAR(points(all, "Time"), 15, 1e-9);
+  EXPECT_EQ(points(all, "Path"), -1) << "told, and not judged";
+  EXPECT_NEAR(points(all, "Slips"), 8, 1e-9);
+  EXPECT_NEAR(points(all, "Trespasses"), 9, 1e-9);
+  EXPECT_NEAR(*all.total, 100 * (30 + 2 + 15 + 8 + 9 + 45) / (60 + 8 + 30 + 10 + 15 + 45.0), 1e-9);
+}
+
+TEST(Score, WithoutPointsForComparisonsNeedsNoExpert) {
+  TrialMetrics trial = expert();
+  trial.hard_touches = 1;
+  const scenario::ScoreWeights weights{
+      .time = 0, .path = 0, .force = 0, .smoothness = 0, .touches = 0, .hard_touches = 60};
+  ASSERT_TRUE(score(trial, nullptr, weights).total);
+  EXPECT_NEAR(*score(trial, nullptr, weights).total, 88, 1e-9);
+  EXPECT_FALSE(score(trial, nullptr,
+                     {.checkpoints = 0,
+                      .time = 0,
+                      .path = 0,
+                      .force = 0,
+                      .smoothness = 0,
+                      .touches = 0,
+                      .hard_touches = 0})
+                   .total)
+      << "there are no points at all";
+}
+
 TEST(TrialMetrics, KeepTheirValuesUnderTheirNames) {
   TrialMetrics metrics = expert();
   metrics.hard_touches = 3;
   metrics.hard_touch_time = 0.25;
   metrics.depth_peak = 1.0 / 3;
+  metrics.optional_checkpoints = 2;
+  metrics.optional_reached = 1;
+  metrics.slips = 4;
+  metrics.trespasses = 5;
+  metrics.trespass_time = 0.5;
   const TrialMetrics again = from_named_values(named_values(metrics));
   EXPECT_EQ(named_values(again), named_values(metrics));
   EXPECT_EQ(named_values(metrics).size(), metric_names().size());
-  EXPECT_EQ(named_values(TrialMetrics()).size() + 2, metric_names().size())
-      << "no smoothness, no hard touches";
+  EXPECT_EQ(named_values(TrialMetrics()).size() + 4, metric_names().size())
+      << "no smoothness, no hard touches, no slips, no trespasses";
   EXPECT_EQ(from_named_values({{"checkpoints", 1e300}, {"nonsense", 1}}).checkpoints, 0);
 }
 

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "haptics/effects/braking_pulse/braking_pulse_effect.h"
 #include "haptics/effects/impact_vibration/impact_vibration_effect.h"
@@ -19,8 +22,9 @@ app::FrameInput input_on_route(const app::Prepared& prepared, double time, std::
   const auto expert = std::ranges::find(hands, "expert", &scenario::HandScript::name);
   if (expert == hands.end()) throw std::runtime_error("the scenario has no expert hand");
   app::FrameInput input{};
-  input.task.reached.resize(prepared.haptic.task.checkpoints.size());
-  input.task.step = step;
+  std::vector<std::optional<double>> reached(prepared.haptic.task.checkpoints.size());
+  std::fill_n(reached.begin(), std::min(step, reached.size()), time);
+  input.task = state_after(prepared.haptic.task, std::move(reached));
   input.task.time = time;
   input.task.inside = true;
   input.task.dwell_progress = 0.6;

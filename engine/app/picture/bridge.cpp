@@ -22,9 +22,31 @@ Vec3 to_eigen(const glm::vec3& v) {
 
 render::MarkerState marker_state(const scenario::TaskState& task, std::size_t i) {
   using Show = render::MarkerState::Show;
-  if (i < task.step) return {Show::done, 1.0F};
-  if (i > task.step) return {Show::hidden, 0.0F};
-  return {task.inside ? Show::dwelling : Show::next, static_cast<float>(task.dwell_progress)};
+  if (task.reached[i]) return {Show::done, 1.0F};
+  if (!task.open[i]) return {Show::hidden, 0.0F};
+  if (i != task.step) return {Show::next, 0.0F};
+  render::MarkerState state{task.inside ? Show::dwelling : Show::next,
+                            static_cast<float>(scenario::shown_progress(task))};
+  state.position = scenario::narrowed(task.place_W);
+  return state;
+}
+
+// What the task counts, of what should not be.
+std::vector<ui::CountLine> counted_faults(const scenario::TaskDesc& task, const scenario::TaskState& state) {
+  std::vector<ui::CountLine> faults;
+  if (task.hard_touch) faults.push_back({"Hard touches", state.hard_touches});
+  if (has_ways(task)) faults.push_back({"Slips", state.slips});
+  if (!task.avoid.empty()) faults.push_back({"Trespasses", state.trespasses});
+  return faults;
+}
+
+// s; 0: they differ.
+double common_dwell(const scenario::TaskDesc& task) {
+  const double first = dwell_of(task, task.checkpoints.front());
+  const bool same = std::ranges::all_of(task.checkpoints, [&](const scenario::Checkpoint& checkpoint) {
+    return dwell_of(task, checkpoint) == first;
+  });
+  return same ? first : 0;
 }
 
 std::vector<ui::CueLine> cue_lines(const SceneDesc& scene, const TickRecord& record,
@@ -64,7 +86,10 @@ std::string stop_reason(std::uint32_t faults) {
 
 FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenario& scenario,
                          const SceneDesc& scene)
-    : markers_(desc.markers.size()), guide_(scenario.guide), X_TH_(scene.tool.X_HT.inverse()) {
+    : markers_(desc.markers.size()),
+      checkpoints_(scenario.checkpoints.size()),
+      guide_(scenario.guide),
+      X_TH_(scene.tool.X_HT.inverse()) {
   if (shows_ghost(scene, scene)) ghost_q_HT_ = scene.tool.X_HT.q;
   expert_shown_ = follows_expert(scene);
   if (const auto use = channel_use(scene, scene); use && use->axis_W) {
@@ -119,7 +144,10 @@ render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow&
     const bool link = body > 0 && body < scenario::kFirstFollowed;
     X_WM_[i] = link ? scenario::to_glm((*X_WL)[body - 1]) : pose_of(body, record, afterglow, time);
   }
-  for (std::size_t i = 0; i < markers_; ++i) marker_states_[i] = marker_state(task, i);
+  // After the checkpoints come the places to avoid.
+  for (std::size_t i = 0; i < markers_; ++i)
+    marker_states_[i] = i < checkpoints_ ? marker_state(task, i)
+                                         : render::MarkerState{render::MarkerState::Show::avoid, 0.0F};
   render::FrameState state;
   state.X_WM = X_WM_;
   state.markers = marker_states_;
@@ -180,7 +208,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   for (std::size_t i = 0; i < prepared.haptic.task.checkpoints.size(); ++i)
     state.checkpoints.push_back({prepared.haptic.task.checkpoints[i].name, marker_state(task, i)});
   if (!state.checkpoints.empty())
-    state.trial = {task.time, prepared.scenario.time_limit, prepared.haptic.task.dwell};
+    state.trial = {task.time, prepared.scenario.time_limit, common_dwell(prepared.haptic.task)};
   state.cues = cue_lines(scene, record, afterglow);
   const std::optional<TorqueNote> torque = torque_note(scene, scene, record);
   state.tells_torque = torque.has_value();
@@ -191,7 +219,7 @@ ui::OverlayState overlay_state(const Prepared& prepared, const SceneDesc& scene,
   if (scenario::draws_arms(prepared.scenario, scene))
     state.motors = motor_bars(scene.device.mechanism, record, afterglow);
   state.holding = holding_panel(scene, record);
-  if (prepared.haptic.task.hard_touch) state.hard_touches = task.hard_touches;
+  state.faults = counted_faults(prepared.haptic.task, task);
   if (record.stopped)
     state.force = ui::Force::stopped;
   else if (record.force_gain < 1 && state.time_s > kRampIn)  // it was never away when all begins

@@ -35,6 +35,7 @@ private:
   glm::mat4 pose_of(std::size_t body, const TickRecord& record, const Afterglow& afterglow, double time);
 
   std::size_t markers_;
+  std::size_t checkpoints_;  // the first so many of the markers
   std::optional<scenario::GuideDesc> guide_;
   Pose X_TH_;
   std::size_t left_ = 0, right_ = 0;            // channels

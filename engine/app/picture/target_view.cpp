@@ -25,14 +25,22 @@ std::optional<ui::Farther> farther(const Projection& projection, const glm::vec4
 }
 
 // What a checkpoint needs beside, in a word or two.
-std::string lacking_words(scenario::Needs needs) {
-  switch (needs) {
-    case scenario::Needs::place:
+std::string lacking_words(scenario::Lack lack) {
+  switch (lack) {
+    case scenario::Lack::nothing:
       return {};
-    case scenario::Needs::touch:
+    case scenario::Lack::touch:
       return "touch it";
-    case scenario::Needs::stop:
+    case scenario::Lack::stop:
       return "stop the force here";
+    case scenario::Lack::more_force:
+      return "press harder";
+    case scenario::Lack::less_force:
+      return "press less hard";
+    case scenario::Lack::facing:
+      return "turn the tool";
+    case scenario::Lack::less_depth:
+      return "too deep";
   }
   return {};
 }
@@ -47,9 +55,9 @@ std::optional<ui::TargetPlace> target_place(const render::Camera& camera, render
   if (!p_WC.allFinite()) return std::nullopt;
   const scenario::Checkpoint& next = task.checkpoints[state.step];
   const Projection projection(camera, picture);
-  const glm::vec4 target = projection.clip(next.position), touch = projection.clip(p_WC);
+  const glm::vec4 target = projection.clip(state.place_W), touch = projection.clip(p_WC);
   ui::TargetPlace seen;
-  seen.distance = (next.position - p_WC).norm();
+  seen.distance = (state.place_W - p_WC).norm();
   if (Projection::is_before(target)) seen.place = projection.pixel(target);
   seen.in_sight = Projection::is_before(target) && projection.holds(seen.place);
   if (seen.in_sight) {
@@ -60,9 +68,9 @@ std::optional<ui::TargetPlace> target_place(const render::Camera& camera, render
   }
   if (Projection::is_before(touch)) seen.touch = projection.pixel(touch);
   seen.farther = farther(projection, touch, target, next.radius);
-  const Vec3 foot(p_WC.x(), next.position.y(), p_WC.z());
+  const Vec3 foot(p_WC.x(), state.place_W.y(), p_WC.z());
   seen.drop = projection.segment(p_WC, foot);
-  seen.level = projection.segment(foot, next.position);
+  seen.level = projection.segment(foot, state.place_W);
   return seen;
 }
 
@@ -84,12 +92,12 @@ std::optional<ui::Target> target_view(const render::Camera& camera, render::Exte
   if (!at) return std::nullopt;
   const scenario::Checkpoint& next = task.checkpoints[state.step];
   ui::Target target{.at = *at,
-                    .name = state.lacks ? lacking_words(next.needs) : next.name,
+                    .name = state.lack != scenario::Lack::nothing ? lacking_words(state.lack) : next.name,
                     .dwelling = state.inside,
-                    .progress = static_cast<float>(state.dwell_progress),
-                    .dwell_s = task.dwell,
+                    .progress = static_cast<float>(shown_progress(state)),
+                    .dwell_s = dwell_of(task, next),
                     .touch_name = {}};
-  if (state.step == 0 && !state.inside && state.time < kNamed)
+  if (reached_count(state) == 0 && !state.inside && state.time < kNamed)
     target.touch_name = task.touch_name.empty() ? "the touch point" : task.touch_name;
   return target;
 }

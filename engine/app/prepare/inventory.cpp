@@ -84,6 +84,8 @@ void leave_out_of_haptics(const World& world, const Prepared& prepared, std::vec
   if (!scene.tool.weight) add("tool weight", "tool.weight is off");
   if (prepared.haptic.task.checkpoints.empty()) add("task judge", "the scenario has no checkpoints");
   if (!prepared.haptic.task.hard_touch) add("hard touches", "no hard_touch is named");
+  if (!has_ways(prepared.haptic.task)) add("ways", "no checkpoint has a line or a bore");
+  if (prepared.haptic.task.avoid.empty()) add("trespasses", "no place is to be avoided");
 }
 
 // What plays the channels on a card, where something in the scene drives them.

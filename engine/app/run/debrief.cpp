@@ -40,7 +40,7 @@ ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const Compari
   const scenario::TaskDesc& task = prepared.haptic.task;
   const scenario::TaskState& state = sink.task();
   const bool completed = sink.end() == RunSink::End::completed;
-  const session::Score score = session::score(sink.metrics(), with.expert);
+  const session::Score score = session::score(sink.metrics(), with.expert, task.score);
   ui::Debrief debrief;
   debrief.title = completed ? with_value("Completed in %.1f s", sink.time())
                             : with_value("Time is up after %g s", sink.limit());
@@ -53,7 +53,9 @@ ui::Debrief debrief(const Prepared& prepared, const RunSink& sink, const Compari
     debrief.rows.push_back({task.checkpoints[i].name,
                             reached ? with_value("%.1f s", *reached) : "-",
                             {},
-                            reached ? "" : "not reached"});
+                            reached                        ? ""
+                            : task.checkpoints[i].optional ? "not reached; it need not be"
+                                                           : "not reached"});
   }
   const std::string again = has_pad ? "R, or Y on the pad, starts again" : "R starts again";
   const std::string back = has_pad ? "F10, or Back," : "F10";

@@ -20,8 +20,8 @@ struct ExpertRun {
 
 // s: the moment of the expert's run at which it was at the same part of the task as the trainee at `time` s
 // of a trial. Between two checkpoints that both reached: where the same share of the time between them is
-// over. On the way to one that the trainee never reached the expert goes at its own pace, and waits there.
-// reached: as the trial ended.
+// over. Where one of the two went in another order than the list: at the same time. On the way to one that
+// the trainee never reached the expert goes at its own pace, and waits there. reached: as the trial ended.
 double same_part(const ExpertRun& expert, const std::vector<std::optional<double>>& reached, double time);
 
 // Where the expert's tool was at that time, between the poses that are kept. The way is not empty.

@@ -89,6 +89,10 @@ void print_outcome(const std::filesystem::path& folder, const RunSink::Outcome& 
   if (summary.hard_touches)
     std::printf("  %lld hard touches, %.1f s in all\n", static_cast<long long>(summary.hard_touches->count),
                 summary.hard_touches->time_s);
+  if (summary.slips) std::printf("  %lld slips\n", static_cast<long long>(*summary.slips));
+  if (summary.trespasses)
+    std::printf("  %lld trespasses, %.1f s in all\n", static_cast<long long>(summary.trespasses->count),
+                summary.trespasses->time_s);
   if (summary.guided) std::printf("  guided: this trial has no score\n");
   if (score) std::printf("  score %.0f of 100, by the rules of docs/results.md\n", *score);
   for (const record::FaultCount& fault : summary.faults) std::printf("  %s\n", fault.sentence.c_str());

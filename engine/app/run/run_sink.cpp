@@ -99,10 +99,13 @@ RunSink::Outcome RunSink::finish() {
   const scenario::TaskState& task = judge_.state();
   summary.completed = task.completed;
   summary.guided = guided();
-  if (prepared_.haptic.task.hard_touch) summary.hard_touches = {task.hard_touches, task.hard_touch_time};
+  const scenario::TaskDesc& desc = prepared_.haptic.task;
+  if (desc.hard_touch) summary.hard_touches = {task.hard_touches, task.hard_touch_time};
+  if (has_ways(desc)) summary.slips = task.slips;
+  if (!desc.avoid.empty()) summary.trespasses = {task.trespasses, task.trespass_time};
   summary.completion_time_s = judge_.completion_time();
-  for (std::size_t i = 0; i < prepared_.haptic.task.checkpoints.size(); ++i)
-    summary.checkpoints.push_back({prepared_.haptic.task.checkpoints[i].name, task.reached[i]});
+  for (std::size_t i = 0; i < desc.checkpoints.size(); ++i)
+    summary.checkpoints.push_back({desc.checkpoints[i].name, task.reached[i]});
   const Penetration deepest = penetration_.deepest(prepared_.haptic.scene_W, prepared_.haptic.tool_T,
                                                    prepared_.haptic.scene.scene_field.get());
   summary.max_penetration_m = deepest.depth;

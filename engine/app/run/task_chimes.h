@@ -1,5 +1,5 @@
 #pragma once
-// What of a task is to be heard: checkpoints that are reached, and touches that are too hard.
+// What of a task is to be heard: checkpoints that are reached, and what should not be, as a hard touch is.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,18 +16,20 @@ public:
   // end, then a checkpoint.
   std::optional<audio::Chime> next(const scenario::TaskState& task) {
     std::optional<audio::Chime> chime;
-    if (task.hard_touches > hard_touches_) chime = audio::Chime::hard_touch;
-    if (task.step > step_) chime = audio::Chime::checkpoint;
+    const std::int64_t faults = task.hard_touches + task.slips + task.trespasses;
+    if (faults > faults_) chime = audio::Chime::hard_touch;
+    const std::size_t reached = reached_count(task);
+    if (reached > reached_) chime = audio::Chime::checkpoint;
     if (task.completed && !completed_) chime = audio::Chime::completed;
-    step_ = task.step;
-    hard_touches_ = task.hard_touches;
+    reached_ = reached;
+    faults_ = faults;
     completed_ = task.completed;
     return chime;
   }
 
 private:
-  std::size_t step_ = 0;
-  std::int64_t hard_touches_ = 0;
+  std::size_t reached_ = 0;
+  std::int64_t faults_ = 0;
   bool completed_ = false;
 };
 

@@ -10,9 +10,9 @@
 #include "engine/app/cli/version.h"
 #include "engine/files/block_file.h"
 #include "engine/record/run_folder.h"
-#include "haptics/safety/faults.h"
 #include "engine/session/identity.h"
 #include "engine/session/trial_page.h"
+#include "haptics/safety/faults.h"
 
 namespace fulcrum::app {
 namespace {
@@ -102,7 +102,7 @@ std::optional<EarlierTrials> earlier_trials(const Participation& participation, 
 }
 
 session::Score score_of(const FinishedTrial& trial) {
-  return session::score(trial.metrics, trial.expert);
+  return session::score(trial.metrics, trial.expert, trial.prepared.haptic.task.score);
 }
 
 bool write_trial_page(const FinishedTrial& of, const std::string& participant) {

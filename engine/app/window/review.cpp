@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include "engine/app/picture/bridge.h"
 #include "haptics/safety/faults.h"
@@ -20,9 +22,11 @@ ui::Timeline::Mark::Kind mark_of(EventKind kind) {
     case EventKind::checkpoint:
       return ui::Timeline::Mark::Kind::good;
     case EventKind::touch_on_the_way:
+    case EventKind::slip:
     case EventKind::pause:
       return ui::Timeline::Mark::Kind::fair;
     case EventKind::hard_touch:
+    case EventKind::trespass:
     case EventKind::fault:
       return ui::Timeline::Mark::Kind::bad;
   }
@@ -115,20 +119,21 @@ double Review::same_part_s(const RunSink& sink, const ExpertRun& expert) const {
   return same_part(expert, sink.task().reached, *at_);
 }
 
-scenario::TaskState Review::task(const RunSink& sink) const {
-  scenario::TaskState state = sink.task();
-  state.step = 0;
-  for (std::optional<double>& reached : state.reached) {
-    if (reached && *reached > *at_ + 1e-9) reached.reset();
-    if (reached) ++state.step;
-  }
-  state.completed = state.step == state.reached.size();
-  state.inside = state.lacks = false;
-  state.dwell_progress = 0;
+scenario::TaskState Review::task(const RunSink& sink, const scenario::TaskDesc& task) const {
+  const auto is_past = [&](double time) { return time <= *at_ + 1e-9; };
+  std::vector<std::optional<double>> reached = sink.task().reached;
+  for (std::optional<double>& time : reached)
+    if (time && !is_past(*time)) time.reset();
+  scenario::TaskState state = state_after(task, std::move(reached));
   state.time = *at_;
-  state.hard_touches = std::ranges::count_if(sink.meter().events(), [&](const session::TrialEvent& event) {
-    return event.kind == EventKind::hard_touch && event.time <= *at_ + 1e-9;
-  });
+  const auto count = [&](EventKind kind) {
+    return std::ranges::count_if(sink.meter().events(), [&](const session::TrialEvent& event) {
+      return event.kind == kind && is_past(event.time);
+    });
+  };
+  state.hard_touches = count(EventKind::hard_touch);
+  state.slips = count(EventKind::slip);
+  state.trespasses = count(EventKind::trespass);
   return state;
 }
 

@@ -36,7 +36,7 @@ public:
   bool is_shown() const { return at_.has_value() && !film_.empty(); }
   const TickRecord& record() const { return film_.at(*at_); }
   // As the task stood then.
-  scenario::TaskState task(const RunSink& sink) const;
+  scenario::TaskState task(const RunSink& sink, const scenario::TaskDesc& task) const;
   // The moment of the expert's run that belongs to it. A moment is shown.
   double same_part_s(const RunSink& sink, const ExpertRun& expert) const;
   // expert: is shown beside the trainee; null: nobody is.

@@ -176,7 +176,7 @@ std::string TrainingWindow::message(const RunSink& sink) const {
 }
 
 scenario::TaskState TrainingWindow::task_shown(const RunSink& sink) const {
-  return review_.is_shown() ? review_.task(sink) : sink.task();
+  return review_.is_shown() ? review_.task(sink, prepared_.haptic.task) : sink.task();
 }
 
 ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunSink& sink,
