@@ -1,12 +1,18 @@
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/assets/gltf.h"
 #include "engine/scenario/assemble.h"
+#include "engine/scenario/marked.h"
 #include "engine/scenario/mirror.h"
 #include "engine/scenario/nearby.h"
+#include "engine/scenario/words.h"
 #include "haptics/bake/mirrored.h"
 #include "haptics/math/mirror.h"
 
@@ -73,9 +79,12 @@ std::optional<Fault> question_of_size(const ModelEntry& entry, const TriangleMes
   return at(entry, "it is " + length_text(across) + " across; is that meant? " + cure + ".");
 }
 
+// What there is in each file of which a scenario takes marked objects.
+using MarksOfFiles = std::map<std::filesystem::path, std::vector<ObjectMark>>;
+
 // A model as the scenario places it; absent, with a fault: it cannot be.
 std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entry, const FileRef& file,
-                                Faults& faults) {
+                                MarksOfFiles& there, Faults& faults) {
   auto model = load_gltf(scenario.folder, file.path);
   if (!model) {
     std::string sentence = model.error().sentence;
@@ -84,6 +93,15 @@ std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entr
     faults.push_back(file.where.fault("model '" + entry.name + "': " + sentence + near));
     return std::nullopt;
   }
+  if (entry.marked && &file == &entry.file) {
+    there[file.path] = marks_of(*model);
+    if (const std::string refused = refuse_marked(*model, entry.role, entry.material); !refused.empty()) {
+      faults.push_back(
+          file.where.fault("model '" + entry.name + "': " + in_quotes(file.name) + " " + refused));
+      return std::nullopt;
+    }
+    take_marked(*model, entry.role, entry.material);
+  }
   if (!place(*model, entry)) {
     faults.push_back(at(entry,
                         "it is moved or scaled out of all bounds, farther than 100 km; check its 'unit', "
@@ -91,6 +109,27 @@ std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entr
     return std::nullopt;
   }
   return std::move(*model);
+}
+
+// Objects that are marked, and that no model takes.
+void tell_of_left_out(const Scenario& scenario, const std::filesystem::path& file,
+                      const std::vector<ObjectMark>& there, Faults& warnings) {
+  for (const ObjectMark& mark : there) {
+    const ModelEntry* of_file = nullptr;
+    const bool taken = std::ranges::any_of(scenario.models, [&](const ModelEntry& entry) {
+      if (!entry.marked || entry.file.path != file) return false;
+      of_file = &entry;
+      return ObjectMark{entry.role, entry.material} == mark;
+    });
+    if (taken) continue;
+    const std::string role(names_of<ModelRole>[static_cast<std::size_t>(mark.role)]);
+    warnings.push_back(
+        at(*of_file, in_quotes(of_file->file.name) + " has objects that are marked '" + role + "'" +
+                         (mark.material.empty() ? "" : " with the material '" + mark.material + "'") +
+                         ", which no model takes: add one with 'role: " + role + "'" +
+                         (mark.material.empty() ? "" : ", 'material: " + mark.material + "'") +
+                         " and 'marked: true'."));
+  }
 }
 
 void take_tool(const ModelEntry& entry, const TriangleMesh& mesh_M, LoadedModels& loaded, Faults& faults) {
@@ -121,6 +160,7 @@ void take_tool(const ModelEntry& entry, const TriangleMesh& mesh_M, LoadedModels
 Checked<LoadedModels> load_models(const Scenario& scenario) {
   LoadedModels loaded;
   Faults faults;
+  MarksOfFiles marks;
   if (scenario.left_handed) loaded.notes.emplace_back("the scene is mirrored, for a tool in the left hand");
   if (!scenario.why_right_handed.empty())
     loaded.notes.push_back("the scene is not mirrored, as the calibration asks: " +
@@ -131,10 +171,10 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
       loaded.drawn.emplace_back();
       continue;
     }
-    std::optional<Model> model = read_model(scenario, entry, entry.file, faults);
+    std::optional<Model> model = read_model(scenario, entry, entry.file, marks, faults);
     if (!model) continue;
-    loaded.drawn.push_back(entry.drawn.path.empty() ? std::nullopt
-                                                    : read_model(scenario, entry, entry.drawn, faults));
+    loaded.drawn.push_back(
+        entry.drawn.path.empty() ? std::nullopt : read_model(scenario, entry, entry.drawn, marks, faults));
     if (scenario.left_handed && entry.lettering)
       loaded.notes.push_back("the model '" + entry.name + "' is not drawn: it would be mirror-written");
     loaded.models.push_back(std::move(*model));
@@ -144,6 +184,7 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
     if (entry.role == ModelRole::tool) take_tool(entry, mesh_M, loaded, faults);
   }
   if (!faults.empty()) return faults;
+  for (const auto& [file, there] : marks) tell_of_left_out(scenario, file, there, loaded.warnings);
   if (scenario.left_handed) {
     for (Model& model : loaded.models) mirror(model);
     for (std::optional<Model>& model : loaded.drawn)

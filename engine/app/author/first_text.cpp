@@ -59,6 +59,20 @@ std::string device_block(const FirstFiles& files, const FirstGuess& guess) {
          vector(guess.base) + "}  # guessed: the middle of the way below\n\n";
 }
 
+std::string models_block(const std::vector<FirstModel>& models) {
+  std::string block;
+  for (const FirstModel& model : models) {
+    block += "  " + model.name + ": {file: " + quoted(model.file) + ", role: " + model.role +
+             (model.marked ? ", marked: true" : "") +
+             (model.material.empty() ? "" : ", material: " + model.material) + "}";
+    if (&model == &models.front())
+      block += model.marked ? "  # those of its objects that are marked so"
+                            : "  # of a file in millimetres: unit: mm";
+    block += '\n';
+  }
+  return block;
+}
+
 std::string tool_block(const FirstGuess& guess) {
   const std::string mass =
       guess.density > 0
@@ -100,12 +114,8 @@ std::string scenario_text(const FirstFiles& files, const FirstGuess& guess) {
          "# Lengths are metres; y is up, z comes towards the trainee. `fulcrum check` says what is wrong or "
          "may not feel\n"
          "# right, `fulcrum explain` what is built, `fulcrum schema` every key there is.\n"
-         "models:\n"
-         "  scene: {file: " +
-         quoted(files.scene) +
-         ", role: scene}  # of a file in millimetres: unit: mm\n"
-         "  tool: {file: " +
-         quoted(files.tool) + ", role: tool}\n\n" + tool_block(guess) +
+         "models:\n" +
+         models_block(files.models) + "\n" + tool_block(guess) +
          "# Triangles are felt as they are; what else there is: content/scenarios, and docs.\n"
          "contact: {response: constraint, surface: triangles}\n\n" +
          device_block(files, guess) +

@@ -2,15 +2,23 @@
 // A guessed scenario as its author finds it: files with comments that say what was guessed, and why.
 
 #include <string>
+#include <vector>
 
 #include "engine/app/author/first_guess.h"
 
 namespace fulcrum::app {
 
-// The names of the models' files, in the scenario's folder.
+// A model, its file in the scenario's folder.
+struct FirstModel {
+  std::string name, file;
+  std::string role;
+  bool marked = false;   // of the file's objects those alone that are marked so
+  std::string material;  // of what is touched; empty: none
+};
+
 struct FirstFiles {
   std::string title;
-  std::string scene, tool;
+  std::vector<FirstModel> models;
   std::string device;   // a table of content/devices
   std::string schemas;  // the folder where the schemas are that editors read; empty: none was found
 };

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,6 +23,7 @@
 #include "engine/scenario/content.h"
 #include "engine/scenario/content_file.h"
 #include "engine/scenario/load.h"
+#include "engine/scenario/marked.h"
 #include "engine/scenario/text_store.h"
 
 namespace fulcrum::app {
@@ -97,18 +100,81 @@ bool take_mesh(const std::string& mesh, const fs::path& to) {
                     mesh + " could not be read: it is damaged; export it again.") == kCompleted;
 }
 
-std::optional<Solid> solid_of(const fs::path& folder, const std::string& file, const char* use) {
-  const Result<Model> model = load_gltf(fs::absolute(folder), fs::absolute(folder) / file);
-  if (!model) {
-    complain(model.error().sentence);
-    return std::nullopt;
+std::optional<Model> model_of(const fs::path& folder, const std::string& file) {
+  Result<Model> model = load_gltf(fs::absolute(folder), fs::absolute(folder) / file);
+  if (model) return std::move(*model);
+  complain(model.error().sentence);
+  return std::nullopt;
+}
+
+// Of the models with that role, as one solid.
+std::optional<Solid> solid_of(const fs::path& folder, const std::vector<FirstModel>& models,
+                              scenario::ModelRole role, const char* use) {
+  Model all;
+  std::string file;
+  for (const FirstModel& each : models) {
+    if (each.role != names_of<scenario::ModelRole>[static_cast<std::size_t>(role)]) continue;
+    std::optional<Model> model = model_of(folder, file = each.file);
+    if (!model) return std::nullopt;
+    if (each.marked) scenario::take_marked(*model, role, each.material);
+    std::ranges::move(model->parts, std::back_inserter(all.parts));
   }
-  Result<Solid> solid = build_solid(to_triangle_mesh(*model));
-  if (!solid) {
-    complain(file + " cannot be " + use + ": " + solid.error().sentence);
-    return std::nullopt;
+  Result<Solid> solid = build_solid(to_triangle_mesh(all));
+  if (solid) return std::move(*solid);
+  complain(file + " cannot be " + use + ": " + solid.error().sentence);
+  return std::nullopt;
+}
+
+bool is_word(const std::string& text) {
+  return std::ranges::all_of(
+      text,
+      [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
+      });
+}
+
+// A model for each mark that the objects of the file have; none, and a sentence: they are not marked for
+// both.
+std::vector<FirstModel> marked_models(const fs::path& folder, const std::string& file) {
+  const std::optional<Model> model = model_of(folder, file);
+  if (!model) return {};
+  std::vector<FirstModel> models;
+  bool has_scene = false, has_tool = false;
+  for (const scenario::ObjectMark& mark : scenario::marks_of(*model)) {
+    has_scene = has_scene || mark.role == scenario::ModelRole::scene;
+    has_tool = has_tool || mark.role == scenario::ModelRole::tool;
+    if (!is_word(mark.material)) {
+      complain("scene.glb has an object whose 'fulcrum_material' is '" + mark.material +
+               "', which is no name of a material: letters, digits, '_' and '-'.");
+      return {};
+    }
+    const std::string role(names_of<scenario::ModelRole>[static_cast<std::size_t>(mark.role)]);
+    models.push_back(
+        {mark.material.empty() ? role : role + "_" + mark.material, file, role, true, mark.material});
   }
-  return std::move(*solid);
+  if (has_scene && has_tool) return models;
+  complain(
+      "a scenario of your own meshes needs what is touched and what is held: --scene FILE and --tool FILE, "
+      "or "
+      "one --scene whose objects are marked 'scene' and 'tool' by a custom property 'fulcrum_role'. In "
+      "Blender "
+      "tick Include > Custom Properties when exporting.");
+  return {};
+}
+
+// The models of a new scenario, their files in its folder. None: a sentence has said why.
+std::vector<FirstModel> take_models(const NewOptions& options, const fs::path& folder) {
+  const std::vector<FirstModel> both{{"scene", "scene.glb", "scene", false, {}},
+                                     {"tool", "tool.glb", "tool", false, {}}};
+  if (options.scene.empty()) {
+    const bool made = put(folder / "scene.glb", to_glb(starter_board(), "board", "Fulcrum new")) &&
+                      put(folder / "tool.glb", to_glb(starter_pin(), "pin", "Fulcrum new"));
+    return made ? both : std::vector<FirstModel>();
+  }
+  if (!take_mesh(options.scene, folder / "scene.glb")) return {};
+  if (options.tool.empty()) return marked_models(folder, "scene.glb");
+  return take_mesh(options.tool, folder / "tool.glb") ? both : std::vector<FirstModel>();
 }
 
 // A title of the folder's name: "my_peg" is "My peg".
@@ -136,14 +202,10 @@ bool make_scenario(const NewOptions& options, const fs::path& folder) {
   std::error_code fault;
   fs::create_directories(folder, fault);
   if (fault) return refuse(folder.string() + " cannot be made: " + fault.message() + ".");
-  const bool own = !options.scene.empty();
-  const bool models =
-      own ? take_mesh(options.scene, folder / "scene.glb") && take_mesh(options.tool, folder / "tool.glb")
-          : put(folder / "scene.glb", to_glb(starter_board(), "board", "Fulcrum new")) &&
-                put(folder / "tool.glb", to_glb(starter_pin(), "pin", "Fulcrum new"));
-  if (!models) return false;
-  const std::optional<Solid> scene = solid_of(folder, "scene.glb", "touched");
-  const std::optional<Solid> tool = solid_of(folder, "tool.glb", "held");
+  const std::vector<FirstModel> models = take_models(options, folder);
+  if (models.empty()) return false;
+  const std::optional<Solid> scene = solid_of(folder, models, scenario::ModelRole::scene, "touched");
+  const std::optional<Solid> tool = solid_of(folder, models, scenario::ModelRole::tool, "held");
   if (!scene || !tool) return false;
   const auto devices = scenario::device_files(scenario::content_roots());
   const auto table = devices.find(kDevice);
@@ -154,7 +216,7 @@ bool make_scenario(const NewOptions& options, const fs::path& folder) {
   const scenario::Checked<DeviceDesc> device = scenario::load_device(table->second);
   if (!device) return refuse(scenario::to_text(device.faults()));
   const FirstGuess guess = guess_scenario(*scene, *tool, *device);
-  const FirstFiles files{title_of(folder), "scene.glb", "tool.glb", kDevice, schema_folder()};
+  const FirstFiles files{title_of(folder), models, kDevice, schema_folder()};
   if (!put(folder / "expert.yaml", expert_text(files, guess)) ||
       !put(folder / scenario::kScenarioFile, scenario_text(files, guess)))
     return false;
@@ -166,8 +228,8 @@ bool make_scenario(const NewOptions& options, const fs::path& folder) {
 }
 
 int new_command(const NewOptions& options) {
-  if (options.scene.empty() != options.tool.empty()) {
-    complain("a scenario of your own meshes needs both: --scene FILE to touch and --tool FILE to hold.");
+  if (options.scene.empty() && !options.tool.empty()) {
+    complain("--tool FILE is what is held: say with --scene FILE what is touched.");
     return kUsage;
   }
   if (!options.from.empty() && !options.scene.empty()) {
@@ -201,8 +263,11 @@ void add_new(Program& program) {
       [options](Arguments& arguments) {
         arguments.required({"folder", "DIR", "The folder to make"}, options->folder);
         arguments.text({"--from", "NAME|FILE", "Copy this scenario instead of guessing one"}, options->from);
-        arguments.text({"--scene", "FILE", "What is touched: OBJ, STL, PLY, 3DS or glTF (default: a board)"},
-                       options->scene);
+        arguments.text(
+            {"--scene", "FILE",
+             "What is touched: OBJ, STL, PLY, 3DS or glTF (default: a board); with the tool, where a glTF's "
+             "objects are marked"},
+            options->scene);
         arguments.text({"--tool", "FILE", "What is held (default: a pin)"}, options->tool);
       },
       [options] { return new_command(*options); });
