@@ -174,6 +174,10 @@ void Window::poll() {
   wrap_pointer();
 }
 
+void Window::copy(const std::string& text) {
+  ask_display([&] { glfwSetClipboardString(window_, text.c_str()); });
+}
+
 void Window::hide() {
   ask_display([&] { glfwHideWindow(window_); });
 }

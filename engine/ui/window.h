@@ -53,6 +53,9 @@ public:
   // Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
   void poll();
 
+  // For other programs to paste.
+  void copy(const std::string& text);
+
   void hide();
   bool closing() const;           // its close button was pressed, or it is lost
   bool lost() const;              // it went without being closed, see window_loss.h

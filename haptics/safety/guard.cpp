@@ -34,7 +34,9 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
     if (command.kind == Command::Kind::watchdog) faults |= kWatchdog;
     if (command.kind == Command::Kind::stop || command.kind == Command::Kind::watchdog) acknowledged = false;
     if (command.kind == Command::Kind::acknowledge) acknowledged = true;
+    if (command.kind == Command::Kind::release) releases_ = !stopped_;
   }
+  if (releases_ && gain_ <= 0 && last_.is_zero()) faults |= kStopRequested;
   acknowledged_ = acknowledged && stopped_ && faults == 0;
   if (faults != 0) stop(faults);
   if (acknowledged_ && fall_ <= 0) {
@@ -47,6 +49,7 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
 void Guard::stop(std::uint32_t reason) noexcept {
   if (stopped_) return;
   stopped_ = true;
+  releases_ = false;
   reason_ = reason;
   fall_ = 1.0;
   falling_ = last_;
@@ -58,7 +61,8 @@ Wrench Guard::limit(const Wrench& wanted_F_H_D, std::uint32_t& faults) noexcept 
     fall_ = std::max(0.0, fall_ - tick_s_ / kStopFall);
     return falling_ * fall_;
   }
-  gain_ = std::min(1.0, gain_ + tick_s_ / kRampIn);
+  const double step = tick_s_ / kRampIn;
+  gain_ = releases_ ? std::max(0.0, gain_ - step) : std::min(1.0, gain_ + step);
   const Wrench ramped = wanted_F_H_D * gain_;
 
   Wrench F;

@@ -17,8 +17,8 @@
 
 namespace fulcrum {
 
-inline constexpr double kStopFall = 2e-3;      // s, from the commanded force to nothing
-inline constexpr double kRampIn = 0.5;         // s, from nothing to the whole force
+inline constexpr double kStopFall = 2e-3;  // s, from the commanded force to nothing
+inline constexpr double kRampIn = 0.5;  // s, from nothing to the whole force; and back, where it is released
 inline constexpr double kStaleSample = 20e-3;  // s, a sample older than this stops the force
 // The same for a device without motors: no force answers its samples, so that an old one makes no energy. The
 // tool goes on as it was last told for so long at most.
@@ -70,6 +70,7 @@ private:
   double tick_s_;
   SlewSteps steps_;
   bool stopped_ = false;
+  bool releases_ = false;  // the force ramps out, to a stop that nobody feels
   // An acknowledgement waits until the force has fallen. Where the stop's cause is still there and is found
   // later in the tick, the fall would else begin anew with every acknowledgement.
   bool acknowledged_ = false;

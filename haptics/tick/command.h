@@ -24,7 +24,8 @@ struct Command {
     caught_up = 14,          // the live loop: this tick and the value - 1 after it come at once, late
     texture_gain = 15,       // of a texture, 0 (off) to 1
     guidance_gain = 16,      // of guidance, 0 (off) to 1
-    last = guidance_gain
+    release = 17,            // the force ramps out as it ramped in, and then is stopped
+    last = release
   };
   Kind kind = Kind::stop;
   double value = 0;  // what it is set to; 0 where there is nothing to set

@@ -83,6 +83,8 @@ while read -r command; do
   read -r -a word <<<"$command"
   case $command in
     *--headless*) expect 0 'Completed' "${word[@]}" ;;
+    "fulcrum edit "*) # app.edit works it in a window
+      expect 1 'display' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" edit "${word[2]}" ;;
     "fulcrum run "*) expect 3 'Not completed' "${word[@]}" --headless --seconds 0.1 --out "page_$ran" ;;
     *) expect 0 '.' "${word[@]}" ;;
   esac
@@ -90,8 +92,69 @@ done < <(grep -E '^    fulcrum' "$top/docs/first-scenario.md")
 [ "$ran" -ge 5 ] || fail "only $ran commands were found in docs/first-scenario.md"
 cd .. || exit 1
 
+# --- objects that a modelling program has marked, in one file: what is touched, of two materials, what is held, what is seen
+mkdir marked && cd marked || exit 1
+/usr/bin/python3 - ../my_first/scene.glb ../my_first/tool.glb <<'PY'
+import json, struct, sys
+def read(file):
+    data = open(file, "rb").read()
+    end = 20 + struct.unpack_from("<I", data, 12)[0]
+    return json.loads(data[20:end]), data[end + 8:]
+all, binary = read(sys.argv[1])
+tool, more = read(sys.argv[2])
+offset, views, accessors, materials = len(binary), len(all["bufferViews"]), len(all["accessors"]), len(all["materials"])
+for view in tool["bufferViews"]:
+    all["bufferViews"].append({**view, "byteOffset": view.get("byteOffset", 0) + offset})
+for accessor in tool["accessors"]:
+    all["accessors"].append({**accessor, "bufferView": accessor["bufferView"] + views})
+all["materials"] += tool["materials"]
+primitives = [(m["name"], p, 0) for m in all["meshes"] for p in m["primitives"]]
+primitives += [("pin", {"attributes": {k: v + accessors for k, v in p["attributes"].items()}, "indices": p["indices"] + accessors,
+                        "material": p["material"] + materials}, 1) for m in tool["meshes"] for p in m["primitives"]]
+all["meshes"] = [{"name": name, "primitives": [p]} for name, p, _ in primitives]
+binary += more
+all["buffers"] = [{"byteLength": len(binary)}]
+all["scenes"] = [{"nodes": list(range(len(primitives)))}]
+def write(name, marks):
+    all["nodes"] = [{"name": "object %d" % i, "mesh": i, "extras": mark} for i, mark in enumerate(marks)]
+    text = json.dumps(all).encode()
+    text += b" " * (-len(text) % 4)
+    with open(name, "wb") as file:
+        file.write(struct.pack("<4sIII4s", b"glTF", 2, 28 + len(text) + len(binary), len(text), b"JSON") + text)
+        file.write(struct.pack("<I4s", len(binary), b"BIN\0") + binary)
+role = lambda r, **more: {"fulcrum_role": r, **more}
+write("two.glb", [role("scene", fulcrum_material="wood"), role("scene", fulcrum_material="steel", price=3), role("tool")])
+write("seen.glb", [role("scene"), role("decor"), role("tool")])
+write("no_tool.glb", [role("scene"), {}, {"name": "tool"}])
+write("bare.glb", [{}, {}, {}])
+write("numbers.glb", [role(1), role([1]), role({"a": None})])
+write("odd.glb", [role("scene", fulcrum_material="a}, role: tool"), role("decor"), role("tool")])
+PY
+expect 0 'is made' "$FULCRUM" new two --scene two.glb
+expect_each 0 'scene_wood: .*role: scene, marked: true, material: wood' 'scene_steel: ' 'tool: ' -- cat two/scenario.yaml
+expect 0 '^two/scenario.yaml: good$' "$FULCRUM" check two/scenario.yaml
+expect 0 'Completed' "$FULCRUM" run two/scenario.yaml --headless --hand expert --out T
+grep -q '"max_penetration_m": 0.0' T/summary.json || fail "the marked pin is pushed into the board"
+expect 0 'is made' "$FULCRUM" new seen --scene seen.glb
+expect 0 'Completed' "$FULCRUM" run seen/scenario.yaml --headless --hand expert --out S
+# What is left out of a file is told, and what is not there refused.
+sed -i '/scene_steel/d' two/scenario.yaml
+expect 0 "'scene.glb' has objects that are marked 'scene' with the material 'steel', which no model takes: add one" "$FULCRUM" check two/scenario.yaml
+sed -i 's/material: wood/material: rubber/' two/scenario.yaml
+expect 1 "has no object marked with the role 'scene' and the material 'rubber'; some are" "$FULCRUM" check two/scenario.yaml
+cp bare.glb two/scene.glb
+expect 1 "scenario.yaml:[0-9]+:[0-9]+: .*tick Include > Custom Properties" "$FULCRUM" check two/scenario.yaml
+for file in no_tool bare numbers; do
+  expect 1 'tick Include > Custom Properties' "$FULCRUM" new half --scene $file.glb
+  [ ! -e half ] || fail "half a scenario was left of $file.glb"
+done
+expect 1 "'a}, role: tool', which is no name of a material" "$FULCRUM" new half --scene odd.glb
+cd .. || exit 1
+
 # --- what cannot be
-expect 2 'needs both' "$FULCRUM" new half --scene dish.stl
+expect 1 'needs what is touched and what is held' "$FULCRUM" new half --scene dish.stl
+[ ! -e half ] || fail "half a scenario was left"
+expect 2 'say with --scene FILE' "$FULCRUM" new half --tool probe.obj
 expect 2 'leave --scene and --tool out' "$FULCRUM" new half --from stick --scene dish.stl --tool probe.obj
 expect 1 'none.obj is no file' "$FULCRUM" new half --scene dish.stl --tool none.obj
 printf 'v 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\n' >open.obj

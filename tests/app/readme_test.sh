@@ -30,6 +30,8 @@ while IFS= read -r line; do
     "fulcrum run "*) expect 3 'Not completed' "${word[@]}" --headless --seconds 0.1 --out "run_$seen" ;;
     "fulcrum check FILE") expect 0 'good' fulcrum check "$FULCRUM_CONTENT/scenarios/piping/scenario.yaml" ;;
     "fulcrum new "*) expect 0 'is made' "${word[@]}" ;;
+    "fulcrum edit "*) # app.edit works it in a window
+      expect 1 'display' env -u DISPLAY -u WAYLAND_DISPLAY "$FULCRUM" edit "${word[2]}" ;;
     "fulcrum import part.stl")
       printf 'solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\nendsolid\n' >part.stl
       expect 0 'part.stl -> part.glb' "${word[@]}" ;;

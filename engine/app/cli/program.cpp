@@ -16,6 +16,17 @@
 namespace fulcrum::app {
 namespace {
 
+// "WxH", each 16 to 16384 pixels.
+std::string read_size(const std::string& text, render::Extent& size) {
+  unsigned width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &rest) != 2 || width < 16 || height < 16 ||
+      width > 16384 || height > 16384)
+    return "'" + text + "' is no size: give WIDTHxHEIGHT in pixels, such as 1280x720, each from 16 to 16384";
+  size = {width, height};
+  return {};
+}
+
 // What is wrong with the word that should be a subcommand; nothing, where it is one or an option.
 std::optional<std::string> refuse_subcommand(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return std::nullopt;
@@ -135,6 +146,12 @@ void Arguments::overrides(std::vector<std::string>& overrides) {
   command_.add_option("--set", overrides, "Replace a value of the scenario, such as contact.stiffness=10000")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void Arguments::size(render::Extent& size) {
+  text(
+      {"--size", "WxH", "Of the picture or the window, in pixels (default 1280x720)"},
+      [&size](const std::string& text) { return read_size(text, size); });
 }
 
 void Arguments::json(const char* help, bool& json) {

@@ -50,6 +50,7 @@ public:
   void out(RunOptions& options);                        // --out, --force
   void overrides(std::vector<std::string>& overrides);  // --set
   void json(const char* help, bool& json);              // --json
+  void size(render::Extent& size);                      // --size
 
 private:
   CLI::App& command_;

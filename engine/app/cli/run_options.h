@@ -30,6 +30,7 @@ struct RunOptions {
   std::filesystem::path out;  // empty: a new folder under the data directory
   std::string participant;    // a pseudonym; empty: nobody's results are kept
   bool force = false;         // replace results that are in `out`
+  bool records = true;        // false: nothing of the run is written, and `out` is nothing
   bool json = false;
   std::vector<InjectedFault> faults;  // --fault
   bool no_ack = false;                // headless, with faults: a stop ends the run

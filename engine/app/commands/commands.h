@@ -21,6 +21,7 @@ void add_schema(Program& program);
 void add_import(Program& program);
 void add_new(Program& program);
 void add_path(Program& program);
+void add_edit(Program& program);
 void add_studies(Program& program);
 
 }  // namespace fulcrum::app

@@ -23,17 +23,6 @@
 namespace fulcrum::app {
 namespace {
 
-// "WxH", each 16 to 16384 pixels.
-std::string read_size(const std::string& text, render::Extent& size) {
-  unsigned width = 0, height = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &rest) != 2 || width < 16 || height < 16 ||
-      width > 16384 || height > 16384)
-    return "'" + text + "' is no size: give WIDTHxHEIGHT in pixels, such as 1280x720, each from 16 to 16384";
-  size = {width, height};
-  return {};
-}
-
 // What is wrong with the text; empty: nothing, and it is one of the faults.
 std::string add_fault(const std::string& text, std::vector<InjectedFault>& faults) {
   const Result<InjectedFault> fault = read_injected_fault(text);
@@ -218,8 +207,7 @@ void add_run(Program& program) {
             {"--seed", "N", "Seed of what is random, such as the hand's tremor"},
             [options](std::int64_t seed) { options->overrides.push_back("seed=" + std::to_string(seed)); });
         arguments.overrides(options->overrides);
-        arguments.text({"--size", "WxH", "Of the picture or the window, in pixels (default 1280x720)"},
-                       [options](const std::string& text) { return read_size(text, options->size); });
+        arguments.size(options->size);
         arguments.text(
             {"--view", "NAME",
              "The view of the picture, and where the window starts (default: the scenario's first)"},

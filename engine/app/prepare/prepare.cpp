@@ -64,30 +64,35 @@ std::optional<Prepared> prepare(const std::string& name_or_file, const std::vect
   return prepare(name_or_file, std::move(*loaded));
 }
 
+Result<Prepared> prepare_quietly(const std::string& name, scenario::Scenario scenario,
+                                 std::vector<std::string>& warnings, const scenario::BakeProgress& progress) {
+  scenario::Checked<scenario::LoadedModels> models = scenario::load_models(scenario);
+  if (!models) return Error{scenario::to_text(models.faults())};
+  for (const scenario::Fault& warning : models->warnings) warnings.push_back(warning.text());
+  Result<scenario::HapticAssembly> haptic =
+      scenario::assemble_haptic(scenario, *models, BakeCache(), progress);
+  if (!haptic) return haptic.error();
+  for (const std::string& warning : haptic->warnings) {
+    std::string sentence = name;
+    warnings.push_back(sentence.append(": ").append(warning));
+  }
+  return Prepared{name, std::move(scenario), std::move(*models), std::move(*haptic)};
+}
+
 std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario,
                                 const scenario::BakeProgress& progress) {
-  scenario::Checked<scenario::LoadedModels> models = scenario::load_models(scenario);
-  if (!models) {
-    complain(scenario::to_text(models.faults()));
-    return std::nullopt;
-  }
-  for (const scenario::Fault& warning : models->warnings) complain(warning.text());
   ProgressBar bar;
-  Result<scenario::HapticAssembly> haptic =
-      scenario::assemble_haptic(scenario, *models, BakeCache(), [&](std::string_view what, double fraction) {
+  std::vector<std::string> warnings;
+  Result<Prepared> prepared =
+      prepare_quietly(name, std::move(scenario), warnings, [&](std::string_view what, double fraction) {
         bar.show("Baking the " + std::string(what), fraction);
         if (progress) progress(what, fraction);
       });
   bar.clear();
-  if (!haptic) {
-    complain(haptic.error().sentence);
-    return std::nullopt;
-  }
-  for (const std::string& warning : haptic->warnings) {
-    std::string sentence = name;
-    complain(sentence.append(": ").append(warning));
-  }
-  return Prepared{name, std::move(scenario), std::move(*models), std::move(*haptic)};
+  for (const std::string& warning : warnings) complain(warning);
+  if (prepared) return std::move(*prepared);
+  complain(prepared.error().sentence);
+  return std::nullopt;
 }
 
 std::string device_in_results(const Prepared& prepared, const std::string& device) {

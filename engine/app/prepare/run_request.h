@@ -1,6 +1,7 @@
 #pragma once
 // Whether a run can be had as it is asked for: known before anything is baked or opened.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,7 @@ namespace fulcrum::app {
 
 struct RequestedRun {
   std::optional<scenario::Scenario> scenario;  // none: what is wrong is on stderr
+  std::filesystem::path calibration{};         // of the device in hand; empty: none
   int code = 0;                                // then, the program's exit code
 };
 

@@ -63,27 +63,31 @@ std::unique_ptr<RunSession> RunSession::begin(const Prepared& prepared, const Ru
   if (!device) return refuse(device.error());
   Result<World> world = World::build(scene);
   if (!world) return refuse(world.error());
-  const Result<record::TapeHeader> header =
-      tape_header(prepared, device_in_results(prepared, options.device), options.hand);
-  if (!header) return refuse(header.error());
-  Result<OpenResults> results = open_results(prepared.name, options, *header, *world, prepared.haptic.task);
-  if (!results) return refuse(results.error());
+  std::optional<OpenResults> results;
+  if (options.records) {
+    const Result<record::TapeHeader> header =
+        tape_header(prepared, device_in_results(prepared, options.device), options.hand);
+    if (!header) return refuse(header.error());
+    Result<OpenResults> opened = open_results(prepared.name, options, *header, *world, prepared.haptic.task);
+    if (!opened) return refuse(opened.error());
+    results = std::move(*opened);
+  }
   const double limit =
       std::min(prepared.scenario.time_limit, options.seconds.value_or(prepared.scenario.time_limit));
   return std::unique_ptr<RunSession>(new RunSession(prepared, options, trainee, std::move(*device),
-                                                    std::move(*world), std::move(*results), limit));
+                                                    std::move(*world), std::move(results), limit));
 }
 
 RunSession::RunSession(const Prepared& prepared, const RunOptions& options, const Trainee& trainee,
-                       OpenDevice device, World world, OpenResults results, double limit)
+                       OpenDevice device, World world, std::optional<OpenResults> results, double limit)
     : prepared_(prepared),
       options_(options),
       trainee_(trainee),
       device_(std::move(device)),
       world_(std::move(world)),
-      folder_(std::move(results.folder)),
+      folder_(results ? std::move(results->folder) : std::filesystem::path()),
       faults_(options.faults, folder_),
-      sink_(prepared, std::move(results.recorder), limit, &faults_) {
+      sink_(prepared, results ? std::optional(std::move(results->recorder)) : std::nullopt, limit, &faults_) {
   if (!options.faults.empty() || pushes_back(options.device)) sink_.watch_handle();
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "drivers/registry.h"
 #include "engine/app/cli/run_options.h"
@@ -37,13 +38,14 @@ public:
   const ProgramFaults& faults() const { return faults_; }
   const std::filesystem::path& folder() const { return folder_; }
 
-  // The program's exit code. plan: what was drawn with, if anything was. person: one may acknowledge a stop,
-  // or leave; then no fault ended the run. frames_per_s: that a window drew.
+  // The program's exit code. Not of a run that is not recorded. plan: what was drawn with, if anything was.
+  // person: one may acknowledge a stop, or leave; then no fault ended the run. frames_per_s: that a window
+  // drew.
   int finish(const render::RenderPlan* plan, bool person, std::optional<double> frames_per_s = {});
 
 private:
   RunSession(const Prepared& prepared, const RunOptions& options, const Trainee& trainee, OpenDevice device,
-             World world, OpenResults results, double limit);
+             World world, std::optional<OpenResults> results, double limit);
 
   const Prepared& prepared_;
   const RunOptions& options_;

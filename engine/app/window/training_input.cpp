@@ -44,7 +44,9 @@ void TrainingWindow::listen() {
   events.button = [this](int button, int action, int modifiers) {
     shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
     button_ = action == GLFW_PRESS ? button : -1;
+    control_ = (modifiers & GLFW_MOD_CONTROL) != 0;
     slides_ = scrubs_ = false;
+    if (editor_ != nullptr && edit_button(button, action)) return;
     if (button_ == GLFW_MOUSE_BUTTON_LEFT) on_press();
     stage_.window().hold_pointer(button_ >= 0);
   };
@@ -106,6 +108,7 @@ void TrainingWindow::on_key(int key, int action) {
   }
   if (action != GLFW_RELEASE && look_back(key)) return;
   if (action != GLFW_PRESS) return;
+  if (editor_ != nullptr && edit_key(key)) return;
   switch (key) {
     case GLFW_KEY_ESCAPE:
       loop_->send({Command::Kind::stop});
@@ -185,6 +188,11 @@ void TrainingWindow::on_cursor(double x, double y) {
   if (slides_ && shown_.holding) {
     const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), shown_.look, cursor_x_, cursor_y_);
     send(holding_commands(*shown_.holding, {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at)}));
+  }
+  if (edits_) {
+    const double height = stage_.window().pixels().height;
+    editor_->drag(seen_by_author(), dx * height, dy * height);
+    return;
   }
   if (scrubs_) scrub(true);
   if (button_ < 0 || scrubs_) return;

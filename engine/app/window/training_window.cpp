@@ -78,7 +78,7 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   late_ = lost_ = 0;
   trouble_ = TickTrouble(scene_->tick_s);
   frame_rate_ = {};
-  resting_ = ended_ = false;
+  resting_ = ended_ = releases_ = edits_ = false;
   touches_.clear();
   touch_finder_.reset();  // it was of the world before
   review_ = Review(scene_->tick_s);
@@ -126,6 +126,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
       lost_ = loop.lost_ticks();
       trouble_.note(static_cast<std::uint64_t>(loop.newest().tick), late_, lost_);
     }
+    if (editor_ != nullptr) edit_on(loop);
     draw(sink, loop);
     if (rests && !ended_ && error_.empty()) {
       ended_ = true;
@@ -135,6 +136,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
     }
   }
   loop.stop();
+  left_X_WT_ = loop.newest().X_WT;
   stage_.window().hold_pointer(false);
   stage_.window().set_events({});
   if (stage_.window().lost())
@@ -164,6 +166,7 @@ void TrainingWindow::note_cost(const TickEvent& event) {
 }
 
 std::string TrainingWindow::message(const RunSink& sink) const {
+  if (editor_ != nullptr) return editor_->message(prepared_);
   if (sink.end() != RunSink::End::running) return {};
   if (sink.handle_is_still()) return StillHandle::kSentence;
   if (sink.recording_failed())
@@ -247,6 +250,12 @@ void TrainingWindow::show_to_device(const TickRecord& record) {
 render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {
   render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
                                            task_shown(sink), camera_.camera(), shown_.time_s);
+  if (editor_ != nullptr && editor_->held()) {
+    markers_.assign(frame.markers.begin(), frame.markers.end());
+    const auto& [index, place] = *editor_->held();
+    markers_[index] = {render::MarkerState::Show::next, 0.0F, scenario::narrowed(place)};
+    frame.markers = markers_;
+  }
   frame.marker_colours = ui::marker_colours(stage_.settings().look);
   frame.overlay = &stage_.overlay();
   if (has_expert_ghost_) {

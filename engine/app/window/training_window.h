@@ -10,6 +10,7 @@
 
 #include "drivers/registry.h"
 #include "engine/app/cli/run_options.h"
+#include "engine/app/edit/scene_editor.h"
 #include "engine/app/picture/bridge.h"
 #include "engine/app/picture/second_view.h"
 #include "engine/app/run/button_commands.h"
@@ -44,7 +45,15 @@ public:
   // What the attempts from now on are compared with, beside the expert's.
   void compare_with(const std::optional<EarlierTrials>& earlier) { earlier_ = earlier; }
 
-  enum class Leave { closed, restart, start_page };
+  // An author is at work: a save that is good ends the attempt, once the force has gone. Outlives the window.
+  void edit_by(SceneEditor& editor) { editor_ = &editor; }
+  // For one that follows another at the same place.
+  const render::OrbitCamera& orbit() const { return camera_; }
+  void look_as(const render::OrbitCamera& camera) { camera_ = camera; }
+  // Of the tool when the newest attempt was left.
+  const Pose& left_X_WT() const { return left_X_WT_; }
+
+  enum class Leave { closed, restart, start_page, reload };
   // One attempt. player: of its sound; null: silence. ended: called once the trial is over, the force gone
   // and the haptic thread with it, while the window still shows what came of it; not where the window closes
   // first.
@@ -80,6 +89,11 @@ private:
   void send(const std::optional<Command>& command);
   void send(const std::vector<Command>& commands);
   void note_cost(const TickEvent& event);
+  // What the author's keys and pointer do; true: it is done.
+  bool edit_key(int key);
+  bool edit_button(int button, int action);
+  SceneEditor::Seen seen_by_author() const;
+  void edit_on(LiveLoop& loop);
   // Tells a device that moves as it is seen what is seen.
   void show_to_device(const TickRecord& record);
   // After the end: the force goes as after a stop, then ticks, counters and tool rest. True: they do.
@@ -160,8 +174,14 @@ private:
   const ExpertRun* expert_;
   std::optional<EarlierTrials> earlier_;
   bool has_start_page_;
-  std::optional<Leave> leave_;  // asked for by a key
-  std::string error_;           // why drawing stopped
+  Pose left_X_WT_;
+  std::string complained_;                    // of what the author saved last
+  SceneEditor* editor_ = nullptr;             // null: nobody edits
+  bool releases_ = false;                     // the force is told to go, for a scene that takes over
+  bool edits_ = false;                        // the left button is the author's
+  std::vector<render::MarkerState> markers_;  // of the newest frame, where one is held
+  std::optional<Leave> leave_;                // asked for by a key
+  std::string error_;                         // why drawing stopped
 };
 
 }  // namespace fulcrum::app

@@ -54,6 +54,43 @@ TEST(Guard, AnAcknowledgementWaitsForTheFall) {
   EXPECT_LE(first, 2 * kTick / kRampIn * (1 + 1e-12));
 }
 
+// What is released goes as it came, half a second long, and is stopped then; an acknowledgement brings it
+// back.
+TEST(Guard, AReleaseRampsOutToAStop) {
+  Held held;
+  for (int i = 0; i < 600; ++i) held.tick({});
+  const Command release{Command::Kind::release};
+  double before = held.tick({&release, 1});
+  int ticks = 1;
+  while (!held.stopped() && ticks < 1000) {
+    const double now = held.tick({});
+    EXPECT_LE(now, before);
+    EXPECT_LE(before - now, 2 * kTick / kRampIn * (1 + 1e-9)) << ticks;
+    before = now;
+    ++ticks;
+  }
+  EXPECT_NEAR(ticks * kTick, kRampIn, 3 * kTick);
+  EXPECT_EQ(before, 0);
+  held.tick({&kAcknowledge, 1});
+  for (int i = 0; i < 600; ++i) held.tick({});
+  EXPECT_FALSE(held.stopped());
+  EXPECT_NEAR(held.tick({}), 2, 1e-12);
+}
+
+// A stop in between is a stop, and nothing of the release is left after it.
+TEST(Guard, AStopDuringAReleaseEndsIt) {
+  Held held;
+  for (int i = 0; i < 600; ++i) held.tick({});
+  const Command release{Command::Kind::release}, stop{Command::Kind::stop};
+  for (int i = 0; i < 100; ++i) held.tick({&release, 1});
+  held.tick({&stop, 1});
+  held.tick({});
+  EXPECT_EQ(held.tick({&release, 1}), 0);
+  held.tick({&kAcknowledge, 1});
+  for (int i = 0; i < 600; ++i) held.tick({});
+  EXPECT_NEAR(held.tick({}), 2, 1e-12);
+}
+
 // A fault that comes in between takes it back.
 TEST(Guard, AFaultDuringTheFallTakesTheAcknowledgementBack) {
   Held held;

@@ -1,0 +1,81 @@
+#include "engine/app/edit/reloader.h"
+
+#include <chrono>
+#include <utility>
+
+#include "engine/scenario/load.h"
+#include "haptics/bake/overlap_depth.h"
+
+namespace fulcrum::app {
+namespace {
+
+// Ends a bake from within its progress.
+struct Ended {};
+
+// m. A response pushes a tool out that is less deep.
+constexpr double kPushedOut = 2e-4;
+
+}  // namespace
+
+Reloader::Reloader(std::filesystem::path file, std::vector<std::string> overrides,
+                   std::filesystem::path calibration)
+    : file_(std::move(file)),
+      overrides_(std::move(overrides)),
+      calibration_(std::move(calibration)),
+      watch_(file_.parent_path().empty() ? "." : file_.parent_path()) {}
+
+Reloader::~Reloader() {
+  ends_ = true;
+}
+
+Reloader::Made Reloader::make() const {
+  scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario(file_, overrides_, calibration_);
+  if (!loaded) return {nullptr, scenario::to_text(loaded.faults())};
+  std::vector<std::string> warnings;
+  try {
+    Result<Prepared> prepared =
+        prepare_quietly(file_.string(), std::move(*loaded), warnings, [this](std::string_view, double) {
+          if (ends_) throw Ended();
+        });
+    if (!prepared) return {nullptr, prepared.error().sentence};
+    return {std::make_unique<Prepared>(std::move(*prepared)), {}};
+  } catch (const Ended&) {
+    return {};
+  }
+}
+
+void Reloader::look() {
+  using namespace std::chrono_literals;
+  if (watch_.saved()) saved_again_ = true;
+  if (making_.valid() && making_.wait_for(0s) == std::future_status::ready) {
+    Made made = making_.get();
+    if (!saved_again_) {  // or there is a newer one
+      wrong_ = std::move(made.said);
+      if (made.prepared) ready_ = std::move(made.prepared);
+    }
+  }
+  if (saved_again_ && !making_.valid()) {
+    saved_again_ = false;
+    ready_.reset();
+    making_ = std::async(std::launch::async, [this] { return make(); });
+  }
+}
+
+std::string Reloader::message() const {
+  if (making_.valid()) return "Reading what was saved.";
+  return wrong_;
+}
+
+bool begin_at(Prepared& prepared, const Pose& X_WM) {
+  const Pose X_WT = X_WM * Pose{Quat::Identity(), prepared.models.p_MT};
+  const OverlapDepth overlap(prepared.haptic.scene_W, prepared.haptic.tool_T,
+                             prepared.haptic.scene.scene_field.get());
+  if (overlap.at(X_WT, {.above = kPushedOut, .tolerance = kPushedOut, .distances = 20'000}).depth >
+      kPushedOut)
+    return false;
+  prepared.scenario.tool.X_WM_start = X_WM;
+  prepared.haptic.scene.tool.X_WT_start = X_WT;
+  return true;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,195 @@
+// A scenario that is saved a thousand times, well and badly, while a hand leans on it: what it feels, what is
+// said, and what memory there is.
+
+#include "engine/app/edit/reloader.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "engine/app/author/first_guess.h"
+#include "engine/app/author/first_text.h"
+#include "engine/app/author/starter_models.h"
+#include "engine/assets/gltf_writer.h"
+#include "engine/scenario/content.h"
+#include "engine/scenario/load.h"
+#include "haptics/loop/run_tick.h"
+#include "haptics/safety/output_limit.h"
+
+namespace fulcrum::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A handle that stays where it is, whatever pushes it; it keeps the largest step of what does.
+class StandingHandle : public Device {
+public:
+  StandingHandle(const DeviceDesc& desc, const Pose& X_DH) : desc_(desc) { sample_.X_DH = X_DH; }
+  const DeviceDesc& desc() const override { return desc_; }
+  DeviceSample read() noexcept override { return sample_; }
+  void write(const DeviceCommand& command) noexcept override {
+    largest_step_ = std::max(largest_step_, (command.F_H_D.force - last_).norm());
+    last_ = command.F_H_D.force;
+    strongest_ = std::max(strongest_, last_.norm());
+  }
+  void miss(int) noexcept override {}
+  double largest_step() const { return largest_step_; }
+  double strongest() const { return strongest_; }
+  void forget_strongest() { strongest_ = 0; }
+
+private:
+  DeviceDesc desc_;
+  DeviceSample sample_;
+  Vec3 last_ = Vec3::Zero();
+  double largest_step_ = 0, strongest_ = 0;
+};
+
+class ReloadTest : public testing::Test {
+protected:
+  ReloadTest() {
+    folder_ = fs::temp_directory_path() / ("fulcrum_reload_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    const auto devices = scenario::device_files(scenario::content_roots());
+    const auto device = scenario::load_device(devices.at("phantom_like"));
+    const Model board = starter_board(), pin = starter_pin();
+    guess_ =
+        guess_scenario(*build_solid(to_triangle_mesh(board)), *build_solid(to_triangle_mesh(pin)), *device);
+    write("scene.glb", to_glb(board, "board", "test"));
+    write("tool.glb", to_glb(pin, "pin", "test"));
+    const FirstFiles files{
+        "Reloaded",
+        {{"scene", "scene.glb", "scene", false, {}}, {"tool", "tool.glb", "tool", false, {}}},
+        "phantom_like",
+        {}};
+    write("expert.yaml", expert_text(files, guess_));
+    text_ = scenario_text(files, guess_);
+    write("scenario.yaml", text_);
+  }
+  ~ReloadTest() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+  }
+
+  // The text with something else in it, longer by `longer`.
+  std::string with(const std::string& what, const std::string& in_its_place) const {
+    std::string text = text_;
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, text.npos) << what;
+    return text.replace(at, what.size(), in_its_place);
+  }
+
+  // Until what was saved has been read, however long that takes.
+  static void settle(Reloader& reloader) {
+    for (int i = 0; i < 3; ++i) reloader.look();
+    while (reloader.message() == "Reading what was saved.") {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      reloader.look();
+    }
+  }
+
+  void run(int rounds);
+
+  fs::path folder_;
+  FirstGuess guess_;
+  std::string text_;
+};
+
+double resident_MB() {
+  long pages = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> pages >> resident;
+  return static_cast<double>(resident * ::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+void ReloadTest::run(int rounds) {
+  const std::string file = (folder_ / "scenario.yaml").string();
+  Reloader reloader(file, {});
+  std::optional<Prepared> first = prepare(file, std::vector<std::string>());
+  ASSERT_TRUE(first);
+  auto prepared = std::make_unique<Prepared>(std::move(*first));
+  // The pin's tip half a millimetre deep in the step: the hand leans on it.
+  Pose X_WM = guess_.X_WM_touch;
+  X_WM.p.y() -= 0.0005;
+  const SceneDesc& scene = prepared->haptic.scene;
+  const Pose X_WT = X_WM * Pose{Quat::Identity(), prepared->models.p_MT};
+  StandingHandle handle(scene.device, scene.mapping.handle_in_device(X_WT * scene.tool.X_HT.inverse()));
+  const double most = SlewSteps(scene.device, scene.tick_s).force;
+
+  const std::string bad[] = {with("time_limit: 60", "time_limit: soon"),
+                             with("role: scene", "role: scenery"),
+                             with("scene.glb", "none.glb"),
+                             text_ + "checkpoints: [\n",
+                             text_.substr(0, text_.size() / 2),
+                             with("start: {position: [", "start: {position: [.nan, ")};
+  double resident = 0;
+  for (int round = 0; round < rounds; ++round) {
+    Result<World> world = World::build(prepared->haptic.scene);
+    ASSERT_TRUE(world);
+    handle.forget_strongest();
+    TickEvent event;
+    for (int tick = 0; tick < 700; ++tick) run_tick(*world, handle, {}, event);
+    EXPECT_GT(handle.strongest(), 0.1) << "nothing is felt in round " << round;
+
+    // A bad save: the scene goes on, and it is said what is wrong and where.
+    write("scenario.yaml", bad[static_cast<std::size_t>(round) % std::size(bad)]);
+    settle(reloader);
+    ASSERT_FALSE(reloader.is_ready());
+    ASSERT_NE(reloader.message().find("scenario.yaml:"), std::string::npos) << reloader.message();
+    for (int tick = 0; tick < 50; ++tick) run_tick(*world, handle, {}, event);
+
+    // A good one takes over once the force has been let go.
+    const double friction = 0.1 + 0.001 * (round % 700);
+    write("scenario.yaml",
+          with("response: constraint", "friction: " + std::to_string(friction) + ", response: constraint") +
+              std::string(static_cast<std::size_t>(round) % 7, '\n'));
+    settle(reloader);
+    ASSERT_TRUE(reloader.is_ready()) << reloader.message();
+    ASSERT_EQ(reloader.message(), "");
+    const Command release{Command::Kind::release};
+    run_tick(*world, handle, {&release, 1}, event);
+    for (int tick = 0; tick < 2000 && !(event.record.stopped && event.record.device_F_H_D.is_zero()); ++tick)
+      run_tick(*world, handle, {}, event);
+    ASSERT_TRUE(event.record.stopped && event.record.device_F_H_D.is_zero());
+    const Pose X_MT{Quat::Identity(), prepared->models.p_MT};
+    const Pose left = event.record.X_WT * X_MT.inverse();
+    prepared = reloader.take();
+    ASSERT_NEAR(prepared->haptic.scene.contact.friction, friction, 1e-9);
+    ASSERT_TRUE(begin_at(*prepared, left)) << round;
+    ASSERT_LT((prepared->haptic.scene.tool.X_WT_start.p - event.record.X_WT.p).norm(), 1e-9);
+    ASSERT_LE(handle.largest_step(), most * (1 + 1e-9)) << "N in a tick, in round " << round;
+    if (round == rounds / 10) resident = resident_MB();
+  }
+  // A scene that nobody lets go of is at least a megabyte.
+  EXPECT_LT(resident_MB() - resident, 0.05 * rounds + 8);
+}
+
+TEST_F(ReloadTest, GoodAndBadSavesByTurns) {
+  run(20);
+}
+
+TEST_F(ReloadTest, AThousandTimesLong) {
+  run(1000);
+}
+
+// What is not free in the new scene is no place to go on.
+TEST_F(ReloadTest, AToolThatWouldBeInTheNewSceneBeginsWhereThatSays) {
+  std::optional<Prepared> prepared =
+      prepare((folder_ / "scenario.yaml").string(), std::vector<std::string>());
+  ASSERT_TRUE(prepared);
+  const Pose start = prepared->haptic.scene.tool.X_WT_start;
+  EXPECT_FALSE(begin_at(*prepared, Pose{Quat::Identity(), Vec3(0, -0.01, 0)}));
+  EXPECT_EQ(prepared->haptic.scene.tool.X_WT_start.p, start.p);
+  EXPECT_TRUE(begin_at(*prepared, Pose{Quat::Identity(), Vec3(0, 0.1, 0)}));
+  EXPECT_LT((prepared->scenario.tool.X_WM_start.p - Vec3(0, 0.1, 0)).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace fulcrum::app
