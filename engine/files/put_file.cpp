@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -31,6 +32,16 @@ bool write_all(int descriptor, Pieces pieces) {
   return true;
 }
 
+// "x.yaml.4711.part", "x.yaml.4711-3.part": with the number of a process. Other programs have files that end
+// in .part, too.
+bool is_a_part(std::string_view name) {
+  if (!name.ends_with(kPart)) return false;
+  name.remove_suffix(kPart.size());
+  const std::size_t dot = name.rfind('.');
+  return dot != name.npos && dot > 0 && dot + 1 < name.size() &&
+         name.find_first_not_of("0123456789-", dot + 1) == name.npos;
+}
+
 // A part that is being written is locked by who writes it, and the lock goes with the process.
 void remove_abandoned(const fs::path& folder) {
   std::vector<fs::path> parts;
@@ -38,7 +49,7 @@ void remove_abandoned(const fs::path& folder) {
   fs::directory_iterator entry(folder, fault);
   while (!fault && entry != fs::directory_iterator()) {
     std::error_code gone;
-    if (entry->path().native().ends_with(kPart) && fs::is_regular_file(entry->symlink_status(gone)))
+    if (is_a_part(entry->path().filename().native()) && fs::is_regular_file(entry->symlink_status(gone)))
       parts.push_back(entry->path());
     entry.increment(fault);
   }

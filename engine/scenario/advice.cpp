@@ -10,6 +10,7 @@
 #include "haptics/bake/overlap_depth.h"
 #include "haptics/bake/triangle_distance.h"
 #include "haptics/device/hand.h"
+#include "haptics/math/rotation.h"
 #include "haptics/math/split_mix.h"
 
 namespace fulcrum::scenario {
@@ -87,7 +88,15 @@ private:
   // and at random.
   std::vector<Quat> turns(const Checkpoint& checkpoint, const Vec3& place_W) const {
     std::vector<Quat> turns;
-    if (checkpoint.facing) return {checkpoint.facing->q_WT};
+    if (checkpoint.facing) {
+      SplitMix near(2);
+      turns.push_back(checkpoint.facing->q_WT);
+      for (int i = 0; i < kRandomTurns; ++i) {
+        const Vec3 axis = random_turn(near).vec().normalized();
+        turns.push_back(turn_by(near.uniform() * checkpoint.facing->within, axis) * checkpoint.facing->q_WT);
+      }
+      return turns;
+    }
     for (const HandScript& hand : assembly_.hands)
       for (const Waypoint& waypoint : hand.waypoints)
         if ((waypoint.X_WT * assembly_.task.touch_point - place_W).norm() <= checkpoint.radius)
@@ -117,7 +126,7 @@ private:
     const std::string key = "checkpoints." + std::to_string(checkpoint.written);
     look_at_place(checkpoint, checkpoint.position, key + ".position");
     for (std::size_t i = 0; i < checkpoint.follow.size(); ++i)
-      look_at_place(checkpoint, checkpoint.follow[i], key + ".follow." + std::to_string(i) + ".to");
+      look_at_place(checkpoint, checkpoint.follow[i], key + ".follow." + std::to_string(i) + ".corner");
     if (checkpoint.insert) look_at_place(checkpoint, end_of(checkpoint), key + ".insert.depth");
   }
 

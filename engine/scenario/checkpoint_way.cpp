@@ -81,8 +81,9 @@ bool CheckpointWay::holds(const Vec3& p_WC) const {
 bool CheckpointWay::see(const Vec3& p_WC) {
   const bool was_inside = inside_;
   inside_ = holds(p_WC);
-  slipped_ = was_inside && !inside_ && is_way(checkpoint_) && !is_done() &&
+  slipped_ = was_inside && !inside_ && !paused_ && is_way(checkpoint_) && !is_done() &&
              std::max(along_, depth_) > checkpoint_.radius;
+  paused_ = false;
   if (checkpoint_.insert) depth_ = inside_ ? depth_of(p_WC) : 0;
   return inside_;
 }

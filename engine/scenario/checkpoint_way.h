@@ -21,6 +21,11 @@ public:
   void go_on(const Vec3& p_WC, const Quat& q_WT);
   // Once a tick in which one of the two is not.
   void rest() { q_WT_.reset(); }
+  // Once a tick of a pause, in which the tool may go anywhere: that is no slip.
+  void pause() {
+    rest();
+    paused_ = true;
+  }
 
   bool is_done() const { return done() >= 1; }
   double done() const;  // 0 to 1; 1 where there is nothing to go and to turn
@@ -49,7 +54,7 @@ private:
   Checkpoint checkpoint_;
   std::vector<Vec3> corners_;  // (n + 1) m, of the line; empty: there is none
   double length_ = 0;          // m, of the line
-  bool inside_ = false, slipped_ = false;
+  bool inside_ = false, slipped_ = false, paused_ = false;
   double along_ = 0;          // m, of the line
   double depth_ = 0;          // m, in the bore
   double angle_ = 0;          // rad, turned so far

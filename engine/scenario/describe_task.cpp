@@ -11,6 +11,7 @@ namespace fulcrum::scenario {
 
 namespace {
 
+constexpr Range kRadius{1e-6, 10, false};  // m: what is smaller can be neither hit nor drawn
 constexpr double kOneDegree = std::numbers::pi / 180;
 
 // Of any length as it is written. Not in the place of a fault: nothing there is used.
@@ -25,7 +26,7 @@ void describe_follow(KeyVisitor& visitor, Checkpoint& checkpoint) {
   visitor.list(
       {"follow", "", "a line from 'position' on, from corner to corner, no farther off it than 'radius'"}, 1,
       [&](KeyVisitor& each) {
-        each.vector({"to", "m", "the next corner, in the world", true},
+        each.vector({"corner", "m", "the next one, in the world", true},
                     checkpoint.follow.emplace_back(Vec3::Zero()), kPosition);
       });
   double length = 0;
@@ -45,7 +46,7 @@ void describe_conditions(KeyVisitor& visitor, Checkpoint& checkpoint) {
                      "force is stopped there and taken up again"},
                     checkpoint.needs);
   visitor.mapping(
-      {"force", "", "the scene is pushed as hard as this all the while, and no harder"},
+      {"press", "", "the scene is pushed as hard as this all the while, and no harder"},
       [&](KeyVisitor& inner) {
         ForceRange& force = checkpoint.force.emplace();
         inner.number({"least", "N", "of the scene on the tool"}, force.least, from_to(0, 1000));
@@ -105,7 +106,7 @@ void describe_checkpoints(KeyVisitor& visitor, std::vector<Checkpoint>& checkpoi
         each.rule(mirrored.empty() ? "name" : "mirrored_name", mirrored_names.insert(seen).second || !differs,
                   "is the name of an earlier one where the scene is mirrored; choose another");
         each.vector({"position", "m", "in the world", true}, checkpoint.position, kPosition);
-        each.number({"radius", "m", "how near counts as there"}, checkpoint.radius, above_to(0, 10));
+        each.number({"radius", "m", "how near counts as there"}, checkpoint.radius, kRadius);
         each.optional_number({"dwell", "s", "how long to stay at this one; without it that of the task"},
                              checkpoint.dwell, from_to(0, 600));
         describe_conditions(each, checkpoint);
@@ -131,7 +132,7 @@ void describe_avoid(KeyVisitor& visitor, std::vector<Avoided>& avoid) {
         Avoided& ball = avoid.emplace_back();
         each.text({"name", "", "what is there", true}, ball.name);
         each.vector({"position", "m", "of its middle, in the world", true}, ball.position, kPosition);
-        each.number({"radius", "m", "of the ball"}, ball.radius, above_to(0, 10));
+        each.number({"radius", "m", "of the ball"}, ball.radius, kRadius);
       });
 }
 
@@ -146,7 +147,7 @@ void describe_score(KeyVisitor& visitor, ScoreWeights& score) {
         points("optional", "those reached that need not be", score.optional);
         points("time", "beside the expert's", score.time);
         points("path", "what the touch point went, beside the expert's", score.path);
-        points("force", "its 95th percentile, beside the expert's", score.force);
+        points("force_95", "the force's 95th percentile, beside the expert's", score.force);
         points("smoothness", "of the motion, beside the expert's", score.smoothness);
         points("touches", "on the way, beside the expert's", score.touches);
         points("hard_touches", "a fifth is lost with each", score.hard_touches);
@@ -157,7 +158,7 @@ void describe_score(KeyVisitor& visitor, ScoreWeights& score) {
 
 void describe_variant(KeyVisitor& visitor, Scenario& scenario) {
   visitor.mapping(
-      {"variant", "", "a task that is another one for every 'seed'"},
+      {"variants", "", "a task that is another one for every 'seed'"},
       [&](KeyVisitor& inner) {
         VariantDesc& variant = scenario.variant;
         inner.boolean({"shuffle", "", "the checkpoints come in an order that the seed chooses"},

@@ -201,7 +201,7 @@ Inspected inspect(const std::string& text, const std::string& source, const std:
   append(faults, read_materials(scenario, root, texts));
   if (!faults.empty()) return read;
 
-  vary(scenario.checkpoints, scenario.variant, scenario.seed);
+  vary(scenario.checkpoints, scenario.variant, scenario.order, scenario.seed);
   if (scenario.left_handed) {
     if (const std::string why = why_not_mirrored(scenario); !why.empty()) {
       faults = {mark_of(root, {"left_handed"})

@@ -123,12 +123,11 @@ void tell_of_left_out(const Scenario& scenario, const std::filesystem::path& fil
     });
     if (taken) continue;
     const std::string role(names_of<ModelRole>[static_cast<std::size_t>(mark.role)]);
-    warnings.push_back(
-        at(*of_file, in_quotes(of_file->file.name) + " has objects that are marked '" + role + "'" +
-                         (mark.material.empty() ? "" : " with the material '" + mark.material + "'") +
-                         ", which no model takes: add one with 'role: " + role + "'" +
-                         (mark.material.empty() ? "" : ", 'material: " + mark.material + "'") +
-                         " and 'marked: true'."));
+    std::string sentence = in_quotes(of_file->file.name) + " has objects that are marked '" + role + "'";
+    if (!mark.material.empty()) sentence.append(" with the material '").append(mark.material).append("'");
+    sentence.append(", which no model takes: add one with 'role: ").append(role).append("'");
+    if (!mark.material.empty()) sentence.append(", 'material: ").append(mark.material).append("'");
+    warnings.push_back(at(*of_file, sentence.append(" and 'marked: true'.")));
   }
 }
 

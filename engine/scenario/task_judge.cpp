@@ -104,22 +104,27 @@ void TaskJudge::judge_trespass(const Vec3& p_WC) {
   state_.trespass_time = static_cast<double>(trespass_ticks_) * tick_s_;
 }
 
-std::optional<std::size_t> TaskJudge::find_place(const Vec3& p_WC) {
+std::optional<std::size_t> TaskJudge::find_place(const Vec3& p_WC, const TickRecord& record) {
   std::optional<std::size_t> found;
-  bool stays = false;
+  int worth =
+      0;  // of what was found: the most for one that lacks nothing, and more for that of the tick before
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     if (!state_.open[i]) continue;
     const bool there = ways_[i].see(p_WC);
     if (ways_[i].slipped()) ++state_.slips;
-    if (there && !found) found = i;
-    stays = stays || (there && at_ == i);
+    if (!there) continue;
+    const int now = 1 + (lack(i, record) == Lack::nothing ? 2 : 0) + (at_ == i ? 1 : 0);
+    if (now <= worth) continue;
+    worth = now;
+    found = i;
   }
-  return stays ? at_ : found;
+  return found;
 }
 
-Lack TaskJudge::lack(const Checkpoint& checkpoint, const TickRecord& record) const {
+Lack TaskJudge::lack(std::size_t index, const TickRecord& record) const {
+  const Checkpoint& checkpoint = desc_.checkpoints[index];
   if (checkpoint.needs == Needs::touch && record.regions <= 0) return Lack::touch;
-  if (checkpoint.needs == Needs::stop && !was_stopped_) return Lack::stop;
+  if (checkpoint.needs == Needs::stop && !(was_stopped_ && at_ == index)) return Lack::stop;
   if (checkpoint.force) {
     const double force = record.contact_F_T_W.force.norm();
     if (force > checkpoint.force->most) return Lack::less_force;
@@ -127,9 +132,9 @@ Lack TaskJudge::lack(const Checkpoint& checkpoint, const TickRecord& record) con
   }
   if (checkpoint.facing) {
     const double cosine = std::abs(record.X_WT.q.dot(checkpoint.facing->q_WT));
-    if (!(cosine >= least_cosines_[*at_])) return Lack::facing;
+    if (!(cosine >= least_cosines_[index])) return Lack::facing;
   }
-  return ways_[*at_].is_too_deep() ? Lack::less_depth : Lack::nothing;
+  return ways_[index].is_too_deep() ? Lack::less_depth : Lack::nothing;
 }
 
 void TaskJudge::reach(std::size_t index) {
@@ -161,6 +166,7 @@ void TaskJudge::judge(const TickRecord& record) {
       was_stopped_ = true;
       at_ = state_.step;
     }
+    for (CheckpointWay& way : ways_) way.pause();
     rests_ = true;
     ++rested_;
     return;
@@ -171,7 +177,7 @@ void TaskJudge::judge(const TickRecord& record) {
   state_.time = static_cast<double>(record.tick - rested_) * tick_s_;
   if (!desc_.avoid.empty()) judge_trespass(p_WC);
 
-  const std::optional<std::size_t> at = find_place(p_WC);
+  const std::optional<std::size_t> at = find_place(p_WC, record);
   if (at != at_) {
     if (at_) ways_[*at_].rest();
     ticks_inside_ = -1;
@@ -182,7 +188,7 @@ void TaskJudge::judge(const TickRecord& record) {
   state_.step = at.value_or(state_.step);  // who slips off one goes on with that
   const Checkpoint& checkpoint = desc_.checkpoints[state_.step];
   CheckpointWay& way = ways_[state_.step];
-  state_.lack = at ? lack(checkpoint, record) : Lack::nothing;
+  state_.lack = at ? lack(*at, record) : Lack::nothing;
   const bool goes_on = at && state_.lack == Lack::nothing;
   if (goes_on)
     way.go_on(p_WC, record.X_WT.q);

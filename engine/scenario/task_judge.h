@@ -74,10 +74,10 @@ public:
 private:
   void judge_touch(const TickRecord& record);
   void judge_trespass(const Vec3& p_WC);
-  // Of the checkpoints that are open, the one that the touch point is at: that of the tick before if it still
-  // is, else the first. None: it is at none.
-  std::optional<std::size_t> find_place(const Vec3& p_WC);
-  Lack lack(const Checkpoint& checkpoint, const TickRecord& record) const;
+  // Of the checkpoints that are open, the one that the touch point is at. Of several one that lacks nothing;
+  // of those that of the tick before, else the first. None: it is at none.
+  std::optional<std::size_t> find_place(const Vec3& p_WC, const TickRecord& record);
+  Lack lack(std::size_t index, const TickRecord& record) const;
   void reach(std::size_t index);
 
   TaskDesc desc_;

@@ -22,9 +22,16 @@ Vec3 draw_in_ball(SplitMix& random) {
   return p;
 }
 
+void come_after_what_is_there(Checkpoint& checkpoint, const std::vector<Checkpoint>& gone) {
+  // Each names an earlier one of the file, so that this ends.
+  for (auto before = gone.end();
+       (before = std::ranges::find(gone, checkpoint.after, &Checkpoint::name)) != gone.end();)
+    checkpoint.after = before->after;
+}
+
 }  // namespace
 
-void vary(std::vector<Checkpoint>& checkpoints, const VariantDesc& variant, std::int64_t seed) {
+void vary(std::vector<Checkpoint>& checkpoints, const VariantDesc& variant, Order order, std::int64_t seed) {
   SplitMix random(static_cast<std::uint64_t>(seed));
   if (variant.spread > 0) {
     for (Checkpoint& checkpoint : checkpoints) {
@@ -40,13 +47,19 @@ void vary(std::vector<Checkpoint>& checkpoints, const VariantDesc& variant, std:
     std::ptrdiff_t left = std::ranges::count(checkpoints, false, &Checkpoint::optional);
     std::ptrdiff_t wanted = variant.pick;
     // Each is taken with the chance that makes any choice of so many as likely as any other.
+    std::vector<Checkpoint> gone;
     std::erase_if(checkpoints, [&](const Checkpoint& checkpoint) {
       if (checkpoint.optional) return false;
       const bool taken = random.uniform() * static_cast<double>(left--) < static_cast<double>(wanted);
       if (taken) --wanted;
+      if (!taken) gone.push_back(checkpoint);
       return !taken;
     });
+    for (Checkpoint& checkpoint : checkpoints) come_after_what_is_there(checkpoint, gone);
   }
+  if (order == Order::any) return;
+  const auto last = std::ranges::find(checkpoints.rbegin(), checkpoints.rend(), false, &Checkpoint::optional);
+  if (last != checkpoints.rend()) std::rotate(last.base() - 1, last.base(), checkpoints.end());
 }
 
 }  // namespace fulcrum::scenario

@@ -14,7 +14,9 @@ struct VariantDesc {
   double spread = 0;      // m, by which each checkpoint may be moved, any way
 };
 
-// What the seed makes of the checkpoints: the same everywhere. A checkpoint's line goes with its place.
-void vary(std::vector<Checkpoint>& checkpoints, const VariantDesc& variant, std::int64_t seed);
+// What the seed makes of the checkpoints: the same everywhere. A checkpoint's line goes with its place. One
+// that comes after one that is not picked comes after what that comes after; in the order given the last is
+// one that has to be reached, as it is in a file.
+void vary(std::vector<Checkpoint>& checkpoints, const VariantDesc& variant, Order order, std::int64_t seed);
 
 }  // namespace fulcrum::scenario

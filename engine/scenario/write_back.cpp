@@ -150,8 +150,10 @@ Checked<std::string> written_back(std::string_view text, std::string_view source
   for (const NumberChange& change : changes)
     if (Faults faults = editor.change(change); !faults.empty()) return faults;
   std::string written = editor.take();
-  if (const auto root = parse_yaml(written, source); !root) return root.faults();
-  return written;
+  if (parse_yaml(written, source)) return written;
+  return Faults{{std::string(source), 0, 0,
+                 "cannot be written in this text; change it by hand: " + changes.front().path + " to " +
+                     value_of(changes.front())}};
 }
 
 }  // namespace fulcrum::scenario

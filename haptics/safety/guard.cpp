@@ -33,7 +33,10 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
     if (command.kind == Command::Kind::stop) faults |= kStopRequested;
     if (command.kind == Command::Kind::watchdog) faults |= kWatchdog;
     if (command.kind == Command::Kind::stop || command.kind == Command::Kind::watchdog) acknowledged = false;
-    if (command.kind == Command::Kind::acknowledge) acknowledged = true;
+    if (command.kind == Command::Kind::acknowledge) {
+      acknowledged = true;
+      releases_ = false;
+    }
     if (command.kind == Command::Kind::release) releases_ = !stopped_;
   }
   if (releases_ && gain_ <= 0 && last_.is_zero()) faults |= kStopRequested;

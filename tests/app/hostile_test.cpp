@@ -82,10 +82,11 @@ public:
   std::vector<Command> commands() {
     std::vector<Command> commands;
     if (!calm() && random_.uniform() < 1.0 / 100) commands.push_back({Command::Kind::stop});
+    if (!calm() && random_.uniform() < 1.0 / 200) commands.push_back({Command::Kind::release});
     if (random_.uniform() < 1.0 / 20) commands.push_back({Command::Kind::acknowledge});
     if (random_.uniform() < 1.0 / 30) {
       constexpr double first = static_cast<double>(Command::Kind::vibration_gain);
-      constexpr double last = static_cast<double>(Command::Kind::last);
+      constexpr double last = static_cast<double>(Command::Kind::guidance_gain);
       const auto kind =
           static_cast<Command::Kind>(first + std::floor((last - first + 1) * random_.uniform()));
       const double values[] = {0, 1, 2, 0.1, -1, 1000, kNaN, random_.uniform(), 1e300};

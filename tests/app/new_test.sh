@@ -128,6 +128,8 @@ write("seen.glb", [role("scene"), role("decor"), role("tool")])
 write("no_tool.glb", [role("scene"), {}, {"name": "tool"}])
 write("bare.glb", [{}, {}, {}])
 write("numbers.glb", [role(1), role([1]), role({"a": None})])
+write("nope.glb", [role("scene", fulcrum_material="nope"), role("decor"), role("tool")])
+write("capital.glb", [role("scene"), role("Decor"), role("tool")])
 write("odd.glb", [role("scene", fulcrum_material="a}, role: tool"), role("decor"), role("tool")])
 PY
 expect 0 'is made' "$FULCRUM" new two --scene two.glb
@@ -148,7 +150,9 @@ for file in no_tool bare numbers; do
   expect 1 'tick Include > Custom Properties' "$FULCRUM" new half --scene $file.glb
   [ ! -e half ] || fail "half a scenario was left of $file.glb"
 done
-expect 1 "'a}, role: tool', which is no name of a material" "$FULCRUM" new half --scene odd.glb
+expect 1 "'a}, role: tool', which is no material that there is" "$FULCRUM" new half --scene odd.glb
+expect 1 "'nope', which is no material that there is" "$FULCRUM" new half --scene nope.glb
+expect 1 "'object 1' that is marked with the role 'Decor'; did you mean 'decor'" "$FULCRUM" new half --scene capital.glb
 cd .. || exit 1
 
 # --- what cannot be

@@ -2,6 +2,7 @@
 // said, and what memory there is.
 
 #include "engine/app/edit/reloader.h"
+#include "engine/app/edit/scene_editor.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -111,9 +113,9 @@ double resident_MB() {
 
 void ReloadTest::run(int rounds) {
   const std::string file = (folder_ / "scenario.yaml").string();
-  Reloader reloader(file, {});
   std::optional<Prepared> first = prepare(file, std::vector<std::string>());
   ASSERT_TRUE(first);
+  Reloader reloader(file, first->scenario);
   auto prepared = std::make_unique<Prepared>(std::move(*first));
   // The pin's tip half a millimetre deep in the step: the hand leans on it.
   Pose X_WM = guess_.X_WM_touch;
@@ -177,6 +179,79 @@ TEST_F(ReloadTest, GoodAndBadSavesByTurns) {
 
 TEST_F(ReloadTest, AThousandTimesLong) {
   run(1000);
+}
+
+// What an author puts goes into the file that is seen, and into no other.
+TEST_F(ReloadTest, NothingIsWrittenIntoATextThatIsNotSeen) {
+  const fs::path file = folder_ / "scenario.yaml";
+  const std::optional<Prepared> prepared = prepare(file.string(), std::vector<std::string>());
+  ASSERT_TRUE(prepared);
+  const auto text = [&] {
+    std::stringstream all;
+    all << std::ifstream(file).rdbuf();
+    return all.str();
+  };
+  SceneEditor editor(file, prepared->scenario);
+  const SceneEditor::Seen seen{*prepared, prepared->haptic.scene.tool.X_WT_start, {}, {640, 360}};
+  const std::string newer = with("checkpoints:  # in this order\n",
+                                 "checkpoints:\n  - {name: new, position: [1, 2, 3], radius: 0.01}\n");
+  write("scenario.yaml", newer);
+  editor.put(seen, 0);
+  EXPECT_EQ(text(), newer);
+  EXPECT_NE(editor.message(*prepared).find("saved since"), std::string::npos) << editor.message(*prepared);
+
+  // By way of a link, and as closed to others as it was; a download beside it is none of ours.
+  write("scenario.yaml", text_);
+  write("model.glb.part", "half a download");
+  fs::rename(file, folder_ / "real.yaml");
+  fs::permissions(folder_ / "real.yaml", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("real.yaml", file);
+  editor.put(seen, 0);
+  EXPECT_NE(text(), text_);
+  EXPECT_TRUE(fs::is_symlink(file));
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_TRUE(fs::exists(folder_ / "model.glb.part"));
+  // And once more, on what it has written itself.
+  const std::string once = text();
+  SceneEditor::Seen moved = seen;
+  moved.X_WT.p.x() += 0.02;
+  editor.put(moved, 0);
+  EXPECT_NE(text(), once);
+}
+
+// Whatever a scenario names is watched, wherever it lies; what an editor leaves beside it is not.
+TEST_F(ReloadTest, WhatIsNamedIsWatched) {
+  fs::create_directories(folder_ / "meshes");
+  fs::rename(folder_ / "scene.glb", folder_ / "meshes" / "scene.GLB");
+  write("mine.yml", with("scene.glb", "meshes/scene.GLB"));
+  const std::string file = (folder_ / "mine.yml").string();
+  std::optional<Prepared> prepared = prepare(file, std::vector<std::string>());
+  ASSERT_TRUE(prepared);
+  Reloader reloader(file, prepared->scenario);
+  settle(reloader);
+  EXPECT_FALSE(reloader.is_ready());
+  write(".mine.yml.swp", "x");
+  write("mine.yml~", "x");
+  settle(reloader);
+  EXPECT_FALSE(reloader.is_ready());
+  write("meshes/scene.GLB", "glTF no more");
+  settle(reloader);
+  EXPECT_NE(reloader.message().find("scene.GLB"), std::string::npos) << reloader.message();
+  write("meshes/scene.GLB", to_glb(starter_board(), "board", "test"));
+  settle(reloader);
+  EXPECT_TRUE(reloader.is_ready());
+}
+
+// A save between reading and watching.
+TEST_F(ReloadTest, ASaveBeforeItIsWatchedIsNotLost) {
+  const std::string file = (folder_ / "scenario.yaml").string();
+  std::optional<Prepared> prepared = prepare(file, std::vector<std::string>());
+  ASSERT_TRUE(prepared);
+  write("scenario.yaml", with("time_limit: 60", "time_limit: 61"));
+  Reloader reloader(file, prepared->scenario);
+  settle(reloader);
+  ASSERT_TRUE(reloader.is_ready());
+  EXPECT_EQ(reloader.take()->scenario.time_limit, 61);
 }
 
 // What is not free in the new scene is no place to go on.

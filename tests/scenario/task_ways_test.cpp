@@ -46,7 +46,7 @@ public:
   }
   void jump(const Vec3& to) { at_ = to; }
   void stay(double duration) {
-    for (double i = 0; i < duration / kStep; ++i) be(at_);
+    for (double i = 0; i < duration / kStep; ++i) be(at_, q_);
   }
   // About an axis through the touch point, at a rad/s.
   void turn(const Vec3& axis, double angle, double rate = 1) {
@@ -54,6 +54,8 @@ public:
     const double ticks = std::ceil(std::abs(angle) / rate / kStep);
     for (double i = 1; i <= ticks; ++i) be(at_, q_ = turn_by(i / ticks * angle, axis) * from);
   }
+  // As it may be after a pause.
+  void turned(double angle, const Vec3& axis) { q_ = turn_by(angle, axis) * q_; }
   void stop(std::int64_t ticks, const Vec3& p_WC) {
     for (std::int64_t i = 0; i < ticks; ++i) {
       TickRecord record;
@@ -440,6 +442,57 @@ TEST(InTheOrderGiven, AnOptionalOneMayBePassed) {
     EXPECT_TRUE(hand.state().completed);
     EXPECT_EQ(hand.done(1), takes_it);
   }
+}
+
+// Two in one place: what one of them lacks keeps nobody from the other.
+TEST(InAnyOrder, OneThatLacksSomethingDoesNotHoldUpAnother) {
+  TaskDesc task = four(Order::any);
+  task.checkpoints[1].position = task.checkpoints[0].position;
+  task.checkpoints[0].needs = Needs::touch;
+  Hand hand(task);
+  hand.jump({0, 0, 0});
+  hand.stay(0.05);
+  EXPECT_FALSE(hand.done(0));
+  EXPECT_TRUE(hand.done(1));
+  EXPECT_EQ(hand.state().lack, Lack::touch) << "then the other one is told";
+}
+
+TEST(InTheOrderGiven, AnOptionalOneRoundARequiredOneDoesNotHoldItUp) {
+  TaskDesc task = four(Order::given);
+  task.checkpoints[0].optional = true;
+  task.checkpoints[0].radius = 0.05;
+  task.checkpoints[0].facing = {turn_by(2, Vec3::UnitX()), 0.1};
+  task.checkpoints[1].position = task.checkpoints[0].position;
+  Hand hand(task);
+  hand.jump({0, 0, 0});
+  hand.stay(0.05);
+  EXPECT_FALSE(hand.done(0));
+  EXPECT_TRUE(hand.done(1));
+}
+
+// In a pause nothing is judged: what is turned and left in it is neither a turn nor a slip.
+TEST(InAPause, NoTurnAndNoSlipIsCounted) {
+  Hand screws(one(screw(90)));
+  screws.be(Vec3::Zero());
+  screws.turn(screw(90).turn->axis_W, 60 * kDegree);
+  screws.stop(10, {0.5, 0, 0});
+  screws.turned(120 * kDegree, screw(90).turn->axis_W);
+  screws.stay(0.1);
+  EXPECT_NEAR(screws.state().way, 60.0 / 90, 1e-6);
+  EXPECT_FALSE(screws.done());
+
+  Hand follows(one(angle_line()));
+  follows.be(Vec3::Zero());
+  follows.go({0.01, 0, 0}, 0.05);
+  follows.stop(10, {0.5, 0, 0});
+  follows.jump({0.5, 0, 0});
+  follows.stay(0.01);
+  EXPECT_EQ(follows.state().slips, 0);
+  follows.jump({0.01, 0, 0});
+  follows.stay(0.01);
+  follows.jump({0.5, 0, 0});
+  follows.stay(0.01);
+  EXPECT_EQ(follows.state().slips, 1) << "without a pause it is one";
 }
 
 TEST(Dwell, IsItsOwnWhereItHasOne) {

@@ -31,7 +31,7 @@ std::string names(const std::vector<Checkpoint>& list) {
 
 TEST(Variant, WithoutOneNothingChanges) {
   std::vector<Checkpoint> list = five();
-  vary(list, {}, 7);
+  vary(list, {}, Order::any, 7);
   EXPECT_EQ(names(list), "abcde");
   EXPECT_EQ(list[3].position, Vec3(3, 0, 0));
 }
@@ -41,8 +41,8 @@ TEST(Variant, IsTheSameForTheSameSeed) {
   std::set<std::string> seen;
   for (std::int64_t seed = 0; seed < 50; ++seed) {
     std::vector<Checkpoint> one = five(), again = five();
-    vary(one, variant, seed);
-    vary(again, variant, seed);
+    vary(one, variant, Order::any, seed);
+    vary(again, variant, Order::any, seed);
     ASSERT_EQ(names(one), names(again));
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].position, again[i].position);
     seen.insert(names(one));
@@ -56,7 +56,7 @@ TEST(Variant, EveryOrderIsAsLikely) {
   std::map<std::string, int> count;
   for (std::int64_t seed = 0; seed < 12000; ++seed) {
     std::vector<Checkpoint> list = five();
-    vary(list, {.shuffle = true}, seed);
+    vary(list, {.shuffle = true}, Order::any, seed);
     ++count[names(list)];
   }
   EXPECT_EQ(count.size(), 120u);
@@ -69,7 +69,7 @@ TEST(Variant, EveryChoiceIsAsLikely) {
   for (std::int64_t seed = 0; seed < 6000; ++seed) {
     std::vector<Checkpoint> list = five();
     list[2].optional = true;
-    vary(list, {.pick = 2}, seed);
+    vary(list, {.pick = 2}, Order::any, seed);
     ++count[names(list)];
   }
   EXPECT_EQ(count.size(), 6u);
@@ -81,13 +81,39 @@ TEST(Variant, EveryChoiceIsAsLikely) {
   }
 }
 
+// Who comes after one that is not there comes after what that comes after.
+TEST(Variant, AChainGoesOnWithoutALinkThatIsNotPicked) {
+  int seen = 0;
+  for (std::int64_t seed = 0; seed < 200; ++seed) {
+    std::vector<Checkpoint> list = five();
+    for (std::size_t i = 1; i < 5; ++i) list[i].after = list[i - 1].name;
+    vary(list, {.pick = 2}, Order::any, seed);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].after, "");
+    EXPECT_EQ(list[1].after, list[0].name);
+    seen += list[1].written - list[0].written > 1 ? 1 : 0;
+  }
+  EXPECT_GT(seen, 50);
+}
+
+// In the order given an optional one at the end would never be asked for.
+TEST(Variant, TheLastOfAnOrderIsOneThatHasToBe) {
+  for (std::int64_t seed = 0; seed < 200; ++seed) {
+    std::vector<Checkpoint> list = five();
+    list[1].optional = list[3].optional = true;
+    vary(list, {.shuffle = true, .pick = seed % 3}, Order::given, seed);
+    EXPECT_FALSE(list.back().optional) << names(list);
+    EXPECT_EQ(std::ranges::count(list, true, &Checkpoint::optional), 2);
+  }
+}
+
 // In a ball about where it was, as often in any eighth of it, and a line goes along.
 TEST(Variant, SpreadsWithinItsRadius) {
   std::array<int, 8> octants{};
   double farthest = 0;
   for (std::int64_t seed = 0; seed < 4000; ++seed) {
     std::vector<Checkpoint> list = five();
-    vary(list, {.spread = 0.01}, seed);
+    vary(list, {.spread = 0.01}, Order::any, seed);
     const Vec3 way = list[4].position - Vec3(4, 0, 0);
     farthest = std::max(farthest, way.norm());
     EXPECT_LT((list[4].follow[0] - Vec3(4, 1, 0) - way).norm(), 1e-12);

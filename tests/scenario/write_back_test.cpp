@@ -56,6 +56,11 @@ TEST(WriteBack, RefusesWhatIsNoNumber) {
   EXPECT_EQ(changed("a: &x 1\n", {"a", {2}}).substr(0, 8), "refused:");
 }
 
+TEST(WriteBack, SpeaksOfTheTextThatThereIs) {
+  EXPECT_EQ(changed("a: 1\n...\n", {"b", {2}}),
+            "refused: a.yaml: cannot be written in this text; change it by hand: b to 2");
+}
+
 // Every path to a number, or to a list of numbers.
 void find_numbers(const Node& node, const std::string& path,
                   std::vector<std::pair<std::string, std::size_t>>& found) {

@@ -144,9 +144,15 @@ std::vector<FirstModel> marked_models(const fs::path& folder, const std::string&
   for (const scenario::ObjectMark& mark : scenario::marks_of(*model)) {
     has_scene = has_scene || mark.role == scenario::ModelRole::scene;
     has_tool = has_tool || mark.role == scenario::ModelRole::tool;
-    if (!is_word(mark.material)) {
-      complain("scene.glb has an object whose 'fulcrum_material' is '" + mark.material +
-               "', which is no name of a material: letters, digits, '_' and '-'.");
+    if (const std::string wrong = refuse_marked(*model, mark.role, mark.material); !wrong.empty()) {
+      complain("'" + file + "' " + wrong + ".");
+      return {};
+    }
+    if (!mark.material.empty() &&
+        (!is_word(mark.material) ||
+         !scenario::ContentFile(folder, "materials", mark.material).is_installed())) {
+      complain("'" + file + "' has an object whose 'fulcrum_material' is '" + mark.material +
+               "', which is no material that there is.");
       return {};
     }
     const std::string role(names_of<scenario::ModelRole>[static_cast<std::size_t>(mark.role)]);

@@ -23,11 +23,9 @@ struct Place {
 
 class Author {
 public:
-  Author(WindowStage& stage, std::filesystem::path file, const RunOptions& options,
-         std::filesystem::path calibration)
-      : stage_(stage),
-        options_(options),
-        editor_(std::move(file), options.overrides, std::move(calibration)) {
+  Author(WindowStage& stage, std::filesystem::path file, const scenario::Scenario& shown,
+         const RunOptions& options, std::filesystem::path calibration)
+      : stage_(stage), options_(options), editor_(std::move(file), shown, std::move(calibration)) {
     options_.records = false;
   }
 
@@ -92,8 +90,8 @@ private:
 
 int edit_in_window(WindowStage& stage, const scenario::Scenario& scenario, const std::filesystem::path& file,
                    const std::filesystem::path& calibration, const RunOptions& options) {
-  // From before it is read: a save meanwhile is none that is lost.
-  Author author(stage, file, options, calibration);
+  // Before the models are read: a save meanwhile is none that is lost.
+  Author author(stage, file, scenario, options, calibration);
   PreparedInWindow ready = prepare_in_window(stage, file.string(), scenario);
   if (ready.closed || ready.cancelled) return kNotCompleted;
   if (!ready.prepared) return kError;

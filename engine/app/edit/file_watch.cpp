@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -14,26 +15,38 @@ namespace fs = std::filesystem;
 
 // Editors keep files of their own beside: those are none of a scenario's.
 bool is_of_a_scenario(const fs::path& file) {
-  constexpr std::array<std::string_view, 4> kEndings{".yaml", ".glb", ".gltf", ".bin"};
-  return std::ranges::find(kEndings, file.extension().string()) != kEndings.end();
+  constexpr std::array<std::string_view, 5> kEndings{".yaml", ".yml", ".glb", ".gltf", ".bin"};
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
 }  // namespace
 
+void FileWatch::look_at(const fs::path& file, Files& files) {
+  struct stat about {};
+  if (::stat(file.c_str(), &about) != 0) return;
+  files[file] = {about.st_ino, std::int64_t{about.st_mtim.tv_sec} * 1'000'000'000 + about.st_mtim.tv_nsec,
+                 about.st_size};
+}
+
 FileWatch::Files FileWatch::look() const {
   Files files;
   std::error_code fault;
-  for (const fs::path& folder : {folder_, folder_ / "devices", folder_ / "materials"}) {
-    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
-      if (!is_of_a_scenario(entry->path())) continue;
-      struct stat about {};
-      if (::stat(entry->path().c_str(), &about) != 0) continue;
-      files[entry->path()] = {about.st_ino,
-                              std::int64_t{about.st_mtim.tv_sec} * 1'000'000'000 + about.st_mtim.tv_nsec,
-                              about.st_size};
-    }
-  }
+  for (const fs::path& folder : {folder_, folder_ / "devices", folder_ / "materials"})
+    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault))
+      if (is_of_a_scenario(entry->path())) look_at(entry->path(), files);
+  for (const fs::path& file : named_) look_at(file, files);
   return files;
+}
+
+void FileWatch::also(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    if (!named_.insert(file).second) continue;
+    look_at(file, seen_);
+    look_at(file, before_);
+  }
 }
 
 bool FileWatch::saved() {

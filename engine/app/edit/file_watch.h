@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace fulcrum::app {
 
@@ -15,6 +17,9 @@ public:
   // What is there now counts as seen.
   explicit FileWatch(std::filesystem::path folder)
       : folder_(std::move(folder)), seen_(look()), before_(seen_) {}
+
+  // These too, wherever they lie and whether they are there or not. What is there now counts as seen.
+  void also(const std::vector<std::filesystem::path>& files);
 
   // True once for each change, when a look finds it as the look before did: an editor that writes a file in
   // pieces is done then. To be asked a few times a second.
@@ -31,8 +36,10 @@ private:
   // Of each file that a scenario is made of.
   using Files = std::map<std::filesystem::path, Version>;
   Files look() const;
+  static void look_at(const std::filesystem::path& file, Files& files);
 
   std::filesystem::path folder_;
+  std::set<std::filesystem::path> named_;
   Files seen_, before_;
 };
 

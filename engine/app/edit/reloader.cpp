@@ -3,7 +3,9 @@
 #include <chrono>
 #include <utility>
 
+#include "engine/files/regular_file.h"
 #include "engine/scenario/load.h"
+#include "engine/scenario/text_store.h"
 #include "haptics/bake/overlap_depth.h"
 
 namespace fulcrum::app {
@@ -15,14 +17,30 @@ struct Ended {};
 // m. A response pushes a tool out that is less deep.
 constexpr double kPushedOut = 2e-4;
 
+// What it names, there or not.
+std::vector<std::filesystem::path> files_of(const scenario::Scenario& scenario) {
+  std::vector<std::filesystem::path> files;
+  for (const scenario::ModelEntry& model : scenario.models)
+    for (const scenario::FileRef& file : {model.file, model.drawn})
+      if (!file.path.empty()) files.push_back(file.path);
+  for (const scenario::HandEntry& hand : scenario.hands)
+    if (!hand.path.path.empty()) files.push_back(hand.path.path);
+  return files;
+}
+
 }  // namespace
 
-Reloader::Reloader(std::filesystem::path file, std::vector<std::string> overrides,
+Reloader::Reloader(std::filesystem::path file, const scenario::Scenario& shown,
                    std::filesystem::path calibration)
     : file_(std::move(file)),
-      overrides_(std::move(overrides)),
+      overrides_(shown.overrides),
       calibration_(std::move(calibration)),
-      watch_(file_.parent_path().empty() ? "." : file_.parent_path()) {}
+      watch_(file_.parent_path().empty() ? "." : file_.parent_path()) {
+  watch_.also({file_});
+  watch_.also(files_of(shown));
+  const Result<std::string> text = scenario::read_text(RegularFile::open(file_));
+  saved_again_ = !text || *text != shown.texts.files.at(shown.texts.scenario);
+}
 
 Reloader::~Reloader() {
   ends_ = true;
@@ -30,15 +48,18 @@ Reloader::~Reloader() {
 
 Reloader::Made Reloader::make() const {
   scenario::Checked<scenario::Scenario> loaded = scenario::load_scenario(file_, overrides_, calibration_);
-  if (!loaded) return {nullptr, scenario::to_text(loaded.faults())};
+  if (!loaded)
+    return {nullptr, scenario::to_text(loaded.faults()),
+            files_of(scenario::inspect_scenario(file_, overrides_).scenario)};
+  std::vector<std::filesystem::path> files = files_of(*loaded);
   std::vector<std::string> warnings;
   try {
     Result<Prepared> prepared =
         prepare_quietly(file_.string(), std::move(*loaded), warnings, [this](std::string_view, double) {
           if (ends_) throw Ended();
         });
-    if (!prepared) return {nullptr, prepared.error().sentence};
-    return {std::make_unique<Prepared>(std::move(*prepared)), {}};
+    if (!prepared) return {nullptr, prepared.error().sentence, std::move(files)};
+    return {std::make_unique<Prepared>(std::move(*prepared)), {}, std::move(files)};
   } catch (const Ended&) {
     return {};
   }
@@ -49,6 +70,7 @@ void Reloader::look() {
   if (watch_.saved()) saved_again_ = true;
   if (making_.valid() && making_.wait_for(0s) == std::future_status::ready) {
     Made made = making_.get();
+    watch_.also(made.files);
     if (!saved_again_) {  // or there is a newer one
       wrong_ = std::move(made.said);
       if (made.prepared) ready_ = std::move(made.prepared);

@@ -16,8 +16,9 @@ namespace fulcrum::app {
 
 class Reloader {
 public:
-  // file: the scenario's. From here on its saves are noticed.
-  Reloader(std::filesystem::path file, std::vector<std::string> overrides,
+  // file: the scenario's. shown: what was read of it for the scene that runs; a save since then is noticed,
+  // as all that follow are.
+  Reloader(std::filesystem::path file, const scenario::Scenario& shown,
            std::filesystem::path calibration = {});
   ~Reloader();  // a bake that is under way ends at its next report
   Reloader(const Reloader&) = delete;
@@ -40,6 +41,7 @@ private:
   struct Made {
     std::unique_ptr<Prepared> prepared;  // null: `said` has why
     std::string said;
+    std::vector<std::filesystem::path> files;  // that the scenario names
   };
   Made make() const;
 

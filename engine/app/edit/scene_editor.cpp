@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "engine/app/picture/projection.h"
@@ -31,9 +32,9 @@ std::vector<double> numbers(const Quat& q) {
 
 }  // namespace
 
-SceneEditor::SceneEditor(std::filesystem::path file, std::vector<std::string> overrides,
+SceneEditor::SceneEditor(std::filesystem::path file, const scenario::Scenario& shown,
                          std::filesystem::path calibration)
-    : file_(std::move(file)), reloader_(file_, std::move(overrides), std::move(calibration)) {}
+    : file_(std::move(file)), reloader_(file_, shown, std::move(calibration)) {}
 
 void SceneEditor::press(const Seen& seen, double x, double y) {
   const Projection projection(seen.camera, seen.picture);
@@ -160,29 +161,57 @@ void SceneEditor::put(const Seen& seen, std::size_t view) {
   }
 }
 
-std::string SceneEditor::why_elsewhere(const Prepared& prepared, Kind kind) {
+std::string SceneEditor::why_elsewhere(const Prepared& prepared, Kind kind,
+                                       const std::vector<scenario::NumberChange>& changes) {
   if (prepared.scenario.left_handed)
     return "The scene is mirrored, and its file is not: edit it with --set left_handed=false.";
   if (kind == Kind::checkpoint && prepared.scenario.variant.spread > 0)
-    return "The places are those of a variant: edit them with --set variant.spread=0.";
+    return "The places are those of a variant: edit them with --set variants.spread=0.";
+  for (const std::string& override : prepared.scenario.overrides) {
+    // A key of --set may be the end of a path, or the beginning of what lies below it.
+    const std::string key = override.substr(0, override.find('='));
+    for (const scenario::NumberChange& change : changes)
+      if (change.path.starts_with(key) || ('.' + change.path).ends_with('.' + key))
+        return "It is set by --set " + override + ", whatever the file says: edit it without that.";
+  }
   return {};
 }
 
 void SceneEditor::write(const Prepared& prepared, Kind kind, std::vector<scenario::NumberChange> changes,
                         const std::string& what) {
-  if (said_ = why_elsewhere(prepared, kind); !said_.empty()) return;
-  const Result<std::string> text = scenario::read_text(RegularFile::open(file_));
-  if (!text) {
-    said_ = text.error().sentence;
+  if (said_ = why_elsewhere(prepared, kind, changes); !said_.empty()) return;
+  const std::optional<std::string> text = text_of(prepared);
+  if (!text) return;
+  const auto written = scenario::written_back(*text, file_.string(), changes);
+  if (!written) {
+    said_ = scenario::to_text(written.faults());
     return;
   }
-  const auto written = scenario::written_back(*text, file_.string(), changes);
-  if (!written)
-    said_ = scenario::to_text(written.faults());
-  else if (!put_file(file_, {std::as_bytes(std::span(*written))}))
+  // What a link points to is written, and who may read it stays.
+  std::error_code fault;
+  const std::filesystem::path target = std::filesystem::canonical(file_, fault);
+  const std::filesystem::perms rights = std::filesystem::status(target, fault).permissions();
+  if (fault || !put_file(target, {std::as_bytes(std::span(*written))})) {
     said_ = file_.string() + " cannot be written: see that its folder is yours and has room.";
-  else
-    said_ = what + " is written.";
+    return;
+  }
+  std::filesystem::permissions(target, rights, fault);
+  written_ = *written;
+  said_ = what + " is written.";
+}
+
+std::optional<std::string> SceneEditor::text_of(const Prepared& prepared) {
+  Result<std::string> text = scenario::read_text(RegularFile::open(file_));
+  if (!text) {
+    said_ = text.error().sentence;
+    return std::nullopt;
+  }
+  const scenario::SourceTexts& seen = prepared.scenario.texts;
+  if (*text == seen.files.at(seen.scenario) || (!written_.empty() && *text == written_))
+    return std::move(*text);
+  said_ =
+      "The file has been saved since, and nothing was written: again, once the scene is that of the file.";
+  return std::nullopt;
 }
 
 std::string SceneEditor::message(const Prepared& prepared) const {

@@ -25,7 +25,8 @@ public:
     render::Extent picture;
   };
 
-  SceneEditor(std::filesystem::path file, std::vector<std::string> overrides,
+  // As a Reloader's.
+  SceneEditor(std::filesystem::path file, const scenario::Scenario& shown,
               std::filesystem::path calibration = {});
 
   Reloader& reloader() { return reloader_; }
@@ -36,6 +37,8 @@ public:
   void drag(const Seen& seen, double dx, double dy);
   // And is written where it is now.
   void release(const Seen& seen);
+  // Nothing is held any more, and nothing is written of it.
+  void let_go() { held_.reset(); }
   // A checkpoint that is held, and where; the number of its marker.
   const std::optional<std::pair<std::size_t, Vec3>>& held() const { return held_; }
 
@@ -61,8 +64,12 @@ private:
 
   static std::vector<Item> items(const Prepared& prepared);
   static std::string name_of(const Prepared& prepared, const Item& item);
-  // Why a place of this scenario is not the one in its file; empty: it is.
-  static std::string why_elsewhere(const Prepared& prepared, Kind kind);
+  // Why what is seen is not what the file says, so that nothing can be written of it; empty: it is.
+  static std::string why_elsewhere(const Prepared& prepared, Kind kind,
+                                   const std::vector<scenario::NumberChange>& changes);
+  // The scenario's text, if it is that of what is seen, or what was written of that; otherwise `said_` has
+  // why.
+  std::optional<std::string> text_of(const Prepared& prepared);
   void write(const Prepared& prepared, Kind kind, std::vector<scenario::NumberChange> changes,
              const std::string& what);
 
@@ -74,6 +81,7 @@ private:
   std::optional<std::pair<std::size_t, Vec3>> held_;
   bool moved_ = false;
   std::string said_;
+  std::string written_;  // the file's text as it was written last
 };
 
 }  // namespace fulcrum::app

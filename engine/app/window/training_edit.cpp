@@ -2,6 +2,8 @@
 
 #include <GLFW/glfw3.h>
 
+#include <chrono>
+
 #include "engine/app/cli/terminal.h"
 #include "engine/app/window/training_window.h"
 
@@ -37,14 +39,29 @@ bool TrainingWindow::edit_button(int button, int action) {
   return true;
 }
 
-// A scene that has been made ready takes over once the force of this one has been let go.
+void TrainingWindow::add_edit_keys(std::vector<ui::KeyLine>& keys) {
+  keys.push_back({"Ctrl + left", "look a place up, or drag a checkpoint"});
+  keys.push_back({"F8, F9", "another thing to put; put it, into the file"});
+}
+
+// A scene that has been made ready takes over once the force of this one has been let go. Where it is saved
+// again before that, and not well, this one goes on.
 void TrainingWindow::edit_on(LiveLoop& loop) {
-  editor_->reloader().look();
-  if (const std::string& wrong = editor_->reloader().wrong(); wrong != complained_) {
-    complained_ = wrong;
-    if (!wrong.empty()) complain(wrong);
+  using namespace std::chrono_literals;
+  Reloader& reloader = editor_->reloader();
+  if (const auto now = std::chrono::steady_clock::now(); now - looked_ > 150ms) {
+    looked_ = now;
+    reloader.look();
   }
-  if (!editor_->reloader().is_ready() || edits_) return;
+  if (reloader.wrong() != complained_) {
+    complained_ = reloader.wrong();
+    if (!complained_.empty()) complain(complained_);
+  }
+  if (edits_) return;
+  if (!reloader.is_ready()) {
+    if (releases_) releases_ = !loop.send({Command::Kind::acknowledge});
+    return;
+  }
   if (!releases_) releases_ = loop.send({Command::Kind::release});
   const TickRecord& newest = loop.newest();
   if (newest.stopped && newest.device_F_H_D.is_zero()) leave_ = Leave::reload;

@@ -79,6 +79,7 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   trouble_ = TickTrouble(scene_->tick_s);
   frame_rate_ = {};
   resting_ = ended_ = releases_ = edits_ = false;
+  if (editor_ != nullptr) editor_->let_go();
   touches_.clear();
   touch_finder_.reset();  // it was of the world before
   review_ = Review(scene_->tick_s);
@@ -212,6 +213,7 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   state.keys_visible = keys_visible_;
   state.keys_page = keys_page_;
   state.keys = key_lines(state, visual_.views, circle_, has_start_page_);
+  if (editor_ != nullptr) add_edit_keys(state.keys);
   state.pad = pad_is_there_;
   if (pad_is_there_) {
     const std::vector<ui::KeyLine> pad = pad_lines(pad_phase(), visual_.views.size() > 1, has_start_page_);
@@ -253,7 +255,8 @@ render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunS
   if (editor_ != nullptr && editor_->held()) {
     markers_.assign(frame.markers.begin(), frame.markers.end());
     const auto& [index, place] = *editor_->held();
-    markers_[index] = {render::MarkerState::Show::next, 0.0F, scenario::narrowed(place)};
+    if (index < markers_.size())
+      markers_[index] = {render::MarkerState::Show::next, 0.0F, scenario::narrowed(place)};
     frame.markers = markers_;
   }
   frame.marker_colours = ui::marker_colours(stage_.settings().look);

@@ -1,6 +1,7 @@
 #pragma once
 // The window a trainee works in: the scene, the overlay, the keys, and the mouse as a device.
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -93,6 +94,7 @@ private:
   bool edit_key(int key);
   bool edit_button(int button, int action);
   SceneEditor::Seen seen_by_author() const;
+  static void add_edit_keys(std::vector<ui::KeyLine>& keys);
   void edit_on(LiveLoop& loop);
   // Tells a device that moves as it is seen what is seen.
   void show_to_device(const TickRecord& record);
@@ -175,13 +177,14 @@ private:
   std::optional<EarlierTrials> earlier_;
   bool has_start_page_;
   Pose left_X_WT_;
-  std::string complained_;                    // of what the author saved last
-  SceneEditor* editor_ = nullptr;             // null: nobody edits
-  bool releases_ = false;                     // the force is told to go, for a scene that takes over
-  bool edits_ = false;                        // the left button is the author's
-  std::vector<render::MarkerState> markers_;  // of the newest frame, where one is held
-  std::optional<Leave> leave_;                // asked for by a key
-  std::string error_;                         // why drawing stopped
+  std::string complained_;                        // of what the author saved last
+  std::chrono::steady_clock::time_point looked_;  // at what the author saves
+  SceneEditor* editor_ = nullptr;                 // null: nobody edits
+  bool releases_ = false;                         // the force is told to go, for a scene that takes over
+  bool edits_ = false;                            // the left button is the author's
+  std::vector<render::MarkerState> markers_;      // of the newest frame, where one is held
+  std::optional<Leave> leave_;                    // asked for by a key
+  std::string error_;                             // why drawing stopped
 };
 
 }  // namespace fulcrum::app
