@@ -129,6 +129,7 @@ void ReloadTest::run(int rounds) {
                              with("role: scene", "role: scenery"),
                              with("scene.glb", "none.glb"),
                              text_ + "checkpoints: [\n",
+                             text_ + "materials: {gold: {metallic: 1}}\n",
                              text_.substr(0, text_.size() / 2),
                              with("start: {position: [", "start: {position: [.nan, ")};
   double resident = 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "engine/app/author/first_guess.h"
@@ -156,8 +157,9 @@ std::vector<FirstModel> marked_models(const fs::path& folder, const std::string&
       return {};
     }
     const std::string role(names_of<scenario::ModelRole>[static_cast<std::size_t>(mark.role)]);
-    models.push_back(
-        {mark.material.empty() ? role : role + "_" + mark.material, file, role, true, mark.material});
+    std::string name = role;
+    if (!mark.material.empty()) name.append("_").append(mark.material);
+    models.push_back({std::move(name), file, role, true, mark.material});
   }
   if (has_scene && has_tool) return models;
   complain(

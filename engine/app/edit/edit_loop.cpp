@@ -62,7 +62,7 @@ private:
   bool run(Prepared& prepared, TrainingWindow& window, const Pose& X_WT_start, std::optional<Place>& place) {
     using Leave = TrainingWindow::Leave;
     for (;;) {
-      const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, options_, {});
+      const std::unique_ptr<RunSession> attempt = RunSession::begin(prepared, options_, nobody_);
       if (!attempt) {
         code_ = kError;
         return false;
@@ -82,6 +82,7 @@ private:
 
   WindowStage& stage_;
   RunOptions options_;
+  Trainee nobody_;
   SceneEditor editor_;
   int code_ = kCompleted;
 };

@@ -52,13 +52,18 @@ Reloader::Made Reloader::make() const {
     return {nullptr, scenario::to_text(loaded.faults()),
             files_of(scenario::inspect_scenario(file_, overrides_).scenario)};
   std::vector<std::filesystem::path> files = files_of(*loaded);
-  std::vector<std::string> warnings;
   try {
-    Result<Prepared> prepared =
-        prepare_quietly(file_.string(), std::move(*loaded), warnings, [this](std::string_view, double) {
+    Result<Prepared> prepared = prepare_quietly(
+        file_.string(), std::move(*loaded), [](const std::string&) {},
+        [this](std::string_view, double) {
           if (ends_) throw Ended();
         });
     if (!prepared) return {nullptr, prepared.error().sentence, std::move(files)};
+    // What would end the session once it has taken over.
+    const auto seen = assemble_visual(prepared->scenario, prepared->models, prepared->haptic.scene);
+    if (!seen) return {nullptr, seen.error().sentence, std::move(files)};
+    const Result<World> ticks = World::build(prepared->haptic.scene);
+    if (!ticks) return {nullptr, ticks.error().sentence, std::move(files)};
     return {std::make_unique<Prepared>(std::move(*prepared)), {}, std::move(files)};
   } catch (const Ended&) {
     return {};

@@ -49,8 +49,8 @@ private:
   std::vector<std::string> overrides_;
   std::filesystem::path calibration_;
   FileWatch watch_;
-  std::future<Made> making_;
   std::atomic<bool> ends_ = false;
+  std::future<Made> making_;  // waited for before what it reads is gone
   bool saved_again_ = false;  // since `making_` began
   std::unique_ptr<Prepared> ready_;
   std::string wrong_;

@@ -65,16 +65,17 @@ std::optional<Prepared> prepare(const std::string& name_or_file, const std::vect
 }
 
 Result<Prepared> prepare_quietly(const std::string& name, scenario::Scenario scenario,
-                                 std::vector<std::string>& warnings, const scenario::BakeProgress& progress) {
+                                 const std::function<void(const std::string&)>& warn,
+                                 const scenario::BakeProgress& progress) {
   scenario::Checked<scenario::LoadedModels> models = scenario::load_models(scenario);
   if (!models) return Error{scenario::to_text(models.faults())};
-  for (const scenario::Fault& warning : models->warnings) warnings.push_back(warning.text());
+  for (const scenario::Fault& warning : models->warnings) warn(warning.text());
   Result<scenario::HapticAssembly> haptic =
       scenario::assemble_haptic(scenario, *models, BakeCache(), progress);
   if (!haptic) return haptic.error();
   for (const std::string& warning : haptic->warnings) {
     std::string sentence = name;
-    warnings.push_back(sentence.append(": ").append(warning));
+    warn(sentence.append(": ").append(warning));
   }
   return Prepared{name, std::move(scenario), std::move(*models), std::move(*haptic)};
 }
@@ -82,14 +83,17 @@ Result<Prepared> prepare_quietly(const std::string& name, scenario::Scenario sce
 std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario,
                                 const scenario::BakeProgress& progress) {
   ProgressBar bar;
-  std::vector<std::string> warnings;
-  Result<Prepared> prepared =
-      prepare_quietly(name, std::move(scenario), warnings, [&](std::string_view what, double fraction) {
+  Result<Prepared> prepared = prepare_quietly(
+      name, std::move(scenario),
+      [&](const std::string& warning) {
+        bar.clear();
+        complain(warning);
+      },
+      [&](std::string_view what, double fraction) {
         bar.show("Baking the " + std::string(what), fraction);
         if (progress) progress(what, fraction);
       });
   bar.clear();
-  for (const std::string& warning : warnings) complain(warning);
   if (prepared) return std::move(*prepared);
   complain(prepared.error().sentence);
   return std::nullopt;

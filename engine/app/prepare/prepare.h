@@ -2,6 +2,7 @@
 // From a name on the command line to something that can run.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,9 +36,11 @@ std::optional<Prepared> prepare(const std::string& name_or_file, const std::vect
 std::optional<Prepared> prepare(const std::string& name, scenario::Scenario scenario,
                                 const scenario::BakeProgress& progress = {});
 
-// The same without a word on stderr: what is wrong is the error, and `warnings` gets what may not be meant.
+// The same without a word on stderr: what is wrong is the error. warn: told at once, before what may take
+// long, of what may not be meant.
 Result<Prepared> prepare_quietly(const std::string& name, scenario::Scenario scenario,
-                                 std::vector<std::string>& warnings, const scenario::BakeProgress& progress);
+                                 const std::function<void(const std::string&)>& warn,
+                                 const scenario::BakeProgress& progress);
 
 // What results call a device that the command line named `device`: the scenario's own is scenario:MODEL.
 std::string device_in_results(const Prepared& prepared, const std::string& device);

@@ -13,7 +13,7 @@ namespace fulcrum::app {
 struct RequestedRun {
   std::optional<scenario::Scenario> scenario;  // none: what is wrong is on stderr
   std::filesystem::path calibration{};         // of the device in hand; empty: none
-  int code = 0;                                // then, the program's exit code
+  int code = 0;                                // where there is none, the program's exit code
 };
 
 // options: its device becomes the registry's name, and what follows from it joins the overrides.
