@@ -26,6 +26,7 @@
 #include "engine/scenario/load.h"
 #include "engine/scenario/marked.h"
 #include "engine/scenario/text_store.h"
+#include "engine/scenario/words.h"
 
 namespace fulcrum::app {
 namespace {
@@ -146,14 +147,17 @@ std::vector<FirstModel> marked_models(const fs::path& folder, const std::string&
     has_scene = has_scene || mark.role == scenario::ModelRole::scene;
     has_tool = has_tool || mark.role == scenario::ModelRole::tool;
     if (const std::string wrong = refuse_marked(*model, mark.role, mark.material); !wrong.empty()) {
-      complain("'" + file + "' " + wrong + ".");
+      std::string sentence = scenario::in_quotes(file);
+      complain(sentence.append(" ").append(wrong).append("."));
       return {};
     }
     if (!mark.material.empty() &&
         (!is_word(mark.material) ||
          !scenario::ContentFile(folder, "materials", mark.material).is_installed())) {
-      complain("'" + file + "' has an object whose 'fulcrum_material' is '" + mark.material +
-               "', which is no material that there is.");
+      std::string sentence = scenario::in_quotes(file);
+      complain(sentence.append(" has an object whose 'fulcrum_material' is ")
+                   .append(scenario::in_quotes(mark.material))
+                   .append(", which is no material that there is."));
       return {};
     }
     const std::string role(names_of<scenario::ModelRole>[static_cast<std::size_t>(mark.role)]);

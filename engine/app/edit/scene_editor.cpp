@@ -215,7 +215,7 @@ std::optional<std::string> SceneEditor::text_of(const Prepared& prepared) {
 }
 
 std::string SceneEditor::message(const Prepared& prepared) const {
-  const std::string reload = reloader_.message();
+  std::string reload = reloader_.message();
   if (!reload.empty()) return reload;
   if (!said_.empty()) return said_;
   const std::vector<Item> all = items(prepared);
