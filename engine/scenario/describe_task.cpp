@@ -127,7 +127,7 @@ void describe_checkpoints(KeyVisitor& visitor, std::vector<Checkpoint>& checkpoi
 
 void describe_avoid(KeyVisitor& visitor, std::vector<Avoided>& avoid) {
   visitor.list(
-      {"avoid", "", "balls that the touch point should stay out of; coming into one is counted"}, 0,
+      {"avoid", "", "balls that the touch point should stay out of; coming into one is counted"}, 1,
       [&](KeyVisitor& each) {
         Avoided& ball = avoid.emplace_back();
         each.text({"name", "", "what is there", true}, ball.name);

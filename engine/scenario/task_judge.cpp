@@ -62,6 +62,7 @@ std::size_t next_checkpoint(const std::vector<bool>& open) {
 TaskState state_after(const TaskDesc& task, std::vector<std::optional<double>> reached) {
   TaskState state;
   state.reached = std::move(reached);
+  state.reached.resize(task.checkpoints.size());
   state.open = open_checkpoints(task, state.reached);
   state.completed = all_reached(task, state.reached);
   state.step = next_checkpoint(state.open);
@@ -78,7 +79,7 @@ TaskJudge::TaskJudge(TaskDesc desc, double tick_s)
     ways_.emplace_back(checkpoint);
     least_cosines_.push_back(checkpoint.facing ? math::cos(0.5 * checkpoint.facing->within) : 0);
   }
-  state_ = state_after(desc_, std::vector<std::optional<double>>(desc_.checkpoints.size()));
+  state_ = state_after(desc_, {});
 }
 
 void TaskJudge::judge_touch(const TickRecord& record) {

@@ -36,7 +36,7 @@ struct TaskState {
 
 std::size_t reached_count(const TaskState& state);
 
-// Of somebody who has reached these and is at none. reached: (checkpoints)
+// Of somebody who has reached these and is at none. reached: (checkpoints); empty: none
 TaskState state_after(const TaskDesc& task, std::vector<std::optional<double>> reached);
 
 // 0 to 1, of its way, and once that is done of its dwell.

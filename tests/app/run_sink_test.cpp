@@ -69,7 +69,8 @@ TEST_F(RunSinkTest, ForceThatWasNeverAwayDoesNotComeBack) {
   const SceneDesc& scene = stick_->haptic.scene;
   TickRecord record;
   record.force_gain = 0.5;
-  const auto force = [&] { return app::overlay_state(*stick_, scene, record, {}, {}).force; };
+  const scenario::TaskState none = state_after(stick_->haptic.task, {});
+  const auto force = [&] { return app::overlay_state(*stick_, scene, record, {}, none).force; };
   EXPECT_EQ(force(), ui::Force::on);
   record.tick = static_cast<std::int64_t>(2 * kRampIn / scene.tick_s);
   EXPECT_EQ(force(), ui::Force::returning);

@@ -35,7 +35,8 @@ Push push_down(const app::Prepared& stick, const SceneDesc& scene, double way) {
     const TickRecord& record = event.record;
     push.deepest = std::max(push.deepest, record.depth_max);
     push.most = std::max(push.most, record.coupling_F_T_W.force.norm());
-    push.gauge = app::overlay_state(stick, world->desc(), record, {}, {}).force_N;
+    const scenario::TaskState none = state_after(stick.haptic.task, {});
+    push.gauge = app::overlay_state(stick, world->desc(), record, {}, none).force_N;
     push.gauge_most = std::max(push.gauge_most, push.gauge.value);
   }
   return push;
