@@ -45,7 +45,8 @@ void expect_at(const glm::vec2& px, const glm::dvec2& expected) {
 }
 
 ui::TargetPlace place(const Vec3& target, const Vec3& p_WC) {
-  const auto seen = target_place(kCamera, kPicture, touching(p_WC), task_to(target), {});
+  const scenario::TaskDesc task = task_to(target);
+  const auto seen = target_place(kCamera, kPicture, touching(p_WC), task, state_after(task, {}));
   EXPECT_TRUE(seen);
   return seen.value_or(ui::TargetPlace{});
 }

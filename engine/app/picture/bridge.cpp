@@ -22,6 +22,7 @@ Vec3 to_eigen(const glm::vec3& v) {
 
 render::MarkerState marker_state(const scenario::TaskState& task, std::size_t i) {
   using Show = render::MarkerState::Show;
+  if (i >= task.reached.size()) return {Show::hidden, 0.0F};  // nobody judges this task
   if (task.reached[i]) return {Show::done, 1.0F};
   if (!task.open[i]) return {Show::hidden, 0.0F};
   if (i != task.step) return {Show::next, 0.0F};
