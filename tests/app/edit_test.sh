@@ -83,7 +83,7 @@ now=$(sed -n 's/.*name: touch, position: \[\(.*\)\], radius.*/\1/p' $file | tr -
 read -r x_now y_now <<<"$(pixel $now)"
 [ $(((x_now - x - 40) ** 2 + (y_now - y) ** 2)) -le 8 ] || fail "it was at $x $y, and is at $x_now $y_now"
 
-# --- the start is put where the tool is, which has not moved: to a hundredth of a millimetre nothing changes; then it has
+# --- the start is put where the tool is, as soon as that has moved
 cp $file good.yaml
 until_seen coloured
 had=$(reads)
@@ -92,8 +92,12 @@ for step in 1 2 3 4; do xdotool mousemove --window "$window" $((320 + 5 * step))
 xdotool mouseup 1
 xdotool key --window "$window" F8
 xdotool key --window "$window" F8
-xdotool key --window "$window" F9
-until_seen read_more "$had" || fail "the start is not written: $(cat said)"
+puts() {
+  xdotool key --window "$window" F9
+  ! diff -q good.yaml $file >/dev/null
+}
+until_seen puts || fail "the start is not written: $(cat said)"
+until_seen read_more "$had" || fail "the start is not read again: $(cat said)"
 changed 'start:'
 
 # --- and what was wrong with nothing: Vulkan, the end
