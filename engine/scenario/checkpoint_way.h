@@ -19,7 +19,7 @@ public:
   bool holds(const Vec3& p_WC) const;
   // Once a tick in which it is there and what the checkpoint needs is so.
   void go_on(const Vec3& p_WC, const Quat& q_WT);
-  // Once a tick in which one of the two is not.
+  // Once a tick in which the tool is not there, or what the checkpoint needs is not so.
   void rest() { q_WT_.reset(); }
   // Once a tick of a pause, in which the tool may go anywhere: that is no slip.
   void pause() {

@@ -3,6 +3,7 @@
 
 #include "engine/app/edit/reloader.h"
 #include "engine/app/edit/scene_editor.h"
+#include "engine/app/picture/projection.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -229,6 +230,34 @@ TEST_F(ReloadTest, NothingIsWrittenIntoATextThatIsNotSeen) {
   moved.X_WT.p.x() += 0.02;
   editor.put(moved, 0);
   EXPECT_NE(text(), once);
+}
+
+// Where the picture shows a place, that is what is looked up; its depth is that of a board of 20 mm, seen
+// aslant.
+TEST_F(ReloadTest, WhatIsLookedUpIsWhatTheRendererShowsThere) {
+  const std::optional<Prepared> prepared =
+      prepare((folder_ / "scenario.yaml").string(), std::vector<std::string>());
+  ASSERT_TRUE(prepared);
+  render::Camera camera;
+  camera.eye = {0.05F, 0.3F, 0.2F};
+  camera.target = {0.05F, 0.0F, 0.04F};
+  const render::Extent size{640, 360};
+  const Pose X_WT{Quat::Identity(), Vec3(1, 1, 1)};
+  const auto middle = pick(*prepared, X_WT, camera, size, 320, 180);
+  ASSERT_TRUE(middle);
+  EXPECT_LT((middle->p - Vec3(0.05, 0, 0.04)).norm(), 1e-6);
+  EXPECT_LT((middle->nhat - Vec3::UnitY()).norm(), 1e-9);
+  EXPECT_EQ(middle->part, "scene/board");
+  EXPECT_NEAR(middle->depth.value_or(0), 0.02 * 0.34 / 0.3, 1e-6);
+  for (const auto& [x, y] : {std::pair(250.0, 150.0), {340.0, 210.0}, {330.0, 100.0}}) {
+    const auto picked = pick(*prepared, X_WT, camera, size, x, y);
+    ASSERT_TRUE(picked);
+    const Projection projection(camera, size);
+    const glm::vec2 seen = projection.pixel(projection.clip(picked->p));
+    EXPECT_NEAR(seen.x, x, 0.01);
+    EXPECT_NEAR(seen.y, y, 0.01);
+  }
+  EXPECT_FALSE(pick(*prepared, X_WT, camera, size, 320, -5000)) << "the sky";
 }
 
 // Whatever a scenario names is watched, wherever it lies; what an editor leaves beside it is not.

@@ -1,11 +1,11 @@
 #include "engine/app/edit/scene_editor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <system_error>
 #include <utility>
 
+#include "engine/app/picture/bridge.h"
 #include "engine/app/picture/projection.h"
 #include "engine/files/put_file.h"
 #include "engine/files/regular_file.h"
@@ -65,15 +65,8 @@ void SceneEditor::press(const Seen& seen, double x, double y) {
 
 void SceneEditor::drag(const Seen& seen, double dx, double dy) {
   if (!held_) return;
-  const Projection projection(seen.camera, seen.picture);
-  const glm::vec4 clip = projection.clip(held_->second);
-  if (!Projection::is_before(clip)) return;
-  const double metres_a_pixel = 1 / static_cast<double>(projection.length(1, clip));
-  const glm::vec3 forward = glm::normalize(seen.camera.target - seen.camera.eye);
-  const glm::vec3 up = std::abs(forward.y) > 0.9999F ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
-  const glm::vec3 right = glm::normalize(glm::cross(forward, up));
-  const glm::vec3 way = static_cast<float>(dx) * right - static_cast<float>(dy) * glm::cross(right, forward);
-  for (int axis = 0; axis < 3; ++axis) held_->second[axis] += metres_a_pixel * static_cast<double>(way[axis]);
+  const input::ViewAxes view = view_axes(seen.camera, held_->second);
+  held_->second += view.height / seen.picture.height * (dx * view.right_W - dy * view.up_W);
   moved_ = true;
 }
 
