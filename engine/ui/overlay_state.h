@@ -113,6 +113,13 @@ struct Busy {
 
 enum class Force { on, stopped, returning };  // returning: after Enter, on its way back to full strength
 
+// A place that an author drags.
+struct HandleMark {
+  glm::vec2 place{0.0F};  // px
+  std::string name;
+  bool chosen = false;  // it is held, or the next to be put
+};
+
 struct OverlayState {
   Look look;
   std::optional<Busy> busy;              // if there, it is all that is shown
@@ -128,6 +135,7 @@ struct OverlayState {
   std::optional<Target> target;             // none: nothing shows the way
   std::optional<EdgePlace> tool;            // none: it is in the picture
   std::vector<TouchMark> touches;           // px; empty: nothing is touched, or it is not to be shown
+  std::vector<HandleMark> handles;          // empty: nobody edits, or nobody asks
   std::optional<SecondView> second_view;    // none: there is one view alone
   std::optional<Debrief> debrief;           // none: the trial has not ended
   std::optional<Timeline> timeline;         // none: the trial has not ended

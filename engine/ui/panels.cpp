@@ -12,6 +12,7 @@ void draw_overlay(const Canvas& canvas, const OverlayState& state, const Peaks& 
   const bool has_card = state.keys_visible || state.debrief;
   if (!has_card) draw_touches(canvas, state);
   draw_second_view(canvas, state);
+  draw_handles(canvas, state);
   if (!has_card) draw_way(canvas, state);
   draw_dials(canvas, state, peaks);
   draw_checkpoints(canvas, state);

@@ -54,6 +54,7 @@ void draw_message(const Canvas& canvas, const OverlayState& state);             
 void draw_target(const Canvas& canvas, const OverlayState& state);       // in the scene, clear of all these
 void draw_timeline(const Canvas& canvas, const OverlayState& state);     // bottom, after the end
 void draw_touches(const Canvas& canvas, const OverlayState& state);      // in the scene
+void draw_handles(const Canvas& canvas, const OverlayState& state);      // in the scene
 void draw_second_view(const Canvas& canvas, const OverlayState& state);  // its frame and name
 void draw_debrief(const Canvas& canvas, const OverlayState& state);      // middle, after the end
 void draw_keys(const Canvas& canvas, const OverlayState& state);         // middle, when visible

@@ -14,6 +14,8 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -24,6 +26,7 @@
 #include "engine/assets/gltf_writer.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "engine/scenario/to_glm.h"
 #include "haptics/loop/run_tick.h"
 #include "haptics/safety/output_limit.h"
 
@@ -209,9 +212,9 @@ TEST_F(ReloadTest, NothingIsWrittenIntoATextThatIsNotSeen) {
   const std::string newer = with("checkpoints:  # in this order\n",
                                  "checkpoints:\n  - {name: new, position: [1, 2, 3], radius: 0.01}\n");
   write("scenario.yaml", newer);
-  editor.put(seen, 0);
+  editor.put(seen);
   EXPECT_EQ(text(), newer);
-  EXPECT_NE(editor.message(*prepared).find("saved since"), std::string::npos) << editor.message(*prepared);
+  EXPECT_NE(editor.message(seen).find("saved since"), std::string::npos) << editor.message(seen);
 
   // By way of a link, and as closed to others as it was; a download beside it is none of ours.
   write("scenario.yaml", text_);
@@ -219,7 +222,7 @@ TEST_F(ReloadTest, NothingIsWrittenIntoATextThatIsNotSeen) {
   fs::rename(file, folder_ / "real.yaml");
   fs::permissions(folder_ / "real.yaml", fs::perms::owner_read | fs::perms::owner_write);
   fs::create_symlink("real.yaml", file);
-  editor.put(seen, 0);
+  editor.put(seen);
   EXPECT_NE(text(), text_);
   EXPECT_TRUE(fs::is_symlink(file));
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
@@ -228,8 +231,54 @@ TEST_F(ReloadTest, NothingIsWrittenIntoATextThatIsNotSeen) {
   const std::string once = text();
   SceneEditor::Seen moved = seen;
   moved.X_WT.p.x() += 0.02;
-  editor.put(moved, 0);
+  editor.put(moved);
   EXPECT_NE(text(), once);
+}
+
+// Each handle is moved in a text that has all kinds of them, and the text read anew: it is where it was put,
+// to what the file's digits can say, and the others are where they were.
+TEST_F(ReloadTest, AHandleIsWhereItWasDragged) {
+  text_ = with("checkpoints:  # in this order\n",
+               "avoid:\n  - {name: hot, position: [0.02, 0.03, 0.01], radius: 0.004}\n"
+               "checkpoints:\n  - {name: line, position: [0, 0.02, 0], radius: 0.002, follow: "
+               "[{corner: [0.02, 0.02, 0]}, {corner: [0.02, 0.02, 0.02]}]}\n");
+  text_ = std::regex_replace(text_, std::regex("\nlight:.*"),
+                             "\nlight: {kind: spot, position: [0.1, 0.4, 0.1], direction: [0, -1, 0.1]}");
+  write("scenario.yaml", text_);
+  const fs::path file = folder_ / "scenario.yaml";
+  const auto read = [&] { return prepare(file.string(), std::vector<std::string>()); };
+  std::optional<Prepared> prepared = read();
+  ASSERT_TRUE(prepared);
+  Pose X_WT = prepared->haptic.scene.tool.X_WT_start;
+  X_WT.p += Vec3(0.01, 0.02, 0.03);
+  const std::size_t count = handles_of(*prepared, X_WT).size();
+  std::set<Handle::Kind> kinds;
+  const render::Extent size{1280, 720};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<Handle> before = handles_of(*prepared, X_WT);
+    kinds.insert(before[i].kind);
+    SceneEditor editor(file, prepared->scenario);
+    // Seen from a place of its own, so that nothing else lies nearer to the pixel.
+    render::Camera camera;
+    camera.target = scenario::narrowed(before[i].p_W);
+    camera.eye = camera.target + glm::vec3(0.13F, 0.11F, 0.17F);
+    const SceneEditor::Seen seen{*prepared, X_WT, camera, size};
+    editor.press(seen, 640, 360);
+    ASSERT_TRUE(editor.held()) << before[i].name;
+    ASSERT_EQ(editor.held()->name, before[i].name);
+    editor.drag(seen, 40, -25);
+    const Vec3 put = editor.held()->p_W;
+    EXPECT_GT((put - before[i].p_W).norm(), 0.001) << before[i].name;
+    editor.release(seen);
+    EXPECT_NE(editor.message(seen).find("is written"), std::string::npos) << editor.message(seen);
+    prepared = read();
+    ASSERT_TRUE(prepared) << before[i].name;
+    const std::vector<Handle> after = handles_of(*prepared, X_WT);
+    ASSERT_EQ(after.size(), count);
+    for (std::size_t k = 0; k < count; ++k)
+      EXPECT_LT((after[k].p_W - (k == i ? put : before[k].p_W)).norm(), 2e-5) << after[k].name;
+  }
+  EXPECT_EQ(kinds.size(), 8U) << "each kind is there";
 }
 
 // Where the picture shows a place, that is what is looked up; its depth is that of a board of 20 mm, seen

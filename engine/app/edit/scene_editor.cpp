@@ -1,6 +1,7 @@
 #include "engine/app/edit/scene_editor.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -15,8 +16,10 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr float kNearMarker = 14;  // px, from its middle: small ones are hit, too
+constexpr float kNearHandle = 12;  // px, from its middle
 constexpr int kTurnDecimals = 6;   // of a quaternion, about 2 um at 1 m
+
+using Kind = Handle::Kind;
 
 std::vector<double> numbers(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
@@ -28,6 +31,33 @@ std::vector<double> numbers(const glm::vec3& v) {
 
 std::vector<double> numbers(const Quat& q) {
   return {q.w(), q.x(), q.y(), q.z()};
+}
+
+// What put() does with it.
+std::string put_words(const Handle& handle) {
+  switch (handle.kind) {
+    case Kind::start:
+      return "the start to where the tool is";
+    case Kind::grasp:
+      return "the grasp to the place of the tool that was looked up";
+    case Kind::eye:
+    case Kind::target:
+      return scenario::in_quotes(handle.name.substr(0, handle.name.rfind(':'))) + " to what is seen";
+    case Kind::light:
+      return "the light to the eye";
+    default:
+      return scenario::in_quotes(handle.name) + " to the touch point";
+  }
+}
+
+std::string place_words(const Vec3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "[%.5f, %.5f, %.5f]", p.x(), p.y(), p.z());
+  return text;
+}
+
+bool is_of_checkpoint(Kind kind) {
+  return kind == Kind::checkpoint || kind == Kind::corner;
 }
 
 }  // namespace
@@ -42,20 +72,21 @@ void SceneEditor::press(const Seen& seen, double x, double y) {
   float nearest = 1;  // of what counts as on it
   held_.reset();
   moved_ = false;
-  const auto& checkpoints = seen.prepared.scenario.checkpoints;
-  for (std::size_t i = 0; i < checkpoints.size(); ++i) {
-    const glm::vec4 clip = projection.clip(checkpoints[i].position);
+  for (Handle& handle : handles_of(seen.prepared, seen.X_WT)) {
+    const glm::vec4 clip = projection.clip(handle.p_W);
     if (!Projection::is_before(clip)) continue;
-    const float radius =
-        std::max(kNearMarker, projection.length(static_cast<float>(checkpoints[i].radius), clip));
+    const float radius = std::max(kNearHandle, projection.length(static_cast<float>(handle.radius), clip));
     const float away = glm::length(projection.pixel(clip) - at) / radius;
-    if (away > nearest) continue;
+    if (away >= nearest) continue;  // of two in one place, the first
     nearest = away;
-    held_ = {i, checkpoints[i].position};
+    held_ = std::move(handle);
   }
   if (held_) {
-    item_ = held_->first;
-    said_ = scenario::in_quotes(checkpoints[item_].name) + " is held: drag it.";
+    const std::vector<Handle> all = items(seen);
+    const auto same = [&](const Handle& item) { return item == *held_; };
+    if (const auto found = std::ranges::find_if(all, same); found != all.end())
+      item_ = static_cast<std::size_t>(found - all.begin());
+    said_ = scenario::in_quotes(held_->name) + " is held: drag it.";
     return;
   }
   picked_ = pick(seen.prepared, seen.X_WT, seen.camera, seen.picture, x, y);
@@ -65,100 +96,87 @@ void SceneEditor::press(const Seen& seen, double x, double y) {
 
 void SceneEditor::drag(const Seen& seen, double dx, double dy) {
   if (!held_) return;
-  const input::ViewAxes view = view_axes(seen.camera, held_->second);
-  held_->second += view.height / seen.picture.height * (dx * view.right_W - dy * view.up_W);
+  const input::ViewAxes view = view_axes(seen.camera, held_->p_W);
+  held_->p_W += view.height / seen.picture.height * (dx * view.right_W - dy * view.up_W);
   moved_ = true;
+  said_ = scenario::in_quotes(held_->name) + " at " + place_words(held_->p_W);
 }
 
 void SceneEditor::release(const Seen& seen) {
   if (!held_) return;
-  const auto [index, place] = *std::exchange(held_, std::nullopt);
+  const Handle handle = *std::exchange(held_, std::nullopt);
   if (!moved_) return;
-  const scenario::Checkpoint& checkpoint = seen.prepared.scenario.checkpoints[index];
-  write(seen.prepared, Kind::checkpoint,
-        {{"checkpoints." + std::to_string(checkpoint.written) + ".position", numbers(place)}},
-        scenario::in_quotes(checkpoint.name));
+  write(seen.prepared, handle.kind, put_at(seen.prepared, seen.X_WT, handle, handle.p_W),
+        scenario::in_quotes(handle.name));
 }
 
-std::vector<SceneEditor::Item> SceneEditor::items(const Prepared& prepared) {
-  std::vector<Item> items;
-  for (std::size_t i = 0; i < prepared.scenario.checkpoints.size(); ++i)
-    items.push_back({Kind::checkpoint, i});
-  items.push_back({Kind::start});
-  items.push_back({Kind::grasp});
-  if (!prepared.scenario.views.empty()) items.push_back({Kind::view});
-  if (prepared.scenario.light) items.push_back({Kind::light});
-  return items;
-}
-
-std::string SceneEditor::name_of(const Prepared& prepared, const Item& item) {
-  switch (item.kind) {
-    case Kind::checkpoint:
-      return scenario::in_quotes(prepared.scenario.checkpoints[item.index].name) + " to the touch point";
-    case Kind::start:
-      return "the start to where the tool is";
-    case Kind::grasp:
-      return "the grasp to the place of the tool that was looked up";
-    case Kind::view:
-      return "the view to what is seen";
-    case Kind::light:
-      return "the light to the eye";
+std::vector<ui::HandleMark> SceneEditor::marks(const Seen& seen) const {
+  const Projection projection(seen.camera, seen.picture);
+  const std::vector<Handle> all = items(seen);
+  const Handle chosen = all[std::min(item_, all.size() - 1)];
+  std::vector<ui::HandleMark> marks;
+  for (const Handle& handle : handles_of(seen.prepared, seen.X_WT)) {
+    const bool is_held =
+        held_ && held_->kind == handle.kind && held_->index == handle.index && held_->corner == handle.corner;
+    const glm::vec4 clip = projection.clip(is_held ? held_->p_W : handle.p_W);
+    if (Projection::is_before(clip))
+      marks.push_back({projection.pixel(clip), handle.name, is_held || handle == chosen});
   }
-  return {};
+  return marks;
 }
 
-void SceneEditor::next_item(const Prepared& prepared) {
-  item_ = (item_ + 1) % items(prepared).size();
+std::vector<Handle> SceneEditor::items(const Seen& seen) {
+  std::vector<Handle> all = handles_of(seen.prepared, seen.X_WT);
+  std::erase_if(all, [](const Handle& handle) { return handle.kind == Kind::target; });
+  return all;
+}
+
+void SceneEditor::next_item(const Seen& seen) {
+  item_ = (item_ + 1) % items(seen).size();
   said_.clear();
 }
 
-void SceneEditor::put(const Seen& seen, std::size_t view) {
+void SceneEditor::put(const Seen& seen) {
   const scenario::Scenario& scenario = seen.prepared.scenario;
-  const std::vector<Item> all = items(seen.prepared);
-  const Item item = all[std::min(item_, all.size() - 1)];
-  const Pose X_WM = seen.X_WT * Pose{Quat::Identity(), -seen.prepared.models.p_MT};
-  switch (item.kind) {
-    case Kind::checkpoint: {
-      const scenario::Checkpoint& checkpoint = scenario.checkpoints[item.index];
-      const Vec3 place = seen.X_WT * seen.prepared.haptic.task.touch_point;
-      return write(seen.prepared, item.kind,
-                   {{"checkpoints." + std::to_string(checkpoint.written) + ".position", numbers(place)}},
-                   scenario::in_quotes(checkpoint.name));
+  const std::vector<Handle> all = items(seen);
+  const Handle handle = all[std::min(item_, all.size() - 1)];
+  std::vector<scenario::NumberChange> changes;
+  switch (handle.kind) {
+    case Kind::start: {
+      const Pose X_WM = seen.X_WT * Pose{Quat::Identity(), -seen.prepared.models.p_MT};
+      changes = {{"tool.start.position", numbers(X_WM.p)},
+                 {"tool.start.orientation", numbers(X_WM.q), kTurnDecimals}};
+      break;
     }
-    case Kind::start:
-      return write(seen.prepared, item.kind,
-                   {{"tool.start.position", numbers(X_WM.p)},
-                    {"tool.start.orientation", numbers(X_WM.q), kTurnDecimals}},
-                   "the start");
-    case Kind::grasp:  // the model's pose in the handle, whose origin is to be at that place
+    case Kind::grasp:
       if (!picked_ || !picked_->on_tool) {
         said_ = "Press Control and the left button on the tool, where it is to be held; then again.";
         return;
       }
-      return write(seen.prepared, item.kind,
-                   {{"tool.grasp.position", numbers(-(scenario.tool.X_HM.q * picked_->p))}}, "the grasp");
-    case Kind::view: {
-      const std::string path = "views." + std::to_string(std::min(view, scenario.views.size() - 1));
-      return write(
-          seen.prepared, item.kind,
-          {{path + ".eye", numbers(seen.camera.eye)}, {path + ".target", numbers(seen.camera.target)}},
-          "the view");
+      changes = {{"tool.grasp.position", numbers(-(scenario.tool.X_HM.q * picked_->p))}};
+      break;
+    case Kind::eye:
+    case Kind::target: {
+      const std::string path = "views." + std::to_string(handle.index);
+      changes = {{path + ".eye", numbers(seen.camera.eye)}, {path + ".target", numbers(seen.camera.target)}};
+      break;
     }
-    case Kind::light: {
-      std::vector<scenario::NumberChange> changes{
-          {"light.direction", numbers(glm::normalize(seen.camera.target - seen.camera.eye))}};
+    case Kind::light:
+      changes = {{"light.direction", numbers(glm::normalize(seen.camera.target - seen.camera.eye))}};
       if (scenario.light->kind == render::KeyLight::Kind::spot)
         changes.push_back({"light.position", numbers(seen.camera.eye)});
-      return write(seen.prepared, item.kind, std::move(changes), "the light");
-    }
+      break;
+    default:
+      changes = put_at(seen.prepared, seen.X_WT, handle, seen.X_WT * seen.prepared.haptic.task.touch_point);
   }
+  write(seen.prepared, handle.kind, std::move(changes), scenario::in_quotes(handle.name));
 }
 
-std::string SceneEditor::why_elsewhere(const Prepared& prepared, Kind kind,
+std::string SceneEditor::why_elsewhere(const Prepared& prepared, Handle::Kind kind,
                                        const std::vector<scenario::NumberChange>& changes) {
   if (prepared.scenario.left_handed)
     return "The scene is mirrored, and its file is not: edit it with --set left_handed=false.";
-  if (kind == Kind::checkpoint && prepared.scenario.variant.spread > 0)
+  if (is_of_checkpoint(kind) && prepared.scenario.variant.spread > 0)
     return "The places are those of a variant: edit them with --set variants.spread=0.";
   for (const std::string& override : prepared.scenario.overrides) {
     // A key of --set may be the end of a path, or the beginning of what lies below it.
@@ -170,8 +188,8 @@ std::string SceneEditor::why_elsewhere(const Prepared& prepared, Kind kind,
   return {};
 }
 
-void SceneEditor::write(const Prepared& prepared, Kind kind, std::vector<scenario::NumberChange> changes,
-                        const std::string& what) {
+void SceneEditor::write(const Prepared& prepared, Handle::Kind kind,
+                        std::vector<scenario::NumberChange> changes, const std::string& what) {
   if (said_ = why_elsewhere(prepared, kind, changes); !said_.empty()) return;
   const std::optional<std::string> text = text_of(prepared);
   if (!text) return;
@@ -207,13 +225,13 @@ std::optional<std::string> SceneEditor::text_of(const Prepared& prepared) {
   return std::nullopt;
 }
 
-std::string SceneEditor::message(const Prepared& prepared) const {
+std::string SceneEditor::message(const Seen& seen) const {
   std::string reload = reloader_.message();
   if (!reload.empty()) return reload;
   if (!said_.empty()) return said_;
-  const std::vector<Item> all = items(prepared);
-  return "Control + left button: look a place up, or drag a checkpoint. F8: another thing, F9: put " +
-         name_of(prepared, all[std::min(item_, all.size() - 1)]) + ".";
+  const std::vector<Handle> all = items(seen);
+  return "Control + left button: look a place up, or drag a handle. F8: another one, F9: put " +
+         put_words(all[std::min(item_, all.size() - 1)]) + ".";
 }
 
 }  // namespace fulcrum::app

@@ -15,9 +15,9 @@ SceneEditor::Seen TrainingWindow::seen_by_author() const {
 
 bool TrainingWindow::edit_key(int key) {
   if (key == GLFW_KEY_F8)
-    editor_->next_item(prepared_);
+    editor_->next_item(seen_by_author());
   else if (key == GLFW_KEY_F9)
-    editor_->put(seen_by_author(), view_);
+    editor_->put(seen_by_author());
   else
     return false;
   return true;
@@ -40,7 +40,7 @@ bool TrainingWindow::edit_button(int button, int action) {
 }
 
 void TrainingWindow::add_edit_keys(std::vector<ui::KeyLine>& keys) {
-  keys.push_back({"Ctrl + left", "look a place up, or drag a checkpoint"});
+  keys.push_back({"Ctrl + left", "look a place up, or drag a handle"});
   keys.push_back({"F8, F9", "another thing to put; put it, into the file"});
 }
 

@@ -167,7 +167,7 @@ void TrainingWindow::note_cost(const TickEvent& event) {
 }
 
 std::string TrainingWindow::message(const RunSink& sink) const {
-  if (editor_ != nullptr) return editor_->message(prepared_);
+  if (editor_ != nullptr) return editor_->message(seen_by_author());
   if (sink.end() != RunSink::End::running) return {};
   if (sink.handle_is_still()) return StillHandle::kSentence;
   if (sink.recording_failed())
@@ -213,7 +213,10 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
   state.keys_visible = keys_visible_;
   state.keys_page = keys_page_;
   state.keys = key_lines(state, visual_.views, circle_, has_start_page_);
-  if (editor_ != nullptr) add_edit_keys(state.keys);
+  if (editor_ != nullptr) {
+    add_edit_keys(state.keys);
+    if (control_) state.handles = editor_->marks(seen_by_author());
+  }
   state.pad = pad_is_there_;
   if (pad_is_there_) {
     const std::vector<ui::KeyLine> pad = pad_lines(pad_phase(), visual_.views.size() > 1, has_start_page_);
@@ -254,9 +257,9 @@ render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunS
                                            task_shown(sink), camera_.camera(), shown_.time_s);
   if (editor_ != nullptr && editor_->held()) {
     markers_.assign(frame.markers.begin(), frame.markers.end());
-    const auto& [index, place] = *editor_->held();
-    if (index < markers_.size())
-      markers_[index] = {render::MarkerState::Show::next, 0.0F, scenario::narrowed(place)};
+    const Handle& held = *editor_->held();
+    if (held.kind == Handle::Kind::checkpoint && held.index < markers_.size())
+      markers_[held.index] = {render::MarkerState::Show::next, 0.0F, scenario::narrowed(held.p_W)};
     frame.markers = markers_;
   }
   frame.marker_colours = ui::marker_colours(stage_.settings().look);
