@@ -98,9 +98,12 @@ void check_extensions(const tinygltf::Model& file) {
   }
 }
 
-// Textures are left out, so images are not decoded.
-bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
-                void*) {
+// Images stay as their files have them: only what is drawn is decoded. Those in a buffer are read from there
+// once its bounds have been checked, which tinygltf does not do.
+bool keep_image(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
+                int size, void*) {
+  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
+  image->as_is = true;
   return true;
 }
 
@@ -150,7 +153,7 @@ Model parse(std::string_view text, bool binary, Beside beside, const std::filesy
   if (text.size() > kLargest) throw GltfFault("it is larger than 4 GB; simplify it");
   const auto size = static_cast<unsigned>(text.size());
   tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(skip_image, nullptr);
+  loader.SetImageLoader(keep_image, nullptr);
   loader.SetFsCallbacks(callbacks_for(beside));
   tinygltf::Model file;
   std::string fault, warning;

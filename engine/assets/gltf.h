@@ -1,5 +1,6 @@
 #pragma once
-// glTF 2.0 -> Model, through tinygltf. Textures, animation, skins and morph targets are left out.
+// glTF 2.0 -> Model, through tinygltf. Animation, skins, morph targets and lights are left out; which
+// extensions of materials are drawn, model_material.h says.
 
 #include <cstddef>
 #include <filesystem>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <string>
 #include <type_traits>
 
@@ -26,15 +27,21 @@ struct Elements {
   std::size_t count = 0;
 };
 
-Elements locate(const tinygltf::Model& file, const tinygltf::Accessor& accessor, std::size_t element_bytes) {
-  if (accessor.sparse.isSparse)
-    throw GltfFault("it uses sparse accessors, which are not supported; export it without them");
-  const tinygltf::BufferView& view = at(file.bufferViews, accessor.bufferView, "buffer view");
+std::span<const unsigned char> bytes_of(const tinygltf::Model& file, int index) {
+  const tinygltf::BufferView& view = at(file.bufferViews, index, "buffer view");
   const tinygltf::Buffer& buffer = at(file.buffers, view.buffer, "buffer");
   if (view.byteOffset > buffer.data.size() || view.byteLength > buffer.data.size() - view.byteOffset) {
     throw GltfFault(
         "a buffer view reaches beyond its buffer; the file is truncated or damaged, export it again");
   }
+  return std::span(buffer.data).subspan(view.byteOffset, view.byteLength);
+}
+
+Elements locate(const tinygltf::Model& file, const tinygltf::Accessor& accessor, std::size_t element_bytes) {
+  if (accessor.sparse.isSparse)
+    throw GltfFault("it uses sparse accessors, which are not supported; export it without them");
+  const std::span<const unsigned char> bytes = bytes_of(file, accessor.bufferView);
+  const tinygltf::BufferView& view = at(file.bufferViews, accessor.bufferView, "buffer view");
   const std::size_t stride = view.byteStride == 0 ? element_bytes : view.byteStride;
   const bool fits = accessor.count > 0 && stride >= element_bytes && accessor.byteOffset <= view.byteLength &&
                     view.byteLength - accessor.byteOffset >= element_bytes &&
@@ -44,7 +51,7 @@ Elements locate(const tinygltf::Model& file, const tinygltf::Accessor& accessor,
         "an accessor is empty or reaches beyond its buffer view; the file is truncated or damaged, "
         "export it again");
   }
-  return {buffer.data.data() + view.byteOffset + accessor.byteOffset, stride, accessor.count};
+  return {bytes.data() + accessor.byteOffset, stride, accessor.count};
 }
 
 template <class T>
@@ -59,12 +66,28 @@ std::vector<std::uint32_t> read_scalars(const Elements& elements) {
   return result;
 }
 
-// Whole numbers stand for fractions of their largest (glTF 2.0, 3.6.2.2); what follows red, green, blue is
-// left.
+// Whole numbers stand for fractions of their largest (glTF 2.0, 3.6.2.2).
+template <class T>
+constexpr double kOne = std::is_floating_point_v<T> ? 1.0
+                                                    : static_cast<double>(std::numeric_limits<T>::max());
+
+template <class T>
+std::vector<std::array<float, 2>> read_pairs(const Elements& elements) {
+  std::vector<std::array<float, 2>> result;
+  result.reserve(elements.count);
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    T uv[2];
+    std::memcpy(uv, elements.first + i * elements.stride, sizeof(uv));
+    const auto finite = [](double x) { return std::isfinite(x) ? static_cast<float>(x) : 0.0F; };
+    result.push_back(
+        {finite(static_cast<double>(uv[0]) / kOne<T>), finite(static_cast<double>(uv[1]) / kOne<T>)});
+  }
+  return result;
+}
+
+// What follows red, green, blue is left.
 template <class T>
 std::vector<Vec3> read_fractions(const Elements& elements) {
-  constexpr double one =
-      std::is_floating_point_v<T> ? 1.0 : static_cast<double>(std::numeric_limits<T>::max());
   std::vector<Vec3> result;
   result.reserve(elements.count);
   for (std::size_t i = 0; i < elements.count; ++i) {
@@ -72,7 +95,7 @@ std::vector<Vec3> read_fractions(const Elements& elements) {
     std::memcpy(rgb, elements.first + i * elements.stride, sizeof(rgb));
     Vec3& colour = result.emplace_back();
     for (int k = 0; k < 3; ++k) {
-      const double fraction = static_cast<double>(rgb[k]) / one;
+      const double fraction = static_cast<double>(rgb[k]) / kOne<T>;
       colour[k] = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 1.0;
     }
   }
@@ -80,6 +103,11 @@ std::vector<Vec3> read_fractions(const Elements& elements) {
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> read_bytes(const tinygltf::Model& file, int view) {
+  const std::span<const unsigned char> bytes = bytes_of(file, view);
+  return {bytes.begin(), bytes.end()};
+}
 
 std::vector<Vec3> read_vectors(const tinygltf::Model& file, int index) {
   const tinygltf::Accessor& accessor = at(file.accessors, index, "accessor");
@@ -120,6 +148,23 @@ std::vector<Vec3> read_colours(const tinygltf::Model& file, int index) {
     }
   }
   throw GltfFault("the colours of a mesh are neither RGB nor RGBA; the file is damaged, export it again");
+}
+
+std::vector<std::array<float, 2>> read_coordinates(const tinygltf::Model& file, int index) {
+  const tinygltf::Accessor& accessor = at(file.accessors, index, "accessor");
+  if (accessor.type == TINYGLTF_TYPE_VEC2) {
+    switch (accessor.componentType) {
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return read_pairs<std::uint8_t>(locate(file, accessor, 2));
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return read_pairs<std::uint16_t>(locate(file, accessor, 4));
+      case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return read_pairs<float>(locate(file, accessor, 8));
+      default:
+        break;
+    }
+  }
+  throw GltfFault("the texture coordinates of a mesh are no pairs; the file is damaged, export it again");
 }
 
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& file, int index) {

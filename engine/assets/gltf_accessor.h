@@ -3,6 +3,7 @@
 
 #include <tiny_gltf.h>
 
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
@@ -16,8 +17,11 @@ struct GltfFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::vector<Vec3> read_vectors(const tinygltf::Model& file, int accessor);           // (n x 3) finite
-std::vector<Vec3> read_colours(const tinygltf::Model& file, int accessor);           // (n x 3) 0 to 1
+std::vector<std::uint8_t> read_bytes(const tinygltf::Model& file, int buffer_view);
+std::vector<Vec3> read_vectors(const tinygltf::Model& file, int accessor);  // (n x 3) finite
+std::vector<Vec3> read_colours(const tinygltf::Model& file, int accessor);  // (n x 3) 0 to 1
+std::vector<std::array<float, 2>> read_coordinates(const tinygltf::Model& file,
+                                                   int accessor);                    // (n x 2) finite
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& file, int accessor);  // (n)
 
 }  // namespace fulcrum

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_material.h"
 
 namespace fulcrum {
 namespace {
@@ -68,35 +69,49 @@ std::vector<int> root_nodes(const tinygltf::Model& file) {
   return roots;
 }
 
-ModelMaterial material_from(const tinygltf::Material& source) {
-  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
-  ModelMaterial material;
-  material.name = source.name;
-  const auto fraction = [](double x) {
-    return static_cast<float>(std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 1.0);
-  };
-  for (std::size_t i = 0; i < 3; ++i)
-    material.base_colour[i] = i < pbr.baseColorFactor.size() ? fraction(pbr.baseColorFactor[i]) : 1.0f;
-  material.metallic = fraction(pbr.metallicFactor);
-  material.roughness = fraction(pbr.roughnessFactor);
-  return material;
-}
-
 // glTF 2.0, 3.7.2.1: a mesh without normals is shaded flat, so that its triangles share no vertex.
 void make_flat_normals(ModelPart& part) {
   std::vector<Vec3> positions, colours;
+  std::vector<std::array<float, 4>> uv;
   for (const std::uint32_t i : part.indices) {
     positions.push_back(part.positions[i]);
     if (!part.colours.empty()) colours.push_back(part.colours[i]);
+    if (!part.uv.empty()) uv.push_back(part.uv[i]);
   }
   part.positions = std::move(positions);
   part.colours = std::move(colours);
+  part.uv = std::move(uv);
   std::iota(part.indices.begin(), part.indices.end(), 0u);
   part.normals.clear();
   for (std::size_t i = 0; i + 2 < part.positions.size(); i += 3) {
     const Vec3 &a = part.positions[i], &b = part.positions[i + 1], &c = part.positions[i + 2];
     part.normals.insert(part.normals.end(), 3, (b - a).cross(c - a));
   }
+}
+
+// Where the first two sets of coordinates put each vertex; none: the file has none.
+std::vector<std::array<float, 4>> read_uv(const tinygltf::Model& file, const tinygltf::Primitive& primitive,
+                                          std::size_t vertices) {
+  std::vector<std::array<float, 4>> uv;
+  for (const std::size_t set : {std::size_t{0}, std::size_t{1}}) {
+    const auto found = primitive.attributes.find("TEXCOORD_" + std::to_string(set));
+    if (found == primitive.attributes.end()) continue;
+    const std::vector<std::array<float, 2>> read = read_coordinates(file, found->second);
+    if (read.size() != vertices)
+      throw GltfFault("a mesh has more or fewer texture coordinates than vertices; export it again");
+    uv.resize(vertices, {0, 0, 0, 0});
+    for (std::size_t i = 0; i < vertices; ++i) {
+      uv[i][2 * set] = read[i][0];
+      uv[i][2 * set + 1] = read[i][1];
+    }
+  }
+  return uv;
+}
+
+bool shows_pictures(const ModelMaterial& material) {
+  if (!material.detail) return false;
+  const MaterialDetail& detail = *material.detail;
+  return detail.base_colour || detail.metal_rough || detail.normal || detail.occlusion || detail.emissive;
 }
 
 ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& primitive) {
@@ -126,6 +141,7 @@ ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& prim
     if (part.colours.size() != part.positions.size())
       throw GltfFault("a mesh has more or fewer colours than vertices; export it again");
   }
+  part.uv = read_uv(file, primitive, part.positions.size());
   if (const auto normals = primitive.attributes.find("NORMAL"); normals != primitive.attributes.end()) {
     part.normals = read_vectors(file, normals->second);
     if (part.normals.size() != part.positions.size())
@@ -228,9 +244,10 @@ Model model_from_gltf(const tinygltf::Model& file) {
   Model model;
   model.parts = Walk(file).parts();
   if (model.parts.empty()) throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
-  for (const tinygltf::Material& material : file.materials)
-    model.materials.push_back(material_from(material));
-  model.materials.push_back({});
+  read_materials(file, model);
+  // What no picture is laid onto need not know where it would lie.
+  for (ModelPart& part : model.parts)
+    if (!shows_pictures(model.materials[part.material])) part.uv = {};
   return model;
 }
 

@@ -1,11 +1,14 @@
 #include "engine/render/pipelines.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
+#include "engine/render/look.h"
 #include "engine/render/targets.h"
 #include "engine/render/vertex.h"
 #include "shaders/shared/ghost.h"
+#include "shaders/shared/material.h"
 
 namespace fulcrum::render {
 namespace {
@@ -48,15 +51,51 @@ PipelineHandle make_surfaces(vulkan::Device& device, const RenderPlan& plan, con
   return make_pipeline(device, desc);
 }
 
-PipelineHandle make_shadow(vulkan::Device& device, const ShaderLibrary& shaders, VkPipelineLayout layout) {
+void read_uv(PipelineDesc& desc) {
+  desc.second_stride = sizeof(glm::vec4);
+  desc.attributes.push_back({3, 1, VK_FORMAT_R32G32B32A32_SFLOAT, 0});
+}
+
+// What a look has not is left out of its shader when that is compiled.
+PipelineHandle make_detailed(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+                             VkPipelineLayout layout, std::uint32_t look) {
+  PipelineDesc desc = scene_desc(plan, layout);
+  desc.stages =
+      stages(shaders, "detailed.vert", plan.shadow_size > 0 ? "detailed_shadowed.frag" : "detailed.frag");
+  desc.stages.back().constant = look;
+  read_vertices(desc, true);
+  read_uv(desc);
+  desc.cull = (look & FULCRUM_LOOK_DOUBLE_SIDED) != 0 ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+  desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, !is_blended(look), false};
+  if (is_blended(look)) desc.blend = vulkan::Blend::over;
+  return make_pipeline(device, desc);
+}
+
+PipelineDesc shadow_desc(const RenderPlan& plan, VkPipelineLayout layout) {
   PipelineDesc desc;
   desc.layout = layout;
-  desc.stages = stages(shaders, "shadow.vert", nullptr);
   read_vertices(desc, false);
   desc.depth = kDepthFormat;
-  desc.cull = VK_CULL_MODE_BACK_BIT;
+  const bool two_sided = std::ranges::any_of(
+      plan.looks, [](std::uint32_t look) { return (look & FULCRUM_LOOK_DOUBLE_SIDED) != 0; });
+  desc.cull = two_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_LESS, true, false};
   desc.depth_bias = 1.5F;
+  return desc;
+}
+
+PipelineHandle make_shadow(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+                           VkPipelineLayout layout) {
+  PipelineDesc desc = shadow_desc(plan, layout);
+  desc.stages = stages(shaders, "shadow.vert", nullptr);
+  return make_pipeline(device, desc);
+}
+
+PipelineHandle make_masked_shadow(vulkan::Device& device, const RenderPlan& plan,
+                                  const ShaderLibrary& shaders, VkPipelineLayout layout) {
+  PipelineDesc desc = shadow_desc(plan, layout);
+  desc.stages = stages(shaders, "masked_shadow.vert", "masked_shadow.frag");
+  read_uv(desc);
   return make_pipeline(device, desc);
 }
 
@@ -113,14 +152,21 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
                          const SetLayouts& sets) {
   const std::array<VkPushConstantRange, 1> visibility = {{{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(float)}}};
   Pipelines made;
-  made.scene_layout = vulkan::make_pipeline_layout(
-      device, {&sets.scene, 1},
-      plan.markers ? std::span(visibility) : std::span<const VkPushConstantRange>());
+  const auto pushed = plan.markers ? std::span(visibility) : std::span<const VkPushConstantRange>();
+  made.scene_layout = vulkan::make_pipeline_layout(device, {&sets.scene, 1}, pushed);
   made.tone_layout = vulkan::make_pipeline_layout(device, {&sets.tone, 1}, {});
   const VkPipelineLayout layout = made.scene_layout.get();
   made.background = make_background(device, plan, shaders, layout);
-  if (plan.surfaces) made.surfaces = make_surfaces(device, plan, shaders, layout);
-  if (plan.shadow_size > 0) made.shadow = make_shadow(device, shaders, layout);
+  if (plan.plain_surfaces) made.surfaces = make_surfaces(device, plan, shaders, layout);
+  if (plan.shadow_size > 0) made.shadow = make_shadow(device, plan, shaders, layout);
+  if (!plan.looks.empty()) {
+    const std::array<VkDescriptorSetLayout, 2> both = {sets.scene, sets.material};
+    made.detailed_layout = vulkan::make_pipeline_layout(device, both, pushed);
+    for (const std::uint32_t look : plan.looks)
+      made.detailed[look] = make_detailed(device, plan, shaders, made.detailed_layout.get(), look);
+    if (plan.shadow_size > 0 && std::ranges::any_of(plan.looks, is_masked))
+      made.masked_shadow = make_masked_shadow(device, plan, shaders, made.detailed_layout.get());
+  }
   if (plan.markers) made.markers = make_markers(device, plan, shaders, layout);
   if (plan.ghosts) add_ghosts(made, device, plan, shaders, sets.ghost);
   PipelineDesc tone;

@@ -1,6 +1,8 @@
 #pragma once
 // The pipelines of a plan: those that it names and no other.
 
+#include <map>
+
 #include "engine/render/plan.h"
 #include "engine/render/shader_library.h"
 #include "engine/vulkan/pipeline.h"
@@ -27,6 +29,9 @@ struct Pipelines {
   vulkan::PipelineHandle background;
   vulkan::PipelineHandle tone;
   vulkan::PipelineHandle surfaces;  // this and what follows: empty unless planned
+  vulkan::PipelineLayoutHandle detailed_layout;
+  std::map<std::uint32_t, vulkan::PipelineHandle> detailed;  // by look (look.h)
+  vulkan::PipelineHandle masked_shadow;
   vulkan::PipelineHandle shadow;
   vulkan::PipelineHandle markers;
   vulkan::PipelineLayoutHandle ghost_layout;
@@ -37,6 +42,7 @@ struct Pipelines {
 
 struct SetLayouts {
   VkDescriptorSetLayout scene = VK_NULL_HANDLE;
+  VkDescriptorSetLayout material = VK_NULL_HANDLE;  // read only if the plan has detailed surfaces
   VkDescriptorSetLayout tone = VK_NULL_HANDLE;
   VkDescriptorSetLayout ghost = VK_NULL_HANDLE;  // read only if the plan has a ghost
 };

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/render/ghost_edges.h"
+#include "engine/render/look.h"
+#include "engine/render/mip_chain.h"
 #include "engine/render/validate.h"
 #include "engine/render/vertex.h"
 #include "shaders/shared/frame.h"
@@ -71,7 +74,30 @@ void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
                         std::to_string(facts.indices / 3) + " triangles"});
   plan.built.push_back({"instances", "buffer", facts.instances * sizeof(gpu::InstanceData),
                         std::to_string(facts.instances) + " of them"});
-  plan.built.push_back({"surfaces", "pipeline", 0, "metal-rough, a studio to mirror"});
+  if (plan.plain_surfaces)
+    plan.built.push_back({"surfaces", "pipeline", 0, "metal-rough, a studio to mirror"});
+  else
+    plan.left_out.push_back({"surfaces", "pipeline", 0, "no material is of one colour alone"});
+}
+
+void add_detail(const SceneFacts& facts, RenderPlan& plan) {
+  plan.looks = facts.looks;
+  if (plan.looks.empty()) {
+    plan.left_out.push_back({"detailed surfaces", "pipeline", 0, "no material has more than one colour"});
+    return;
+  }
+  for (const std::uint32_t look : plan.looks)
+    plan.built.push_back({"detailed surfaces", "pipeline", 0, describe_look(look)});
+  plan.built.push_back({"places in textures", "buffer", facts.detailed_vertices * sizeof(glm::vec4),
+                        "of " + std::to_string(facts.detailed_vertices) + " vertices"});
+  if (facts.textures > 0)
+    plan.built.push_back({"textures", "image", facts.texture_bytes,
+                          std::to_string(facts.textures) + " of them, in all their sizes"});
+  else
+    plan.left_out.push_back({"textures", "image", 0, "no material has one"});
+  if (std::ranges::none_of(plan.looks, is_masked)) return;
+  if (plan.shadow_size > 0)
+    plan.built.push_back({"shadows with holes", "pipeline", 0, "of materials that are cut out"});
 }
 
 void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {
@@ -157,9 +183,25 @@ SceneFacts facts_of(const VisualDesc& desc) {
     facts.indices += mesh.indices.size();
   }
   facts.instances = desc.instances.size();
-  facts.casters = static_cast<std::uint64_t>(
-      std::count_if(desc.instances.begin(), desc.instances.end(),
-                    [](const Instance& instance) { return instance.casts_shadow; }));
+  std::set<std::size_t> meshes, textures;  // of detailed instances
+  std::set<std::uint32_t> looks;
+  for (const Instance& instance : desc.instances) {
+    const Material& material = desc.materials[instance.material];
+    const std::optional<std::uint32_t> look = look_of(material);
+    if (instance.casts_shadow && !is_blended(look.value_or(0))) ++facts.casters;
+    if (!look) {
+      ++facts.plain;
+      continue;
+    }
+    looks.insert(*look);
+    meshes.insert(instance.mesh);
+    for (const auto& layer : material.detail->layers)
+      if (layer) textures.insert(layer->texture);
+  }
+  facts.looks.assign(looks.begin(), looks.end());
+  for (const std::size_t mesh : meshes) facts.detailed_vertices += desc.meshes[mesh].positions.size();
+  facts.textures = textures.size();
+  for (const std::size_t texture : textures) facts.texture_bytes += mip_bytes(desc.textures[texture]);
   facts.markers = desc.markers.size();
   for (const Ghost& ghost : desc.ghosts) {
     // All of them copy the same instances: if one has no edges, none has.
@@ -182,11 +224,13 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   plan.scene = {scaled(options.extent.width), scaled(options.extent.height)};
   plan.samples = options.quality.samples;
   plan.surfaces = facts.instances > 0;
+  plan.plain_surfaces = facts.plain > 0;
   plan.markers = facts.markers > 0;
   plan.ghosts = !facts.ghost_edges.empty();
   plan.inset = options.inset;
   add_geometry(facts, plan);
   add_shadow(facts, options.quality, plan);
+  add_detail(facts, plan);
   add_markers(facts, plan);
   add_ghosts(facts, plan);
   add_targets(plan);

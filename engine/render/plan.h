@@ -49,6 +49,8 @@ struct RenderPlan {
   int samples = 4;      // per pixel
   int shadow_size = 0;  // pixels on a side; 0: nothing is built for shadows
   bool surfaces = false;
+  bool plain_surfaces = false;            // of one colour, one metallic and one roughness
+  std::vector<std::uint32_t> looks = {};  // of the others (look.h), each once
   bool markers = false;
   bool ghosts = false;
   std::optional<Extent> inset{};  // its scene is as large
@@ -61,7 +63,12 @@ struct SceneFacts {
   std::uint64_t vertices = 0;
   std::uint64_t indices = 0;
   std::uint64_t instances = 0;
-  std::uint64_t casters = 0;  // instances that throw a shadow
+  std::uint64_t casters = 0;              // instances that throw a shadow
+  std::uint64_t plain = 0;                // instances without a detailed material
+  std::vector<std::uint32_t> looks = {};  // of those with one, each once
+  std::uint64_t detailed_vertices = 0;    // of their meshes
+  std::uint64_t textures = 0;             // that they show
+  std::uint64_t texture_bytes = 0;        // of those, in all their sizes
   std::uint64_t markers = 0;
   std::vector<std::uint64_t> ghost_edges;  // of each ghost that has some
   bool key_light = false;

@@ -48,6 +48,7 @@ void Renderer::record_shadow(VkCommandBuffer commands) {
   begin(commands, shadow_map_.extent(), nullptr, &depth);
   bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), main_.scene_set.get());
   geometry_->draw_casters(commands);
+  if (detailed_) detailed_->record_shadows(commands, pipelines_, *geometry_, main_.scene_set.get());
   vkCmdEndRendering(commands);
   vulkan::barrier(commands, shadow_map_.get(), kDepth, use::kDepthTarget, use::kSampled);
 }
@@ -77,12 +78,18 @@ void Renderer::record_scene(VkCommandBuffer commands, const View& view, bool gho
                  ghosts ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE);
   depth.clearValue.depthStencil.depth = 0.0F;  // reversed: infinitely far
   begin(commands, targets.scene.extent(), &colour, &depth);
-  if (plan_.surfaces) {
+  const auto draw_detailed = [&](DetailedSurfaces::Which which) {
+    if (detailed_)
+      detailed_->record(commands, pipelines_, *geometry_, view.scene_set.get(), which, view.eye, view.layers);
+  };
+  if (plan_.plain_surfaces) {
     bind(commands, pipelines_.surfaces.get(), pipelines_.scene_layout.get(), view.scene_set.get());
-    geometry_->draw(commands, SceneGeometry::Which::all, view.layers);
+    geometry_->draw(commands, SceneGeometry::Which::plain, view.layers);
   }
+  draw_detailed(DetailedSurfaces::Which::opaque);
   bind(commands, pipelines_.background.get(), pipelines_.scene_layout.get(), view.scene_set.get());
   vkCmdDraw(commands, 3, 1, 0, 0);
+  draw_detailed(DetailedSurfaces::Which::blended);
   if (markers_shown_ > 0) record_markers(commands);
   vkCmdEndRendering(commands);
 }

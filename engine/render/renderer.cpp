@@ -64,6 +64,7 @@ Renderer::Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderO
   shared_.scene_sampler = scene_sampler_.get();
   if (!desc.instances.empty()) geometry_ = std::make_unique<SceneGeometry>(device, desc);
   if (geometry_) shared_.instances = geometry_->instances();
+  if (!facts_.looks.empty()) detailed_ = std::make_unique<DetailedSurfaces>(device, desc);
   take_ghosts(desc);
   if (!markers_.empty()) {
     marker_buffer_ = vulkan::Buffer(device, markers_.size() * sizeof(gpu::MarkerData),
@@ -108,8 +109,9 @@ void Renderer::build(const RenderPlan& plan) {
 void Renderer::build_pipelines() {
   // Of all ghosts alike.
   const VkDescriptorSetLayout ghost = main_.ghosts.empty() ? VK_NULL_HANDLE : main_.ghosts.front()->layout();
-  pipelines_ =
-      make_pipelines(device_, plan_, shaders_, {main_.scene_set.layout(), main_.tone_set.layout(), ghost});
+  pipelines_ = make_pipelines(device_, plan_, shaders_,
+                              {main_.scene_set.layout(), detailed_ ? detailed_->layout() : VK_NULL_HANDLE,
+                               main_.tone_set.layout(), ghost});
 }
 
 void Renderer::build_shadow_map() {

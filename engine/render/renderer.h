@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/render/detailed_surfaces.h"
 #include "engine/render/frame_data.h"
 #include "engine/render/overlay_pass.h"
 #include "engine/render/picture.h"
@@ -75,8 +76,9 @@ private:
   ShaderLibrary shaders_;
   vulkan::Commands commands_;
 
-  std::unique_ptr<SceneGeometry> geometry_;  // null without instances
-  vulkan::Buffer marker_buffer_;             // empty without markers
+  std::unique_ptr<SceneGeometry> geometry_;     // null without instances
+  std::unique_ptr<DetailedSurfaces> detailed_;  // null without detailed materials
+  vulkan::Buffer marker_buffer_;                // empty without markers
   vulkan::SamplerHandle shadow_sampler_;
   vulkan::SamplerHandle scene_sampler_;
 

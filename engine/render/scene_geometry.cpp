@@ -1,9 +1,13 @@
 #include "engine/render/scene_geometry.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
+#include "engine/render/look.h"
 #include "engine/render/vertex.h"
 
 namespace fulcrum::render {
@@ -36,35 +40,52 @@ gpu::InstanceData to_gpu(const Instance& instance, const Material& material) {
 SceneGeometry::SceneGeometry(vulkan::Device& device, const VisualDesc& desc)
     : instances_(device, desc.instances.size() * sizeof(gpu::InstanceData),
                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Place::upload) {
-  upload_meshes(device, desc);
-  sort_instances(desc);
+  sort_instances(desc, upload_meshes(device, desc));
 }
 
-void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc) {
+// Meshes that a detailed material is laid on come first: their vertices have places in textures, and a vertex
+// has one number in both buffers.
+std::vector<SceneGeometry::Place> SceneGeometry::upload_meshes(vulkan::Device& device,
+                                                               const VisualDesc& desc) {
+  std::vector<bool> is_detailed(desc.meshes.size(), false);
+  for (const Instance& instance : desc.instances)
+    if (desc.materials[instance.material].detail) is_detailed[instance.mesh] = true;
+  std::vector<Place> places(desc.meshes.size());
   std::vector<Vertex> vertices;
+  std::vector<glm::vec4> uv;
   std::vector<std::uint32_t> indices;
-  for (const Mesh& mesh : desc.meshes) {
-    batches_.push_back({static_cast<std::uint32_t>(indices.size()),
-                        static_cast<std::uint32_t>(mesh.indices.size()),
-                        static_cast<std::int32_t>(vertices.size()), 0, 0, 0, false, 0});
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      Vertex vertex{.position = mesh.positions[i], .normal = mesh.normals[i]};
-      if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
-      vertices.push_back(vertex);
+  for (const bool detailed : {true, false}) {
+    for (std::size_t m = 0; m < desc.meshes.size(); ++m) {
+      if (is_detailed[m] != detailed) continue;
+      const Mesh& mesh = desc.meshes[m];
+      places[m] = {static_cast<std::uint32_t>(indices.size()), static_cast<std::int32_t>(vertices.size())};
+      for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        Vertex vertex{.position = mesh.positions[i], .normal = mesh.normals[i]};
+        if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
+        vertices.push_back(vertex);
+      }
+      if (detailed && !mesh.uv.empty()) uv.insert(uv.end(), mesh.uv.begin(), mesh.uv.end());
+      if (detailed) uv.resize(vertices.size(), glm::vec4(0.0F));
+      indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
-    indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
   }
   vertices_ = vulkan::upload(device, std::as_bytes(std::span(vertices)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  if (!uv.empty())
+    uv_ = vulkan::upload(device, std::as_bytes(std::span(uv)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   indices_ = vulkan::upload(device, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  return places;
 }
 
-void SceneGeometry::sort_instances(const VisualDesc& desc) {
+void SceneGeometry::sort_instances(const VisualDesc& desc, const std::vector<Place>& places) {
+  const auto kind_of = [&](const Instance& instance) {
+    return desc.materials[instance.material].detail ? std::optional(instance.material) : std::nullopt;
+  };
   std::vector<std::size_t> order(desc.instances.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const Instance& left = desc.instances[a];
-    const Instance& right = desc.instances[b];
-    return left.mesh != right.mesh ? left.mesh < right.mesh : left.casts_shadow && !right.casts_shadow;
+    const Instance &left = desc.instances[a], &right = desc.instances[b];
+    return std::tuple(left.mesh, kind_of(left), !left.casts_shadow) <
+           std::tuple(right.mesh, kind_of(right), !right.casts_shadow);
   });
   std::vector<Bounds> mesh_bounds;
   for (const Mesh& mesh : desc.meshes) mesh_bounds.push_back(bounds_of(mesh));
@@ -72,19 +93,25 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto slot = static_cast<std::uint32_t>(i);
     const Instance& instance = desc.instances[order[i]];
+    const Material& material = desc.materials[instance.material];
+    const std::optional<std::size_t> kind = kind_of(instance);
+    if (batches_.empty() || batches_.back().mesh != instance.mesh || batches_.back().material != kind) {
+      const Place& place = places[instance.mesh];
+      batches_.push_back({instance.mesh, kind, look_of(material).value_or(0), place.first_index,
+                          static_cast<std::uint32_t>(desc.meshes[instance.mesh].indices.size()),
+                          place.first_vertex, slot, 0, 0, false, instance.layers});
+    }
+    Batch& batch = batches_.back();
+    const bool casts = instance.casts_shadow && !is_blended(batch.look);
     slot_of[order[i]] = slot;
-    slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, instance.casts_shadow, instance.layers});
-    data()[slot] = to_gpu(instance, desc.materials[instance.material]);
-    Batch& batch = batches_[instance.mesh];
-    batch.first_slot = batch.count == 0 ? slot : batch.first_slot;
+    slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, casts, instance.layers});
+    data()[slot] = to_gpu(instance, material);
     batch.count += 1;
-    batch.casters += instance.casts_shadow ? 1 : 0;
+    batch.casters += casts ? 1 : 0;
     batch.tool = batch.tool || (instance.movable && instance.follows == 0);
-    batch.layers = instance.layers;
   }
   for (std::size_t i = 0; i < order.size(); ++i)
     if (desc.instances[i].movable) movable_slots_.push_back(slot_of[i]);
-  std::erase_if(batches_, [](const Batch& batch) { return batch.count == 0; });
 }
 
 bool SceneGeometry::place(std::span<const glm::mat4> X_WM) {
@@ -114,26 +141,73 @@ std::vector<Bounds> SceneGeometry::casters() const {
 std::uint32_t SceneGeometry::count_of(const Batch& batch, Which which) {
   switch (which) {
     case Which::casters:
-      return batch.casters;
+      return is_masked(batch.look) ? 0 : batch.casters;
     case Which::tool:
       return batch.tool ? 1 : 0;
     default:
-      return batch.count;
+      return batch.material ? 0 : batch.count;
   }
 }
 
-void SceneGeometry::draw(VkCommandBuffer commands, Which which, std::uint32_t layers) const {
-  const VkBuffer vertices = vertices_.get();
-  const VkDeviceSize offset = 0;
-  vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
+void SceneGeometry::bind(VkCommandBuffer commands) const {
+  const std::array<VkBuffer, 2> buffers = {vertices_.get(), uv_.get()};
+  const std::array<VkDeviceSize, 2> offsets = {0, 0};
+  vkCmdBindVertexBuffers(commands, 0, uv_.get() == VK_NULL_HANDLE ? 1 : 2, buffers.data(), offsets.data());
   vkCmdBindIndexBuffer(commands, indices_.get(), 0, VK_INDEX_TYPE_UINT32);
-  for (const Batch& batch : batches_) {
+}
+
+void SceneGeometry::draw(VkCommandBuffer commands, Which which, std::uint32_t layers) const {
+  bind(commands);
+  for (std::size_t i = 0; i < batches_.size(); ++i) {
+    const Batch& batch = batches_[i];
     if ((batch.layers & layers) == 0) continue;
-    if (const std::uint32_t count = count_of(batch, which); count > 0) {
-      vkCmdDrawIndexed(commands, batch.index_count, count, batch.first_index, batch.first_vertex,
-                       batch.first_slot);
+    if (const std::uint32_t count = count_of(batch, which); count > 0)
+      draw(commands, Piece{0, 0, i, batch.first_slot, count});
+  }
+}
+
+void SceneGeometry::draw(VkCommandBuffer commands, const Piece& piece) const {
+  const Batch& batch = batches_[piece.batch];
+  vkCmdDrawIndexed(commands, batch.index_count, piece.count, batch.first_index, batch.first_vertex,
+                   piece.first_slot);
+}
+
+std::vector<SceneGeometry::Piece> SceneGeometry::detailed(std::uint32_t layers) const {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < batches_.size(); ++i) {
+    const Batch& batch = batches_[i];
+    if (batch.material && !is_blended(batch.look) && (batch.layers & layers) != 0)
+      pieces.push_back({*batch.material, batch.look, i, batch.first_slot, batch.count});
+  }
+  std::ranges::stable_sort(pieces, {}, &Piece::look);
+  return pieces;
+}
+
+std::vector<SceneGeometry::Piece> SceneGeometry::blended(const glm::vec3& eye, std::uint32_t layers) const {
+  std::vector<std::pair<float, Piece>> found;
+  for (std::size_t i = 0; i < batches_.size(); ++i) {
+    const Batch& batch = batches_[i];
+    if (!batch.material || !is_blended(batch.look) || (batch.layers & layers) == 0) continue;
+    for (std::uint32_t slot = batch.first_slot; slot < batch.first_slot + batch.count; ++slot) {
+      const Bounds box = transformed(slots_[slot].mesh_bounds, slots_[slot].X_WM);
+      const float away = glm::distance(eye, 0.5F * (box.low + box.high));
+      found.push_back({away, {*batch.material, batch.look, i, slot, 1}});
     }
   }
+  std::ranges::stable_sort(found, std::greater{}, &std::pair<float, Piece>::first);
+  std::vector<Piece> pieces;
+  for (const auto& [away, piece] : found) pieces.push_back(piece);
+  return pieces;
+}
+
+std::vector<SceneGeometry::Piece> SceneGeometry::masked_casters() const {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < batches_.size(); ++i) {
+    const Batch& batch = batches_[i];
+    if (is_masked(batch.look) && batch.casters > 0 && (batch.layers & seen_) != 0)
+      pieces.push_back({*batch.material, batch.look, i, batch.first_slot, batch.casters});
+  }
+  return pieces;
 }
 
 }  // namespace fulcrum::render

@@ -1,6 +1,7 @@
 #pragma once
 // Meshes and instances on the device.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,18 +32,38 @@ public:
   VkBuffer instances() const { return instances_.get(); }
 
   enum class Which {
-    all,
-    casters,
-    tool  // each mesh that follows the tool, once: for a pipeline that brings its own pose
+    plain,    // without detailed materials
+    casters,  // without those that have holes
+    tool      // each mesh that follows the tool, once: for a pipeline that brings its own pose
   };
   // Binds the buffers and draws what a camera of these layers sees; pipeline and descriptor sets are bound by
   // the caller.
   void draw(VkCommandBuffer commands, Which which, std::uint32_t layers) const;
   void draw_casters(VkCommandBuffer commands) const { draw(commands, Which::casters, seen_); }
 
+  // Instances of one mesh and one detailed material.
+  struct Piece {
+    std::size_t material = 0;  // of the description
+    std::uint32_t look = 0;    // of that (look.h)
+    std::size_t batch = 0;
+    std::uint32_t first_slot = 0;
+    std::uint32_t count = 0;
+  };
+  // Those that are not blended, by their looks; those that are, one by one, the farthest from the eye first;
+  // those that throw a shadow with holes in it.
+  std::vector<Piece> detailed(std::uint32_t layers) const;
+  std::vector<Piece> blended(const glm::vec3& eye, std::uint32_t layers) const;
+  std::vector<Piece> masked_casters() const;
+  void bind(VkCommandBuffer commands) const;
+  void draw(VkCommandBuffer commands, const Piece& piece) const;
+
 private:
-  // All instances of one mesh lie side by side, those that throw a shadow first: one draw a mesh.
+  // All instances of one mesh that are plain, or of one detailed material, lie side by side, those that throw
+  // a shadow first: one draw each.
   struct Batch {
+    std::size_t mesh = 0;
+    std::optional<std::size_t> material;  // none: plain ones, each with its own
+    std::uint32_t look = 0;               // of the material
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
     std::int32_t first_vertex = 0;
@@ -61,12 +82,18 @@ private:
     std::uint32_t layers = 0;
   };
 
+  struct Place {
+    std::uint32_t first_index = 0;
+    std::int32_t first_vertex = 0;
+  };
+
   static std::uint32_t count_of(const Batch& batch, Which which);
-  void upload_meshes(vulkan::Device& device, const VisualDesc& desc);
-  void sort_instances(const VisualDesc& desc);
+  std::vector<Place> upload_meshes(vulkan::Device& device, const VisualDesc& desc);
+  void sort_instances(const VisualDesc& desc, const std::vector<Place>& places);
   gpu::InstanceData* data() { return reinterpret_cast<gpu::InstanceData*>(instances_.mapped()); }
 
   vulkan::Buffer vertices_;
+  vulkan::Buffer uv_;  // of the meshes that come first; empty where no material is detailed
   vulkan::Buffer indices_;
   vulkan::Buffer instances_;
   std::vector<Batch> batches_;

@@ -29,6 +29,11 @@ std::optional<Error> check_mesh(const Mesh& mesh, std::size_t index) {
                  std::to_string(mesh.colours.size()) +
                  " colours; give one colour for each position, or none."};
   }
+  if (!mesh.uv.empty() && mesh.uv.size() != mesh.positions.size()) {
+    return Error{who + " has " + std::to_string(mesh.positions.size()) + " positions and " +
+                 std::to_string(mesh.uv.size()) +
+                 " places in textures; give one for each position, or none."};
+  }
   if (mesh.indices.size() % 3 != 0) {
     return Error{who + " has " + std::to_string(mesh.indices.size()) +
                  " indices, which do not make triangles."};
@@ -43,6 +48,28 @@ std::optional<Error> check_mesh(const Mesh& mesh, std::size_t index) {
     if (!finite(position))
       return Error{who + " has a position that is not a number; export the model again."};
   return {};
+}
+
+std::optional<Error> check_material(const VisualDesc& desc, std::size_t index) {
+  const Material& material = desc.materials[index];
+  if (!material.detail) return {};
+  for (const auto& layer : material.detail->layers) {
+    if (layer && layer->texture >= desc.textures.size())
+      return Error{"The " + named("material", material.name, index) + " shows texture " +
+                   std::to_string(layer->texture) + ", but there are " +
+                   std::to_string(desc.textures.size()) + " textures."};
+  }
+  return {};
+}
+
+std::optional<Error> check_texture(const Texture& texture, std::size_t index) {
+  constexpr std::uint32_t kLargest = 8192;
+  const bool fits = texture.width > 0 && texture.height > 0 && texture.width <= kLargest &&
+                    texture.height <= kLargest &&
+                    texture.rgba.size() == std::size_t{4} * texture.width * texture.height;
+  if (fits) return {};
+  return Error{"The " + named("texture", texture.name, index) +
+               " has no pixels, other than its size says, or more than 8192 a side; make it again."};
 }
 
 std::optional<Error> check_instance(const VisualDesc& desc, std::size_t index) {
@@ -76,6 +103,10 @@ std::optional<Error> check_instance(const VisualDesc& desc, std::size_t index) {
 std::optional<Error> validate(const VisualDesc& desc) {
   for (std::size_t i = 0; i < desc.meshes.size(); ++i)
     if (auto error = check_mesh(desc.meshes[i], i)) return *error;
+  for (std::size_t i = 0; i < desc.textures.size(); ++i)
+    if (auto error = check_texture(desc.textures[i], i)) return *error;
+  for (std::size_t i = 0; i < desc.materials.size(); ++i)
+    if (auto error = check_material(desc, i)) return *error;
   for (std::size_t i = 0; i < desc.instances.size(); ++i)
     if (auto error = check_instance(desc, i)) return *error;
   for (std::size_t i = 0; i < desc.markers.size(); ++i) {

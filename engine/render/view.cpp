@@ -45,6 +45,7 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
 void View::update(const gpu::FrameData& data, const FrameState& state) {
   std::memcpy(frame_buffer.mapped(), &data, sizeof(data));
   layers = state.camera.layers;
+  eye = state.camera.eye;
   for (std::size_t i = 0; i < ghosts.size(); ++i)
     ghosts[i]->update(state.ghosts.empty() ? GhostState() : state.ghosts[i], state.camera, plan);
 }

@@ -9,6 +9,7 @@
 #include "engine/render/targets.h"
 #include "engine/vulkan/buffer.h"
 #include "engine/vulkan/descriptors.h"
+#include "shaders/shared/frame.h"
 
 namespace fulcrum::render {
 
@@ -42,6 +43,7 @@ struct View {
   vulkan::DescriptorSet tone_set;
   std::vector<std::unique_ptr<GhostPass>> ghosts;
   std::uint32_t layers = 1;  // that its camera sees
+  glm::vec3 eye{0.0F};       // of that camera, in the world
 };
 
 // The plan of the second view that a plan has.

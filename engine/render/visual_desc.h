@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/render/surface_detail.h"
+
 namespace fulcrum::render {
 
 // Triangles in the mesh frame M. Counter-clockwise seen from outside; back faces are not drawn.
@@ -19,15 +21,17 @@ struct Mesh {
   std::vector<glm::vec3> positions;    // (n) m
   std::vector<glm::vec3> normals;      // (n) unit, one for each position
   std::vector<glm::vec3> colours;      // (n) linear, times the material's; or none
+  std::vector<glm::vec4> uv;           // (n) two places in textures, xy and zw; or none
   std::vector<std::uint32_t> indices;  // (3 x triangles) into positions
 };
 
 // Metal-rough material, as in glTF 2.0.
 struct Material {
   std::string name;
-  glm::vec3 base_colour{0.8F};  // linear; for a metal its reflectance at normal incidence
-  float metallic = 0.0F;        // 0 dielectric .. 1 metal
-  float roughness = 0.5F;       // 0 mirror .. 1 matt (perceptual: alpha = roughness^2)
+  glm::vec3 base_colour{0.8F};            // linear; for a metal its reflectance at normal incidence
+  float metallic = 0.0F;                  // 0 dielectric .. 1 metal
+  float roughness = 0.5F;                 // 0 mirror .. 1 matt (perceptual: alpha = roughness^2)
+  std::optional<SurfaceDetail> detail{};  // none: nothing is built for more than that
 };
 
 // One mesh placed in the world.
@@ -94,6 +98,7 @@ struct Background {
 struct VisualDesc {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
+  std::vector<Texture> textures;  // of materials
   std::vector<Instance> instances;
   std::optional<KeyLight> key_light =
       KeyLight{};  // absent: ambient light alone, and nothing is built for shadows

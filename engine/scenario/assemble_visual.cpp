@@ -9,6 +9,7 @@
 #include "engine/scenario/device_shapes.h"
 #include "engine/scenario/holding_axes.h"
 #include "engine/scenario/level_bars.h"
+#include "engine/scenario/surfaces.h"
 #include "engine/scenario/to_glm.h"
 #include "engine/scenario/words.h"
 #include "haptics/actuation/mechanism.h"
@@ -28,12 +29,8 @@ render::Mesh mesh_of(const ModelPart& part, const Vec3& origin) {
   for (const Vec3& p : part.positions) mesh.positions.push_back(narrowed(p - origin));
   for (const Vec3& n : part.normals) mesh.normals.push_back(narrowed(n));
   for (const Vec3& c : part.colours) mesh.colours.push_back(narrowed(c));
+  for (const auto& uv : part.uv) mesh.uv.emplace_back(uv[0], uv[1], uv[2], uv[3]);
   return mesh;
-}
-
-render::Material material_of(const ModelMaterial& material) {
-  const auto& c = material.base_colour;
-  return {material.name, {c[0], c[1], c[2]}, material.metallic, material.roughness};
 }
 
 // Every material of that name in any of the models; a name that none has is a slip.
@@ -64,13 +61,16 @@ std::uint32_t layers_of(const ModelEntry& entry, const std::vector<ModelEntry>& 
   return std::ranges::count(models, entry.name, &ModelEntry::cut_of) > 0 ? kWhole : kWhole | kCut;
 }
 
-// Appends the model's materials and parts; those of the tool are moved to T and movable.
-void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model, const Vec3& p_MT,
-               const Pose& X_WT_start, std::uint32_t layers, bool drawn) {
+// Appends the model's materials and parts; those of the tool are moved to T and movable. Fails where a
+// texture cannot be decoded.
+std::optional<Error> add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model,
+                               const Vec3& p_MT, const Pose& X_WT_start, std::uint32_t layers, bool drawn) {
   const bool is_tool = entry.role == ModelRole::tool;
   const std::size_t first_material = desc.materials.size();
-  for (const ModelMaterial& material : model.materials) desc.materials.push_back(material_of(material));
-  if (!drawn) return;
+  if (const auto refused = add_materials(desc, model))
+    return Error{(entry.drawn.name.empty() ? entry.file : entry.drawn).path.string() + ": " +
+                 refused->sentence};
+  if (!drawn) return std::nullopt;
   for (const ModelPart& part : model.parts) {
     render::Instance instance;
     instance.mesh = desc.meshes.size();
@@ -83,6 +83,7 @@ void add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& m
     desc.instances.push_back(std::move(instance));
     desc.meshes.push_back(mesh_of(part, is_tool ? p_MT : Vec3::Zero()));
   }
+  return std::nullopt;
 }
 
 // What a checkpoint's touch point has to go along, as a thin bar from corner to corner.
@@ -127,8 +128,10 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   const Pose X_WT_start = scenario.tool.X_WM_start * Pose{Quat::Identity(), models.p_MT};
   for (std::size_t i = 0; i < scenario.models.size(); ++i) {
     const ModelEntry& entry = scenario.models[i];
-    add_model(desc, entry, models.drawn[i] ? *models.drawn[i] : models.models[i], models.p_MT, X_WT_start,
-              layers_of(entry, scenario.models), !(scenario.left_handed && entry.lettering));
+    if (const auto refused = add_model(desc, entry, models.drawn[i] ? *models.drawn[i] : models.models[i],
+                                       models.p_MT, X_WT_start, layers_of(entry, scenario.models),
+                                       !(scenario.left_handed && entry.lettering)))
+      return *refused;
   }
   for (const MaterialOverride& material : scenario.materials)
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();

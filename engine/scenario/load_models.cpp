@@ -111,6 +111,15 @@ std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entr
   return std::move(*model);
 }
 
+// Some of what the file's author sees is not drawn.
+std::optional<Fault> plainer(const ModelEntry& entry, const FileRef& file, const Model& model) {
+  if (model.left_out.empty()) return std::nullopt;
+  std::string sentence = in_quotes(file.name) + " is drawn without ";
+  for (std::size_t i = 0; i < model.left_out.size(); ++i)
+    sentence.append(i == 0 ? "" : "; ").append(model.left_out[i]);
+  return at(entry, sentence.append("."));
+}
+
 // Objects that are marked, and that no model takes.
 void tell_of_left_out(const Scenario& scenario, const std::filesystem::path& file,
                       const std::vector<ObjectMark>& there, Faults& warnings) {
@@ -177,6 +186,10 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
     if (scenario.left_handed && entry.lettering)
       loaded.notes.push_back("the model '" + entry.name + "' is not drawn: it would be mirror-written");
     loaded.models.push_back(std::move(*model));
+    const std::optional<Model>& drawn = loaded.drawn.back();
+    if (auto warning =
+            drawn ? plainer(entry, entry.drawn, *drawn) : plainer(entry, entry.file, loaded.models.back()))
+      loaded.warnings.push_back(std::move(*warning));
     if (entry.role == ModelRole::decor) continue;
     const TriangleMesh mesh_M = to_triangle_mesh(loaded.models.back());
     if (auto question = question_of_size(entry, mesh_M)) loaded.warnings.push_back(std::move(*question));

@@ -114,7 +114,7 @@ void mirror(Scenario& scenario) {
 
 void mirror(Model& model) {
   for (ModelPart& part : model.parts) {
-    auto& [name, positions, normals, colours, indices, material, marked_role, marked_material] = part;
+    auto& [name, positions, normals, colours, uv, indices, material, marked_role, marked_material] = part;
     for (Vec3& p : positions) fulcrum::mirror(p);
     for (Vec3& n : normals) fulcrum::mirror(n);
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);

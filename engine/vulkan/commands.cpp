@@ -81,7 +81,7 @@ void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect,
   change.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   change.image = image;
-  change.subresourceRange = {aspect, 0, 1, 0, 1};
+  change.subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, 1};
   VkDependencyInfo dependency{};
   dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
   dependency.imageMemoryBarrierCount = 1;

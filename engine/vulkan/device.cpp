@@ -152,10 +152,16 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const s
   features.dynamicRendering = VK_TRUE;
   features.synchronization2 = VK_TRUE;
 
+  VkPhysicalDeviceFeatures offered{}, wanted_features{};
+  vkGetPhysicalDeviceFeatures(made->physical_, &offered);
+  wanted_features.samplerAnisotropy = offered.samplerAnisotropy;
+  made->has_anisotropy_ = offered.samplerAnisotropy == VK_TRUE;
+
   const char* swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
   VkDeviceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
   info.pNext = &features;
+  info.pEnabledFeatures = &wanted_features;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
   info.enabledExtensionCount = surface == VK_NULL_HANDLE ? 0 : 1;

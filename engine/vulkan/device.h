@@ -46,6 +46,7 @@ public:
   std::uint32_t queue_family() const { return queue_family_; }
   Memory& memory() { return *memory_; }
   const DeviceInfo& info() const { return info_; }
+  bool has_anisotropy() const { return has_anisotropy_; }
 
   // From here on all that is submitted fails as on a card that is gone: to see what follows.
   void lose() { lost_ = true; }
@@ -60,6 +61,7 @@ private:
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queue_family_ = 0;
   DeviceInfo info_;
+  bool has_anisotropy_ = false;  // textures seen aslant can be sampled along the slant
   bool lost_ = false;
   std::unique_ptr<Memory> memory_;
 };

@@ -1,5 +1,11 @@
 #include "engine/vulkan/image.h"
 
+#include <algorithm>
+#include <cstring>
+
+#include "engine/vulkan/buffer.h"
+#include "engine/vulkan/commands.h"
+
 namespace fulcrum::vulkan {
 
 VkImageAspectFlags aspect_of(VkFormat format) {
@@ -12,7 +18,7 @@ Image::Image(Device& device, const ImageDesc& desc) : extent_(desc.extent) {
   info.imageType = VK_IMAGE_TYPE_2D;
   info.format = desc.format;
   info.extent = {desc.extent.width, desc.extent.height, 1};
-  info.mipLevels = 1;
+  info.mipLevels = desc.levels;
   info.arrayLayers = 1;
   info.samples = desc.samples;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
@@ -31,10 +37,37 @@ Image::Image(Device& device, const ImageDesc& desc) : extent_(desc.extent) {
   view.image = image;
   view.viewType = VK_IMAGE_VIEW_TYPE_2D;
   view.format = desc.format;
-  view.subresourceRange = {aspect_of(desc.format), 0, 1, 0, 1};
+  view.subresourceRange = {aspect_of(desc.format), 0, desc.levels, 0, 1};
   VkImageView object = VK_NULL_HANDLE;
   check(vkCreateImageView(device.get(), &view, nullptr, &object), "look at an image");
   view_ = ImageViewHandle(device.get(), object);
+}
+
+Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
+                     std::span<const std::vector<std::uint8_t>> levels) {
+  std::size_t bytes = 0;
+  for (const auto& level : levels) bytes += level.size();
+  const Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Place::upload);
+  Image made(device, {format, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                      VK_SAMPLE_COUNT_1_BIT, static_cast<std::uint32_t>(levels.size())});
+  std::vector<VkBufferImageCopy> copies;
+  std::size_t at = 0;
+  for (std::uint32_t i = 0; i < levels.size(); ++i) {
+    std::memcpy(staging.mapped() + at, levels[i].data(), levels[i].size());
+    VkBufferImageCopy copy{};
+    copy.bufferOffset = at;
+    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, i, 0, 1};
+    copy.imageExtent = {std::max(extent.width >> i, 1U), std::max(extent.height >> i, 1U), 1};
+    copies.push_back(copy);
+    at += levels[i].size();
+  }
+  Commands(device).run([&](VkCommandBuffer commands) {
+    barrier(commands, made.get(), VK_IMAGE_ASPECT_COLOR_BIT, {}, use::kCopyTarget);
+    vkCmdCopyBufferToImage(commands, staging.get(), made.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                           static_cast<std::uint32_t>(copies.size()), copies.data());
+    barrier(commands, made.get(), VK_IMAGE_ASPECT_COLOR_BIT, use::kCopyTarget, use::kSampled);
+  });
+  return made;
 }
 
 }  // namespace fulcrum::vulkan

@@ -1,5 +1,9 @@
 #pragma once
-// A two-dimensional image with one level, its memory and its view.
+// A two-dimensional image, its memory and its view.
+
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "engine/vulkan/device.h"
 #include "engine/vulkan/handle.h"
@@ -11,6 +15,7 @@ struct ImageDesc {
   VkExtent2D extent{};  // pixels
   VkImageUsageFlags usage = 0;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  std::uint32_t levels = 1;  // each half as large as the one before, down to one pixel
 };
 
 class Image {
@@ -30,6 +35,11 @@ private:
   ImageViewHandle view_;
   VkExtent2D extent_{};
 };
+
+// An image on the device that shaders may sample, with these levels; returns when they have arrived. Texels
+// of four bytes. Throws Failure.
+Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
+                     std::span<const std::vector<std::uint8_t>> levels);
 
 VkImageAspectFlags aspect_of(VkFormat format);
 

@@ -64,6 +64,9 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
 PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc) {
   std::vector<ShaderModuleHandle> modules;  // needed until the pipeline is made
   std::vector<VkPipelineShaderStageCreateInfo> stages;
+  const VkSpecializationMapEntry entry{0, 0, sizeof(std::uint32_t)};
+  std::vector<VkSpecializationInfo> constants;
+  constants.reserve(desc.stages.size());  // stages point into it
   for (const Stage& stage : desc.stages) {
     modules.push_back(make_module(device, stage.code));
     VkPipelineShaderStageCreateInfo info{};
@@ -71,14 +74,20 @@ PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc) {
     info.stage = stage.stage;
     info.module = modules.back().get();
     info.pName = "main";
+    if (stage.constant) {
+      constants.push_back({1, &entry, sizeof(std::uint32_t), &*stage.constant});
+      info.pSpecializationInfo = &constants.back();
+    }
     stages.push_back(info);
   }
 
-  const VkVertexInputBindingDescription binding{0, desc.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};
+  const std::array<VkVertexInputBindingDescription, 2> buffers = {
+      {{0, desc.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX},
+       {1, desc.second_stride, VK_VERTEX_INPUT_RATE_VERTEX}}};
   VkPipelineVertexInputStateCreateInfo input{};
   input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-  input.vertexBindingDescriptionCount = desc.vertex_stride == 0 ? 0 : 1;
-  input.pVertexBindingDescriptions = &binding;
+  input.vertexBindingDescriptionCount = desc.vertex_stride == 0 ? 0 : desc.second_stride == 0 ? 1 : 2;
+  input.pVertexBindingDescriptions = buffers.data();
   input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(desc.attributes.size());
   input.pVertexAttributeDescriptions = desc.attributes.data();
 

@@ -14,6 +14,7 @@ namespace fulcrum::vulkan {
 struct Stage {
   VkShaderStageFlagBits stage = VK_SHADER_STAGE_VERTEX_BIT;
   std::span<const std::uint32_t> code;
+  std::optional<std::uint32_t> constant{};  // the value of its specialisation constant 0
 };
 
 enum class Blend {
@@ -32,6 +33,7 @@ struct PipelineDesc {
   std::vector<Stage> stages;
   VkPipelineLayout layout = VK_NULL_HANDLE;
   std::uint32_t vertex_stride = 0;  // bytes; 0: the shader makes its vertices from gl_VertexIndex
+  std::uint32_t second_stride = 0;  // the same of a second vertex buffer, binding 1
   std::vector<VkVertexInputAttributeDescription> attributes;
   VkFormat colour = VK_FORMAT_UNDEFINED;  // undefined: no colour target
   VkFormat depth = VK_FORMAT_UNDEFINED;   // undefined: no depth target

@@ -46,17 +46,19 @@ struct Tetrahedron {
   std::string views =
       R"([{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}])";
   std::string more = "";  // members of the top object, each followed by a comma
+  std::string material = R"({"name":"steel","pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,1],)"
+                         R"("metallicFactor":0.9,"roughnessFactor":0.25}})";
+  std::vector<std::byte> appended;  // to the buffer, at 72
 
   std::vector<std::byte> bytes() const {
     std::vector<std::byte> buffer;
     put(buffer, positions.data(), positions.size() * sizeof(float));
     put(buffer, indices.data(), indices.size() * sizeof(std::uint16_t));
-    const std::string json =
-        R"({"asset":{"version":"2.0"},)" + more + scene + R"("nodes":)" + nodes +
-        R"(,"meshes":[{"primitives":[)" + primitive +
-        R"(]}],"materials":[{"name":"steel","pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,1],)" +
-        R"("metallicFactor":0.9,"roughnessFactor":0.25}}],"accessors":)" + accessors + R"(,"bufferViews":)" +
-        views + R"(,"buffers":[{"byteLength":)" + std::to_string(buffer.size()) + "}]}";
+    buffer.insert(buffer.end(), appended.begin(), appended.end());
+    const std::string json = R"({"asset":{"version":"2.0"},)" + more + scene + R"("nodes":)" + nodes +
+                             R"(,"meshes":[{"primitives":[)" + primitive + R"(]}],"materials":[)" + material +
+                             R"(],"accessors":)" + accessors + R"(,"bufferViews":)" + views +
+                             R"(,"buffers":[{"byteLength":)" + std::to_string(buffer.size()) + "}]}";
     return file(json, buffer);
   }
 };

@@ -7,7 +7,8 @@
 #include <random>
 
 #include "engine/assets/gltf.h"
-#include "tests/assets/glb_builder.h"
+#include "engine/assets/image.h"
+#include "tests/assets/textured.h"
 
 namespace fulcrum {
 namespace {
@@ -27,7 +28,17 @@ void expect_sound_or_refused(std::span<const std::byte> bytes) {
     for (const std::uint32_t i : part.indices) ASSERT_LT(i, part.positions.size());
     for (const Vec3& p : part.positions) ASSERT_TRUE(p.allFinite());
     for (const Vec3& n : part.normals) ASSERT_TRUE(n.allFinite());
+    ASSERT_TRUE(part.uv.empty() || part.uv.size() == part.positions.size());
   }
+  for (const ModelMaterial& material : model->materials) {
+    if (!material.detail) continue;
+    const MaterialDetail& detail = *material.detail;
+    for (const auto& use : {detail.base_colour, detail.normal})
+      if (use) ASSERT_LT(use->image, model->images.size());
+  }
+  for (const ModelImage& image : model->images)
+    if (const auto decoded = decode_image(image.encoded))
+      ASSERT_EQ(decoded->rgba.size(), std::size_t{4} * decoded->width * decoded->height);
 }
 
 class Mutator {
@@ -85,16 +96,21 @@ private:
 };
 
 TEST(GltfFuzz, DamagedFilesAreRefusedOrSound) {
-  const std::vector<std::byte> whole = glb::Tetrahedron().bytes();
+  const std::string material =
+      R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"normalTexture":{"index":0,"scale":2},)"
+      R"("extensions":{"KHR_materials_sheen":{"sheenColorFactor":[1,1,1]}}})";
   Mutator mutator(20260101);
-  int accepted = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const std::vector<std::byte> mutant = mutator.mutate(whole);
-    expect_sound_or_refused(mutant);
-    if (HasFatalFailure()) return;
-    accepted += parse_glb(mutant, "mutant.glb") ? 1 : 0;
+  for (const std::vector<std::byte>& whole :
+       {glb::Tetrahedron().bytes(), test::Textured(material).file.bytes()}) {
+    int accepted = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const std::vector<std::byte> mutant = mutator.mutate(whole);
+      expect_sound_or_refused(mutant);
+      if (HasFatalFailure()) return;
+      accepted += parse_glb(mutant, "mutant.glb") ? 1 : 0;
+    }
+    EXPECT_GT(accepted, 200);  // some damage is harmless: the mutants get past the parser
   }
-  EXPECT_GT(accepted, 200);  // some damage is harmless: the mutants get past the parser
 }
 
 TEST(GltfFuzz, EveryTruncationIsRefused) {

@@ -1,6 +1,7 @@
 // Reference: none; any text as a model's description, and any bytes as what follows it. Invariants: reading
 // it neither crashes nor goes out of bounds; a refusal is a sentence that names the file; a model that is
-// accepted is sound: indices within range, as many normals as positions, all numbers finite.
+// accepted is sound: indices within range, as many normals as positions, all numbers finite; its pictures are
+// decoded, to as many pixels as they say, or refused.
 //
 // The input is the JSON, up to the first zero byte, and the binary chunk after it: the header and the lengths
 // of a .glb are made to fit, so that the damage gets behind them. One that begins with "glTF" is taken as it
@@ -12,6 +13,7 @@
 #include <string_view>
 
 #include "engine/assets/gltf.h"
+#include "engine/assets/image.h"
 #include "tests/assets/glb_builder.h"
 
 namespace {
@@ -49,6 +51,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const std::uint32_t i : part.indices) expect(i < part.positions.size());
     for (const Vec3& p : part.positions) expect(p.allFinite());
     for (const Vec3& n : part.normals) expect(n.allFinite());
+    expect(part.uv.empty() || part.uv.size() == part.positions.size());
   }
+  for (const ModelMaterial& material : model->materials)
+    if (material.detail && material.detail->base_colour)
+      expect(material.detail->base_colour->image < model->images.size());
+  for (const ModelImage& image : model->images)
+    if (const auto decoded = decode_image(image.encoded))
+      expect(decoded->rgba.size() == std::size_t{4} * decoded->width * decoded->height);
   return 0;
 }

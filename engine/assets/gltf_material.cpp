@@ -1,0 +1,224 @@
+#include "engine/assets/gltf_material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "engine/assets/gltf_accessor.h"
+#include "engine/assets/image.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr float kLargestFactor = 1e4F;  // of what may be above one: emission, a texture's scale
+
+float within(double x, float least, float most, float otherwise) {
+  return std::isfinite(x) ? std::clamp(static_cast<float>(x), least, most) : otherwise;
+}
+
+float fraction(double x) {
+  return within(x, 0.0F, 1.0F, 1.0F);
+}
+
+float number_in(const tinygltf::Value& object, const char* key, float least, float most, float otherwise) {
+  if (!object.IsObject() || !object.Has(key)) return otherwise;
+  const tinygltf::Value& value = object.Get(key);
+  return value.IsNumber() ? within(value.GetNumberAsDouble(), least, most, otherwise) : otherwise;
+}
+
+std::array<float, 3> colour_in(const tinygltf::Value& object, const char* key, std::array<float, 3> otherwise,
+                               float most) {
+  if (!object.IsObject() || !object.Has(key)) return otherwise;
+  const tinygltf::Value& value = object.Get(key);
+  for (std::size_t i = 0; i < 3 && value.IsArray() && i < value.ArrayLen(); ++i) {
+    const tinygltf::Value& part = value.Get(static_cast<int>(i));
+    if (part.IsNumber()) otherwise[i] = within(part.GetNumberAsDouble(), 0.0F, most, otherwise[i]);
+  }
+  return otherwise;
+}
+
+TextureWrap wrap_of(int gltf) {
+  switch (gltf) {
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return TextureWrap::clamp;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return TextureWrap::mirror;
+    default:
+      return TextureWrap::repeat;
+  }
+}
+
+// What this program draws of a material's extensions; the pictures that some of them may have are not drawn.
+const std::set<std::string>& drawn_extensions() {
+  static const std::set<std::string> known{"KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+                                           "KHR_materials_ior",       "KHR_materials_sheen",
+                                           "KHR_materials_specular",  "KHR_materials_transmission",
+                                           "KHR_materials_unlit"};
+  return known;
+}
+
+class MaterialReader {
+public:
+  MaterialReader(const tinygltf::Model& file, Model& model) : file_(file), model_(model) {}
+
+  void read() {
+    for (const tinygltf::Material& material : file_.materials)
+      model_.materials.push_back(material_from(material));
+    model_.materials.push_back({});
+    if (file_.extensions.contains("KHR_lights_punctual") || !file_.lights.empty())
+      leave_out("its lights (KHR_lights_punctual): a scenario has its own");
+  }
+
+private:
+  void leave_out(std::string clause) {
+    if (std::ranges::find(model_.left_out, clause) == model_.left_out.end())
+      model_.left_out.push_back(std::move(clause));
+  }
+
+  // The image that a texture shows, kept once; none: it cannot be drawn, which is told.
+  std::optional<std::size_t> image_of(int texture) {
+    if (texture < 0 || static_cast<std::size_t>(texture) >= file_.textures.size())
+      throw GltfFault("a material refers to a texture that the file does not hold; export it again");
+    const int source = file_.textures[static_cast<std::size_t>(texture)].source;
+    if (source < 0) {
+      leave_out("a texture that is neither PNG nor JPEG");
+      return std::nullopt;
+    }
+    if (static_cast<std::size_t>(source) >= file_.images.size())
+      throw GltfFault("a texture refers to an image that the file does not hold; export it again");
+    if (const auto known = kept_.find(source); known != kept_.end()) return known->second;
+    const tinygltf::Image& image = file_.images[static_cast<std::size_t>(source)];
+    std::string name = !image.name.empty()  ? image.name
+                       : !image.uri.empty() ? image.uri
+                                            : "number " + std::to_string(source);
+    std::optional<std::size_t>& index = kept_[source];
+    std::vector<std::uint8_t> encoded =
+        image.bufferView >= 0 ? read_bytes(file_, image.bufferView) : image.image;
+    if (encoded.empty()) {
+      leave_out("the texture " + name + ", which cannot be read");
+    } else if (!is_picture(encoded)) {
+      leave_out("the texture " + name + ", which is neither PNG nor JPEG");
+    } else {
+      index = model_.images.size();
+      model_.images.push_back({std::move(name), std::move(encoded)});
+    }
+    return index;
+  }
+
+  std::optional<TextureUse> texture(int index, int uv_set, const tinygltf::ExtensionMap& extensions) {
+    if (index < 0) return std::nullopt;
+    const std::optional<std::size_t> image = image_of(index);
+    if (!image) return std::nullopt;
+    TextureUse use{.image = *image, .uv_set = uv_set};
+    const int sampler = file_.textures[static_cast<std::size_t>(index)].sampler;
+    if (sampler >= 0 && static_cast<std::size_t>(sampler) < file_.samplers.size()) {
+      const tinygltf::Sampler& how = file_.samplers[static_cast<std::size_t>(sampler)];
+      use.wrap_u = wrap_of(how.wrapS);
+      use.wrap_v = wrap_of(how.wrapT);
+      use.nearest = how.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+    }
+    if (const auto found = extensions.find("KHR_texture_transform"); found != extensions.end())
+      transform(use, found->second);
+    if (use.uv_set == 0 || use.uv_set == 1) return use;
+    leave_out("textures on a third set of coordinates");
+    return std::nullopt;
+  }
+
+  static void transform(TextureUse& use, const tinygltf::Value& extension) {
+    const auto pair = [&](const char* key, std::array<float, 2>& to) {
+      if (!extension.IsObject() || !extension.Has(key)) return;
+      const tinygltf::Value& value = extension.Get(key);
+      for (std::size_t i = 0; i < 2 && value.IsArray() && i < value.ArrayLen(); ++i)
+        if (value.Get(static_cast<int>(i)).IsNumber())
+          to[i] = within(value.Get(static_cast<int>(i)).GetNumberAsDouble(), -kLargestFactor, kLargestFactor,
+                         to[i]);
+    };
+    pair("offset", use.offset);
+    pair("scale", use.scale);
+    use.rotation = number_in(extension, "rotation", -kLargestFactor, kLargestFactor, 0.0F);
+    if (extension.IsObject() && extension.Has("texCoord") && extension.Get("texCoord").IsInt())
+      use.uv_set = extension.Get("texCoord").Get<int>();
+  }
+
+  ModelMaterial material_from(const tinygltf::Material& source) {
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    ModelMaterial material;
+    material.name = source.name;
+    for (std::size_t i = 0; i < 3; ++i)
+      material.base_colour[i] = i < pbr.baseColorFactor.size() ? fraction(pbr.baseColorFactor[i]) : 1.0F;
+    material.metallic = fraction(pbr.metallicFactor);
+    material.roughness = fraction(pbr.roughnessFactor);
+    MaterialDetail detail;
+    read_textures(source, detail);
+    detail.alpha = pbr.baseColorFactor.size() > 3 ? fraction(pbr.baseColorFactor[3]) : 1.0F;
+    if (source.alphaMode == "MASK") detail.alpha_mode = AlphaMode::mask;
+    if (source.alphaMode == "BLEND") detail.alpha_mode = AlphaMode::blend;
+    if (detail.alpha_mode == AlphaMode::opaque) detail.alpha = 1;
+    if (detail.alpha_mode == AlphaMode::mask) detail.alpha_cutoff = fraction(source.alphaCutoff);
+    detail.double_sided = source.doubleSided;
+    read_extensions(source, detail);
+    if (detail != MaterialDetail{}) material.detail = detail;
+    return material;
+  }
+
+  void read_textures(const tinygltf::Material& source, MaterialDetail& detail) {
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    const auto of = [&](const auto& info) { return texture(info.index, info.texCoord, info.extensions); };
+    detail.base_colour = of(pbr.baseColorTexture);
+    detail.metal_rough = of(pbr.metallicRoughnessTexture);
+    if ((detail.normal = of(source.normalTexture)))
+      detail.normal_scale = within(source.normalTexture.scale, -kLargestFactor, kLargestFactor, 1.0F);
+    if ((detail.occlusion = of(source.occlusionTexture)))
+      detail.occlusion_strength = fraction(source.occlusionTexture.strength);
+    for (std::size_t i = 0; i < 3 && i < source.emissiveFactor.size(); ++i)
+      detail.emission[i] = within(source.emissiveFactor[i], 0.0F, 1.0F, 0.0F);
+    if (detail.emission != std::array<float, 3>{0, 0, 0}) detail.emissive = of(source.emissiveTexture);
+  }
+
+  void read_extensions(const tinygltf::Material& source, MaterialDetail& detail) {
+    static const tinygltf::Value nothing;
+    for (const auto& [name, value] : source.extensions)
+      if (!drawn_extensions().contains(name)) leave_out(name);
+    const auto get = [&](const char* name) -> const tinygltf::Value& {
+      const auto found = source.extensions.find(name);
+      if (found == source.extensions.end()) return nothing;
+      if (found->second.IsObject())
+        for (const std::string& key : found->second.Keys())
+          if (key.ends_with("Texture")) leave_out(std::string(name) + "'s own textures");
+      return found->second;
+    };
+    detail.unlit = source.extensions.contains("KHR_materials_unlit");
+    const float strength =
+        number_in(get("KHR_materials_emissive_strength"), "emissiveStrength", 0.0F, kLargestFactor, 1.0F);
+    for (float& part : detail.emission) part *= strength;
+    detail.ior = number_in(get("KHR_materials_ior"), "ior", 1.0F, 10.0F, 1.5F);
+    const tinygltf::Value& specular = get("KHR_materials_specular");
+    detail.specular = number_in(specular, "specularFactor", 0.0F, 1.0F, 1.0F);
+    detail.specular_colour = colour_in(specular, "specularColorFactor", {1, 1, 1}, kLargestFactor);
+    const tinygltf::Value& coat = get("KHR_materials_clearcoat");
+    detail.clearcoat = number_in(coat, "clearcoatFactor", 0.0F, 1.0F, 0.0F);
+    if (detail.clearcoat > 0)
+      detail.clearcoat_roughness = number_in(coat, "clearcoatRoughnessFactor", 0.0F, 1.0F, 0.0F);
+    const tinygltf::Value& sheen = get("KHR_materials_sheen");
+    detail.sheen = colour_in(sheen, "sheenColorFactor", {0, 0, 0}, 1.0F);
+    if (detail.sheen != std::array<float, 3>{0, 0, 0})
+      detail.sheen_roughness = number_in(sheen, "sheenRoughnessFactor", 0.0F, 1.0F, 0.0F);
+    detail.transmission =
+        number_in(get("KHR_materials_transmission"), "transmissionFactor", 0.0F, 1.0F, 0.0F);
+  }
+
+  const tinygltf::Model& file_;
+  Model& model_;
+  std::map<int, std::optional<std::size_t>> kept_;  // by the file's image
+};
+
+}  // namespace
+
+void read_materials(const tinygltf::Model& file, Model& model) {
+  MaterialReader(file, model).read();
+}
+
+}  // namespace fulcrum

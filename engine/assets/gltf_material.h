@@ -1,0 +1,14 @@
+#pragma once
+// Materials, textures and images of a parsed glTF file -> those of a Model. Internal to engine/assets.
+
+#include <tiny_gltf.h>
+
+#include "engine/assets/model.h"
+
+namespace fulcrum {
+
+// Fills the model's materials and images: those that a material names and no other. What a material asks for
+// and is not drawn is told in Model::left_out. Throws GltfFault.
+void read_materials(const tinygltf::Model& file, Model& model);
+
+}  // namespace fulcrum

@@ -1,0 +1,132 @@
+#include "engine/render/detailed_surfaces.h"
+
+#include <cstring>
+#include <utility>
+
+#include "engine/render/look.h"
+#include "engine/render/mip_chain.h"
+#include "engine/render/recording.h"
+#include "shaders/shared/material.h"
+
+namespace fulcrum::render {
+namespace {
+
+constexpr float kAnisotropy = 8.0F;  // samples along the slant, at most
+
+vulkan::Image on_device(vulkan::Device& device, const Texture& texture) {
+  return vulkan::upload_texture(device, texture.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+                                {texture.width, texture.height}, mip_chain(texture));
+}
+
+gpu::MaterialData numbers_of(const SurfaceDetail& detail) {
+  gpu::MaterialData made{};
+  made.emission = glm::vec4(detail.emission, detail.alpha_cutoff);
+  made.amounts = {detail.normal_scale, detail.occlusion_strength, detail.opacity, detail.transmission};
+  made.specular = glm::vec4(detail.f0, detail.f90);
+  made.coat = {detail.clearcoat, detail.clearcoat_roughness, 0.0F, detail.sheen_roughness};
+  made.sheen = glm::vec4(detail.sheen, 0.0F);
+  for (std::size_t i = 0; i < SurfaceDetail::kKinds; ++i) {
+    const TextureLayer layer = detail.layers[i].value_or(TextureLayer{});
+    made.uv_turn[i] = {layer.turn[0].x, layer.turn[1].x, layer.turn[0].y, layer.turn[1].y};
+    made.uv_shift[i] = {layer.shift.x, layer.shift.y, layer.uv_set == 1 ? 1.0F : 0.0F, 0.0F};
+  }
+  return made;
+}
+
+VkSamplerAddressMode address(Wrap wrap) {
+  switch (wrap) {
+    case Wrap::mirror:
+      return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case Wrap::clamp:
+      return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    default:
+      return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  }
+}
+
+}  // namespace
+
+DetailedSurfaces::DetailedSurfaces(vulkan::Device& device, const VisualDesc& desc)
+    : white_(on_device(device, {"white", 1, 1, {255, 255, 255, 255}, false})) {
+  textures_.resize(desc.textures.size());
+  materials_.resize(desc.materials.size());
+  for (const Instance& instance : desc.instances) {
+    const Material& material = desc.materials[instance.material];
+    if (!material.detail || materials_[instance.material]) continue;
+    for (const auto& layer : material.detail->layers)
+      if (layer && !textures_[layer->texture])
+        textures_[layer->texture] = on_device(device, desc.textures[layer->texture]);
+    materials_[instance.material] = make(device, material);
+    layout_ = materials_[instance.material]->set.layout();
+  }
+}
+
+VkSampler DetailedSurfaces::sampler(vulkan::Device& device, Wrap wrap_u, Wrap wrap_v, bool nearest) {
+  vulkan::SamplerHandle& known = samplers_[{wrap_u, wrap_v, nearest}];
+  if (known.get() != VK_NULL_HANDLE) return known.get();
+  VkSamplerCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+  info.magFilter = nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
+  info.minFilter = VK_FILTER_LINEAR;
+  info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+  info.maxLod = VK_LOD_CLAMP_NONE;
+  info.addressModeU = address(wrap_u);
+  info.addressModeV = address(wrap_v);
+  if (device.has_anisotropy() && !nearest) {
+    info.anisotropyEnable = VK_TRUE;
+    info.maxAnisotropy = kAnisotropy;
+  }
+  known = vulkan::make_sampler(device, info);
+  return known.get();
+}
+
+DetailedSurfaces::OnDevice DetailedSurfaces::make(vulkan::Device& device, const Material& material) {
+  const gpu::MaterialData data = numbers_of(*material.detail);
+  OnDevice made{{device, sizeof(data), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload}, {}};
+  std::memcpy(made.numbers.mapped(), &data, sizeof(data));
+  std::vector<vulkan::Binding> bindings{
+      {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT, made.numbers.get()}};
+  for (std::size_t i = 0; i < SurfaceDetail::kKinds; ++i) {
+    const auto& layer = material.detail->layers[i];
+    const TextureLayer how = layer.value_or(TextureLayer{});
+    bindings.push_back({static_cast<std::uint32_t>(i + 1), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                        VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE,
+                        layer ? textures_[layer->texture]->view() : white_.view(),
+                        sampler(device, how.wrap_u, how.wrap_v, how.nearest)});
+  }
+  made.set = vulkan::DescriptorSet(device, bindings);
+  return made;
+}
+
+void DetailedSurfaces::record(VkCommandBuffer commands, const Pipelines& pipelines,
+                              const SceneGeometry& geometry, VkDescriptorSet scene_set, Which which,
+                              const glm::vec3& eye, std::uint32_t layers) const {
+  const auto pieces = which == Which::blended ? geometry.blended(eye, layers) : geometry.detailed(layers);
+  if (pieces.empty()) return;
+  geometry.bind(commands);
+  const VkPipelineLayout layout = pipelines.detailed_layout.get();
+  VkPipeline bound = VK_NULL_HANDLE;
+  for (const SceneGeometry::Piece& piece : pieces) {
+    const VkPipeline pipeline = pipelines.detailed.at(piece.look).get();
+    if (std::exchange(bound, pipeline) != pipeline) render::bind(commands, pipeline, layout, scene_set);
+    const VkDescriptorSet set = materials_[piece.material]->set.get();
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
+    geometry.draw(commands, piece);
+  }
+}
+
+void DetailedSurfaces::record_shadows(VkCommandBuffer commands, const Pipelines& pipelines,
+                                      const SceneGeometry& geometry, VkDescriptorSet scene_set) const {
+  const std::vector<SceneGeometry::Piece> pieces = geometry.masked_casters();
+  if (pieces.empty()) return;
+  geometry.bind(commands);
+  const VkPipelineLayout layout = pipelines.detailed_layout.get();
+  render::bind(commands, pipelines.masked_shadow.get(), layout, scene_set);
+  for (const SceneGeometry::Piece& piece : pieces) {
+    const VkDescriptorSet set = materials_[piece.material]->set.get();
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
+    geometry.draw(commands, piece);
+  }
+}
+
+}  // namespace fulcrum::render

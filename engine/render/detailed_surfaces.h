@@ -1,0 +1,49 @@
+#pragma once
+// The textures and numbers of detailed materials on the device, and how their surfaces are drawn.
+
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "engine/render/pipelines.h"
+#include "engine/render/scene_geometry.h"
+#include "engine/vulkan/buffer.h"
+#include "engine/vulkan/descriptors.h"
+#include "engine/vulkan/image.h"
+
+namespace fulcrum::render {
+
+class DetailedSurfaces {
+public:
+  // A valid description with at least one detailed material that an instance shows. Throws vulkan::Failure.
+  DetailedSurfaces(vulkan::Device& device, const VisualDesc& desc);
+
+  // Of the second descriptor set, whose material's numbers are at 0 and whose textures follow in their order.
+  VkDescriptorSetLayout layout() const { return layout_; }
+
+  enum class Which { opaque, blended };
+  // Draws them as a camera of these layers sees them: blended ones the farthest first.
+  void record(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
+              VkDescriptorSet scene_set, Which which, const glm::vec3& eye, std::uint32_t layers) const;
+  // The shadows of those that have holes.
+  void record_shadows(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
+                      VkDescriptorSet scene_set) const;
+
+private:
+  struct OnDevice {
+    vulkan::Buffer numbers;
+    vulkan::DescriptorSet set;
+  };
+
+  VkSampler sampler(vulkan::Device& device, Wrap wrap_u, Wrap wrap_v, bool nearest);
+  OnDevice make(vulkan::Device& device, const Material& material);
+
+  vulkan::Image white_;                                 // stands where a material has no texture
+  std::vector<std::optional<vulkan::Image>> textures_;  // by the description's; none: no instance shows it
+  std::map<std::tuple<Wrap, Wrap, bool>, vulkan::SamplerHandle> samplers_;
+  std::vector<std::optional<OnDevice>> materials_;  // by the description's; none: it is plain, or not shown
+  VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;   // of all of them alike
+};
+
+}  // namespace fulcrum::render

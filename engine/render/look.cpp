@@ -1,0 +1,60 @@
+#include "engine/render/look.h"
+
+#include <array>
+#include <vector>
+
+#include "shaders/shared/material.h"
+
+namespace fulcrum::render {
+
+std::optional<std::uint32_t> look_of(const Material& material) {
+  if (!material.detail) return std::nullopt;
+  const SurfaceDetail& detail = *material.detail;
+  std::uint32_t look = 0;
+  for (std::size_t i = 0; i < SurfaceDetail::kKinds; ++i)
+    if (detail.layers[i]) look |= 1U << i;
+  const auto has = [&](bool it, std::uint32_t bit) { look |= it ? bit : 0U; };
+  has(detail.emission != glm::vec3(0.0F), FULCRUM_LOOK_EMISSION);
+  has(detail.alpha == Alpha::mask, FULCRUM_LOOK_MASK);
+  has(detail.alpha == Alpha::blend || detail.transmission > 0.0F, FULCRUM_LOOK_BLEND);
+  has(detail.double_sided, FULCRUM_LOOK_DOUBLE_SIDED);
+  has(detail.unlit, FULCRUM_LOOK_UNLIT);
+  has(detail.clearcoat > 0.0F, FULCRUM_LOOK_COAT);
+  has(detail.sheen != glm::vec3(0.0F), FULCRUM_LOOK_SHEEN);
+  has(detail.transmission > 0.0F, FULCRUM_LOOK_TRANSMISSION);
+  return look;
+}
+
+bool is_masked(std::uint32_t look) {
+  return (look & FULCRUM_LOOK_MASK) != 0;
+}
+
+bool is_blended(std::uint32_t look) {
+  return (look & FULCRUM_LOOK_BLEND) != 0;
+}
+
+std::string describe_look(std::uint32_t look) {
+  struct Word {
+    std::uint32_t bit;
+    const char* text;
+  };
+  constexpr std::array<Word, 13> kWords = {{{1U << FULCRUM_TEXTURE_BASE, "base colour texture"},
+                                            {1U << FULCRUM_TEXTURE_METAL_ROUGH, "metal-rough texture"},
+                                            {1U << FULCRUM_TEXTURE_NORMAL, "normal texture"},
+                                            {1U << FULCRUM_TEXTURE_OCCLUSION, "occlusion texture"},
+                                            {1U << FULCRUM_TEXTURE_EMISSIVE, "emissive texture"},
+                                            {FULCRUM_LOOK_EMISSION, "emission"},
+                                            {FULCRUM_LOOK_MASK, "holes"},
+                                            {FULCRUM_LOOK_BLEND, "blending"},
+                                            {FULCRUM_LOOK_DOUBLE_SIDED, "both sides"},
+                                            {FULCRUM_LOOK_UNLIT, "no light"},
+                                            {FULCRUM_LOOK_COAT, "clear coat"},
+                                            {FULCRUM_LOOK_SHEEN, "sheen"},
+                                            {FULCRUM_LOOK_TRANSMISSION, "transmission"}}};
+  std::string text;
+  for (const Word& word : kWords)
+    if ((look & word.bit) != 0) text.append(text.empty() ? "" : ", ").append(word.text);
+  return text.empty() ? "reflectance of its own" : text;
+}
+
+}  // namespace fulcrum::render

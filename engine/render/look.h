@@ -1,0 +1,22 @@
+#pragma once
+// Which of the things that a detailed surface may have a material has: what a pipeline is built for, as the
+// bits FULCRUM_LOOK_ of shaders/shared/material.h.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "engine/render/visual_desc.h"
+
+namespace fulcrum::render {
+
+// None: it is a plain one.
+std::optional<std::uint32_t> look_of(const Material& material);
+
+bool is_masked(std::uint32_t look);
+bool is_blended(std::uint32_t look);
+
+// "base colour and normal textures, clear coat".
+std::string describe_look(std::uint32_t look);
+
+}  // namespace fulcrum::render

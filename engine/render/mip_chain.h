@@ -1,0 +1,19 @@
+#pragma once
+// A texture in ever smaller sizes, for surfaces that are seen from far away.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/surface_detail.h"
+
+namespace fulcrum::render {
+
+// The first is the texture itself, each other half as wide and high, down to one pixel; each pixel is the
+// mean of what it covers: of light where the texture is sRGB, of colours that are there where it has holes.
+std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture);
+
+// How many that are, and their bytes together.
+std::uint32_t mip_levels(const Texture& texture);
+std::uint64_t mip_bytes(const Texture& texture);
+
+}  // namespace fulcrum::render

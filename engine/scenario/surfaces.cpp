@@ -1,0 +1,110 @@
+#include "engine/scenario/surfaces.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "engine/assets/image.h"
+#include "haptics/math/functions.h"
+
+namespace fulcrum::scenario {
+namespace {
+
+using render::SurfaceDetail;
+
+glm::vec3 colour_of(const std::array<float, 3>& c) {
+  return {c[0], c[1], c[2]};
+}
+
+render::Wrap wrap_of(TextureWrap wrap) {
+  switch (wrap) {
+    case TextureWrap::mirror:
+      return render::Wrap::mirror;
+    case TextureWrap::clamp:
+      return render::Wrap::clamp;
+    default:
+      return render::Wrap::repeat;
+  }
+}
+
+// KHR_texture_transform: shift(offset) turn(rotation) scale, where v grows downwards.
+render::TextureLayer layer_of(const TextureUse& use, std::size_t texture) {
+  const auto angle = static_cast<double>(use.rotation);
+  const auto c = static_cast<float>(math::cos(angle)), s = static_cast<float>(math::sin(angle));
+  render::TextureLayer layer{texture, use.uv_set, wrap_of(use.wrap_u), wrap_of(use.wrap_v), use.nearest};
+  layer.turn = glm::mat2(c * use.scale[0], -s * use.scale[0], s * use.scale[1], c * use.scale[1]);
+  layer.shift = {use.offset[0], use.offset[1]};
+  return layer;
+}
+
+// The model's images as textures, each decoded once; one that is shown as colours and as numbers is there
+// twice.
+class Textures {
+public:
+  Textures(render::VisualDesc& desc, const Model& model) : desc_(desc), model_(model) {}
+
+  std::optional<render::TextureLayer> layer(const std::optional<TextureUse>& use, bool srgb) {
+    if (!use || error_) return std::nullopt;
+    const auto [known, is_new] = made_.try_emplace({use->image, srgb}, desc_.textures.size());
+    if (is_new) {
+      const ModelImage& image = model_.images[use->image];
+      Result<Image> decoded = decode_image(image.encoded);
+      if (!decoded) {
+        error_ = Error{"the texture " + image.name + " cannot be used: " + decoded.error().sentence + "."};
+        return std::nullopt;
+      }
+      desc_.textures.push_back({image.name, decoded->width, decoded->height, std::move(decoded->rgba), srgb});
+    }
+    return layer_of(*use, known->second);
+  }
+
+  const std::optional<Error>& error() const { return error_; }
+
+private:
+  render::VisualDesc& desc_;
+  const Model& model_;
+  std::map<std::pair<std::size_t, bool>, std::size_t> made_;
+  std::optional<Error> error_;
+};
+
+SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
+  SurfaceDetail to;
+  to.layers[SurfaceDetail::base_colour] = textures.layer(from.base_colour, true);
+  to.layers[SurfaceDetail::metal_rough] = textures.layer(from.metal_rough, false);
+  to.layers[SurfaceDetail::normal] = textures.layer(from.normal, false);
+  to.layers[SurfaceDetail::occlusion] = textures.layer(from.occlusion, false);
+  to.layers[SurfaceDetail::emissive] = textures.layer(from.emissive, true);
+  to.normal_scale = from.normal_scale;
+  to.occlusion_strength = from.occlusion_strength;
+  to.emission = colour_of(from.emission);
+  to.opacity = from.alpha;
+  to.alpha = from.alpha_mode == AlphaMode::mask    ? render::Alpha::mask
+             : from.alpha_mode == AlphaMode::blend ? render::Alpha::blend
+                                                   : render::Alpha::opaque;
+  to.alpha_cutoff = from.alpha_cutoff;
+  to.double_sided = from.double_sided;
+  to.unlit = from.unlit;
+  const float mirrored = (from.ior - 1.0F) / (from.ior + 1.0F);
+  to.f0 = from.specular * glm::min(mirrored * mirrored * colour_of(from.specular_colour), glm::vec3(1.0F));
+  to.f90 = from.specular;
+  to.clearcoat = from.clearcoat;
+  to.clearcoat_roughness = from.clearcoat_roughness;
+  to.sheen = colour_of(from.sheen);
+  to.sheen_roughness = from.sheen_roughness;
+  to.transmission = from.transmission;
+  return to;
+}
+
+}  // namespace
+
+std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model) {
+  Textures textures(desc, model);
+  for (const ModelMaterial& from : model.materials) {
+    render::Material to{from.name, colour_of(from.base_colour), from.metallic, from.roughness};
+    if (from.detail) to.detail = detail_of(*from.detail, textures);
+    desc.materials.push_back(std::move(to));
+  }
+  return textures.error();
+}
+
+}  // namespace fulcrum::scenario

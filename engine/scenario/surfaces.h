@@ -1,0 +1,14 @@
+#pragma once
+// Materials and textures of a model -> those that are drawn.
+
+#include <optional>
+
+#include "engine/assets/model.h"
+#include "engine/render/visual_desc.h"
+
+namespace fulcrum::scenario {
+
+// Appends them in their order. Fails with a clause about the texture that cannot be decoded.
+std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model);
+
+}  // namespace fulcrum::scenario

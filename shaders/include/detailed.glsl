@@ -1,0 +1,179 @@
+// A surface with what else glTF 2.0 and its extensions know. Included by detailed.frag and detailed_shadowed.frag. What
+// a material does not have is not in its pipeline: LOOK is a constant when that is made.
+//
+// Tangents from derivatives: C. Schueler, "Normal Mapping without Precomputed Tangents", ShaderX 5, 2006. Clear coat and
+// the layering of sheen: glTF 2.0, KHR_materials_clearcoat and KHR_materials_sheen. Sheen: A. Estevez and C. Kulla,
+// "Production Friendly Microfacet Sheen BRDF", 2017, with the visibility of D. Neubelt and M. Pettineo, "Crafting a
+// Next-Gen Material Pipeline for The Order: 1886", 2013.
+
+#include "../shared/material.h"
+#include "shading.glsl"
+
+layout(constant_id = 0) const uint LOOK = 0u;
+
+layout(set = 1, binding = 0) uniform Material { MaterialData material; };
+layout(set = 1, binding = 1) uniform sampler2D base_map;
+layout(set = 1, binding = 2) uniform sampler2D metal_rough_map;
+layout(set = 1, binding = 3) uniform sampler2D normal_map;
+layout(set = 1, binding = 4) uniform sampler2D occlusion_map;
+layout(set = 1, binding = 5) uniform sampler2D emissive_map;
+
+layout(location = 5) in vec4 uv;
+
+bool has(uint look) { return (LOOK & look) != 0u; }
+bool has_texture(int which) { return has(1u << which); }
+
+vec2 uv_of(int which) {
+  vec2 from = material.uv_shift[which].z > 0.5 ? uv.zw : uv.xy;
+  vec4 turn = material.uv_turn[which];
+  return vec2(dot(turn.xy, from), dot(turn.zw, from)) + material.uv_shift[which].xy;
+}
+
+// Along the surface, the directions in which u and v grow fastest; v grows downwards in a picture, and a map's green
+// points up.
+vec3 mapped(vec3 n, vec2 at) {
+  vec3 bend = texture(normal_map, at).xyz * 2.0 - 1.0;
+  bend.xy *= material.amounts.x;
+  vec3 dx = dFdx(world_position);
+  vec3 dy = dFdy(world_position);
+  vec2 du = dFdx(at);
+  vec2 dv = dFdy(at);
+  vec3 across_y = cross(dy, n);
+  vec3 across_x = cross(n, dx);
+  vec3 along_u = across_y * du.x + across_x * dv.x;
+  vec3 along_v = across_y * du.y + across_x * dv.y;
+  float longest = max(dot(along_u, along_u), dot(along_v, along_v));
+  if (longest <= 0.0) {
+    return n;  // no coordinates, or the same ones all over the triangle
+  }
+  float scale = sign(dot(dx, across_y)) * inversesqrt(longest);
+  return normalize(along_u * (scale * bend.x) - along_v * (scale * bend.y) + n * bend.z);
+}
+
+const float kLeastSheen = 0.2;  // of its roughness: below, this lobe sends on more light than it gets
+
+// The part of even light from all around that a sheen sends to the eye: the integral of its lobe, at most 1, fitted over
+// roughnesses of 0.2 to 1 to 0.013.
+float sheen_albedo(float n_dot_v, float roughness) {
+  vec3 s = vec3(1.0, 1.0 / roughness, 1.0 / (roughness * roughness));
+  float k0 = dot(s, vec3(-0.967, 0.500, -0.038));
+  float k1 = dot(s, vec3(-0.406, -1.716, 0.078));
+  float k2 = dot(s, vec3(-0.404, 2.366, -0.312));
+  float k3 = dot(s, vec3(0.883, -2.024, 0.082));
+  return min(exp(k0 + n_dot_v * (k1 + n_dot_v * (k2 + n_dot_v * k3))), 1.0);
+}
+
+float sheen_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float roughness) {
+  float inverse = 1.0 / (roughness * roughness);
+  float sine2 = max(1.0 - n_dot_h * n_dot_h, 0.0078125);
+  float d = (2.0 + inverse) * pow(sine2, 0.5 * inverse) / (2.0 * kPi);
+  return d / (4.0 * (n_dot_l + n_dot_v - n_dot_l * n_dot_v));
+}
+
+void main() {
+  vec4 base = vec4(base_colour.rgb * (1.0 - absorbed), material.amounts.z);
+  if (has_texture(FULCRUM_TEXTURE_BASE)) {
+    base *= texture(base_map, uv_of(FULCRUM_TEXTURE_BASE));
+  }
+  if (has(FULCRUM_LOOK_MASK) && base.a < material.emission.w) {
+    discard;
+  }
+  float cover = has(FULCRUM_LOOK_BLEND) ? base.a : 1.0;
+  if (has(FULCRUM_LOOK_UNLIT)) {
+    colour = vec4(to_target(base.rgb) * cover, cover);
+    return;
+  }
+
+  vec3 geometric = normalize(world_normal);
+  if (has(FULCRUM_LOOK_DOUBLE_SIDED) && !gl_FrontFacing) {
+    geometric = -geometric;
+  }
+  vec3 n = geometric;
+  if (has_texture(FULCRUM_TEXTURE_NORMAL)) {
+    n = mapped(geometric, uv_of(FULCRUM_TEXTURE_NORMAL));
+  }
+  vec3 v = normalize(frame.eye.xyz - world_position);
+  float n_dot_v = max(dot(n, v), 1e-3);
+  float metallic = surface.x;
+  float roughness = surface.y;
+  if (has_texture(FULCRUM_TEXTURE_METAL_ROUGH)) {
+    vec4 found = texture(metal_rough_map, uv_of(FULCRUM_TEXTURE_METAL_ROUGH));
+    metallic *= found.b;
+    roughness *= found.g;
+  }
+  roughness = clamp(roughness, 0.045, 1.0);
+  float alpha = roughness * roughness;
+  vec3 f0 = mix(material.specular.rgb, base.rgb, metallic);
+  float f90 = mix(material.specular.w, 1.0, metallic);
+  vec3 diffuse = base.rgb * (1.0 - metallic);
+  float through = 0.0;  // the part of what is behind that is seen
+  if (has(FULCRUM_LOOK_TRANSMISSION)) {
+    float passes = material.amounts.w * (1.0 - metallic);
+    diffuse *= 1.0 - passes;
+    vec3 reflected = f0 + (f90 - f0) * pow(1.0 - n_dot_v, 5.0);
+    through = passes * dot((1.0 - reflected) * base.rgb, vec3(0.2126, 0.7152, 0.0722));
+  }
+  float open = 1.0;
+  if (has_texture(FULCRUM_TEXTURE_OCCLUSION)) {
+    float found = texture(occlusion_map, uv_of(FULCRUM_TEXTURE_OCCLUSION)).r;
+    open = 1.0 + material.amounts.y * (found - 1.0);
+  }
+
+  vec3 mirrored = reflect(-v, n);
+  vec3 around = studio_diffuse(in_studio(n), frame.sky.rgb, frame.ground.rgb) * open;
+  vec2 scale_bias = environment_scale_bias(roughness, n_dot_v);
+  vec3 radiance = diffuse * around;
+  radiance += (f0 * scale_bias.x + f90 * scale_bias.y) *
+              studio(in_studio(mirrored), roughness, frame.sky.rgb, frame.ground.rgb) * open;
+  float below_sheen = 1.0;
+  if (has(FULCRUM_LOOK_SHEEN)) {
+    float albedo = sheen_albedo(n_dot_v, max(material.coat.w, kLeastSheen));
+    below_sheen = 1.0 - max(material.sheen.r, max(material.sheen.g, material.sheen.b)) * albedo;
+    radiance = radiance * below_sheen + material.sheen.rgb * albedo * around;
+  }
+
+  vec3 l;
+  vec3 arriving = key_light(world_position, l);
+  float n_dot_l = dot(n, l);
+  float lit = dot(geometric, l);
+#ifdef FULCRUM_SHADOWED
+  if (lit > 0.0) {
+    arriving *= lit_by_key(world_position, geometric, lit);
+  }
+#endif
+  vec3 h = normalize(v + l);
+  if (n_dot_l > 0.0) {
+    float n_dot_h = max(dot(n, h), 0.0);
+    vec3 fresnel = f0 + (f90 - f0) * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
+    vec3 specular = fresnel * (kPi * ggx(n_dot_h, alpha) * visibility(n_dot_l, n_dot_v, alpha));
+    vec3 sent = (diffuse * (1.0 - fresnel) + specular) * below_sheen;
+    if (has(FULCRUM_LOOK_SHEEN)) {
+      sent += material.sheen.rgb * (kPi * sheen_lobe(n_dot_h, n_dot_l, n_dot_v, max(material.coat.w, kLeastSheen)));
+    }
+    radiance += arriving * n_dot_l * sent;
+  }
+  if (has(FULCRUM_LOOK_EMISSION)) {
+    vec3 emitted = material.emission.rgb;
+    if (has_texture(FULCRUM_TEXTURE_EMISSIVE)) {
+      emitted *= texture(emissive_map, uv_of(FULCRUM_TEXTURE_EMISSIVE)).rgb;
+    }
+    radiance += emitted;
+  }
+  if (has(FULCRUM_LOOK_COAT)) {
+    float g_dot_v = max(dot(geometric, v), 1e-3);
+    float rough = clamp(material.coat.y, 0.045, 1.0);
+    vec2 coat = environment_scale_bias(rough, g_dot_v);
+    vec3 on_top = vec3(0.0);
+    on_top += (0.04 * coat.x + coat.y) *
+              studio(in_studio(reflect(-v, geometric)), rough, frame.sky.rgb, frame.ground.rgb) * open;
+    if (lit > 0.0) {
+      float fresnel = 0.04 + 0.96 * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
+      float g_dot_h = max(dot(geometric, h), 0.0);
+      on_top += arriving * lit * (fresnel * kPi * ggx(g_dot_h, rough * rough) * visibility(lit, g_dot_v, rough * rough));
+    }
+    float taken = material.coat.x * (0.04 + 0.96 * pow(1.0 - g_dot_v, 5.0));
+    radiance = radiance * (1.0 - taken) + material.coat.x * on_top;
+    through *= 1.0 - taken;
+  }
+  colour = vec4(to_target(radiance) * cover, cover * (1.0 - through));
+}

@@ -1,0 +1,102 @@
+// Metal-rough shading: a key light and a studio. Included by surface.glsl and detailed.glsl.
+//
+// GGX: B. Walter et al., "Microfacet Models for Refraction", EGSR 2007. Joint Smith visibility, fast form, and
+// Schlick's Fresnel: glTF 2.0 specification, appendix B; S. Lagarde, "Moving Frostbite to PBR", 2014.
+// Split sum without a table: B. Karis, "Physically Based Shading on Mobile", 2014.
+
+#include "../shared/frame.h"
+#include "range.glsl"
+#include "studio.glsl"
+
+layout(std140, set = 0, binding = 0) uniform Frame { FrameData frame; };
+#ifdef FULCRUM_SHADOWED
+layout(set = 0, binding = 3) uniform sampler2DShadow shadow_map;
+#endif
+
+layout(location = 0) in vec3 world_position;
+layout(location = 1) in vec3 world_normal;
+layout(location = 2) flat in vec4 base_colour;
+layout(location = 3) flat in vec4 surface;
+// Within the triangle: extrapolated to the middle of a pixel at an outline, colours that change fast get out of range.
+layout(location = 4) centroid in vec3 absorbed;
+layout(location = 0) out vec4 colour;
+
+const float kPi = 3.14159265;
+
+#ifdef FULCRUM_SHADOWED
+// The mean of 3 x 3 bilinear comparisons, taken with four gathers: their 4 x 4 texels are all that the nine would read,
+// on a software rasteriser the nine alone cost half a frame. A texel between two samples counts fully, one at the rim by
+// how far the filter reaches into it.
+float filtered_shadow(vec2 uv, float depth) {
+  vec2 texel = uv / frame.shadow.x - 0.5;
+  vec2 first = floor(texel);
+  vec2 part = texel - first;
+  vec2 low = first * frame.shadow.x;  // the corner that the texels of a gather have in common
+  vec2 high = low + 2.0 * frame.shadow.x;
+  vec4 a = textureGather(shadow_map, low, depth);
+  vec4 b = textureGather(shadow_map, vec2(high.x, low.y), depth);
+  vec4 c = textureGather(shadow_map, vec2(low.x, high.y), depth);
+  vec4 d = textureGather(shadow_map, high, depth);
+  // A gather's order: lower left, lower right, upper right, upper left, where lower is the greater v.
+  vec4 left = vec4(1.0 - part.x, 1.0, 1.0, 1.0 - part.x);
+  vec4 right = vec4(1.0, part.x, part.x, 1.0);
+  vec4 top = vec4(1.0, 1.0, 1.0 - part.y, 1.0 - part.y);
+  vec4 bottom = vec4(part.y, part.y, 1.0, 1.0);
+  return (dot(a, left * top) + dot(b, right * top) + dot(c, left * bottom) + dot(d, right * bottom)) / 9.0;
+}
+
+// 0 in shadow .. 1 lit.
+float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
+  // Moved off the surface by more where light grazes it: depth in the map is constant over a whole texel.
+  vec3 moved = position + n * frame.shadow.y * (0.6 + 1.8 * (1.0 - n_dot_l));
+  vec4 clip = frame.shadow_from_world * vec4(moved, 1.0);
+  vec3 at = clip.xyz / clip.w;
+  vec2 uv = vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y);
+  if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) {
+    return 1.0;
+  }
+  return filtered_shadow(uv, min(at.z, 1.0));
+}
+#endif
+
+vec3 in_studio(vec3 d) {
+  return vec3(frame.sky.w * d.x, d.yz);
+}
+
+float ggx(float n_dot_h, float alpha) {
+  float a2 = alpha * alpha;
+  float d = n_dot_h * n_dot_h * (a2 - 1.0) + 1.0;
+  return a2 / (kPi * d * d);
+}
+
+float visibility(float n_dot_l, float n_dot_v, float alpha) {
+  float l = n_dot_v * (n_dot_l * (1.0 - alpha) + alpha);
+  float v = n_dot_l * (n_dot_v * (1.0 - alpha) + alpha);
+  return 0.5 / max(l + v, 1e-4);
+}
+
+// What stands before the reflectances at normal and at grazing incidence.
+vec2 environment_scale_bias(float roughness, float n_dot_v) {
+  vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+  float a = min(r.x * r.x, exp2(-9.28 * n_dot_v)) * r.x + r.y;
+  return vec2(-1.04, 1.04) * a + r.zw;
+}
+
+vec3 environment_brdf(vec3 f0, float roughness, float n_dot_v) {
+  vec2 scale_bias = environment_scale_bias(roughness, n_dot_v);
+  return f0 * scale_bias.x + scale_bias.y;
+}
+
+// Radiance that arrives from the key light, and the direction to it.
+vec3 key_light(vec3 position, out vec3 l) {
+  if (frame.key_position.w == 0.0) {
+    l = -frame.key_direction.xyz;
+    return frame.key_colour.rgb;
+  }
+  vec3 to_light = frame.key_position.xyz - position;
+  float distance2 = max(dot(to_light, to_light), 1e-4);
+  l = to_light * inversesqrt(distance2);
+  float cone = smoothstep(frame.key_direction.w, frame.key_colour.w, dot(-l, frame.key_direction.xyz));
+  return frame.key_colour.rgb * (cone / distance2);
+}
+

@@ -1,0 +1,120 @@
+// What a file says of its surfaces: textures, transparency and the extensions of materials.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/assets/gltf.h"
+#include "tests/assets/textured.h"
+
+namespace fulcrum {
+namespace {
+
+using test::Textured;
+
+TEST(GltfMaterial, ReadsATextureAndWhereItLies) {
+  const Model model =
+      Textured(
+          R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":)"
+          R"({"offset":[0.25,0.5],"rotation":1.5,"scale":[2,3]}}}}})")
+          .read();
+  ASSERT_EQ(model.images.size(), 1U);
+  EXPECT_EQ(model.images[0].name, "grain");
+  EXPECT_EQ(model.images[0].encoded, test::png_of(1, 1, PNG_FORMAT_RGB, {1, 2, 3}));
+  ASSERT_TRUE(model.materials[0].detail);
+  const TextureUse& use = model.materials[0].detail->base_colour.value();
+  EXPECT_EQ(use.wrap_u, TextureWrap::clamp);
+  EXPECT_EQ(use.wrap_v, TextureWrap::mirror);
+  EXPECT_TRUE(use.nearest);
+  EXPECT_EQ(use.offset, (std::array<float, 2>{0.25F, 0.5F}));
+  EXPECT_EQ(use.scale, (std::array<float, 2>{2, 3}));
+  EXPECT_EQ(use.rotation, 1.5F);
+  ASSERT_EQ(model.parts[0].uv.size(), model.parts[0].positions.size());
+  // Shaded flat, each corner has its own vertex: the first triangle is 0, 2, 1.
+  EXPECT_EQ(model.parts[0].uv[1], (std::array<float, 4>{0, 1, 0, 0}));
+  EXPECT_TRUE(model.left_out.empty());
+}
+
+TEST(GltfMaterial, ReadsWhatTheExtensionsSay) {
+  const Model model =
+      Textured(
+          R"({"alphaMode":"MASK","alphaCutoff":0.25,"doubleSided":true,"emissiveFactor":[0.5,0,1],)"
+          R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]},"normalTexture":{"index":0,"scale":0.5},)"
+          R"("occlusionTexture":{"index":0,"strength":0.75},"extensions":{"KHR_materials_emissive_strength":)"
+          R"({"emissiveStrength":4},"KHR_materials_ior":{"ior":1.8},"KHR_materials_specular":{"specularFactor":)"
+          R"(0.5,"specularColorFactor":[1,0.5,0]},"KHR_materials_clearcoat":{"clearcoatFactor":0.75,)"
+          R"("clearcoatRoughnessFactor":0.5},"KHR_materials_sheen":{"sheenColorFactor":[0.5,0.25,0],)"
+          R"("sheenRoughnessFactor":0.5},"KHR_materials_transmission":{"transmissionFactor":0.5}}})")
+          .read();
+  const MaterialDetail& detail = model.materials[0].detail.value();
+  EXPECT_EQ(detail.alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(detail.alpha_cutoff, 0.25F);
+  EXPECT_EQ(detail.alpha, 0.5F);
+  EXPECT_TRUE(detail.double_sided);
+  EXPECT_EQ(detail.emission, (std::array<float, 3>{2, 0, 4}));
+  EXPECT_EQ(detail.normal_scale, 0.5F);
+  EXPECT_EQ(detail.occlusion_strength, 0.75F);
+  EXPECT_EQ(detail.ior, 1.8F);
+  EXPECT_EQ(detail.specular, 0.5F);
+  EXPECT_EQ(detail.specular_colour, (std::array<float, 3>{1, 0.5F, 0}));
+  EXPECT_EQ(detail.clearcoat, 0.75F);
+  EXPECT_EQ(detail.clearcoat_roughness, 0.5F);
+  EXPECT_EQ(detail.sheen, (std::array<float, 3>{0.5F, 0.25F, 0}));
+  EXPECT_EQ(detail.sheen_roughness, 0.5F);
+  EXPECT_EQ(detail.transmission, 0.5F);
+  EXPECT_EQ(model.images.size(), 1U) << "one picture, however often it is named";
+}
+
+TEST(GltfMaterial, APlainOneHasNoDetailAndKeepsNoCoordinates) {
+  const Model model = Textured(R"({"pbrMetallicRoughness":{"metallicFactor":0.5}})").read();
+  EXPECT_FALSE(model.materials[0].detail);
+  EXPECT_TRUE(model.parts[0].uv.empty());
+  EXPECT_TRUE(model.images.empty());
+}
+
+TEST(GltfMaterial, SaysWhatIsNotDrawn) {
+  const auto left_out = [](const Textured& file) { return file.read().left_out; };
+  const auto has = [](const std::vector<std::string>& list, const std::string& words) {
+    return std::ranges::any_of(
+        list, [&](const std::string& clause) { return clause.find(words) != std::string::npos; });
+  };
+  const std::string base = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+  EXPECT_TRUE(
+      has(left_out(Textured(R"({"extensions":{"KHR_materials_iridescence":{"iridescenceFactor":1}}})")),
+          "KHR_materials_iridescence"));
+  EXPECT_TRUE(has(left_out(Textured(R"({"extensions":{"KHR_materials_clearcoat":{"clearcoatFactor":1,)"
+                                    R"("clearcoatTexture":{"index":0}}}})")),
+                  "KHR_materials_clearcoat's own textures"));
+  EXPECT_TRUE(
+      has(left_out(Textured(base, R"("textures":[{"extensions":{"KHR_texture_basisu":{"source":0}}}],)")),
+          "neither PNG nor JPEG"));
+  Textured webp(base);
+  std::fill(webp.file.appended.begin() + 32, webp.file.appended.end(), std::byte{'w'});
+  EXPECT_TRUE(has(left_out(webp), "the texture grain, which is neither PNG nor JPEG"));
+  EXPECT_FALSE(webp.read().materials[0].detail);
+}
+
+// What would be read out of bounds is refused: tinygltf checks no image's place in its buffer.
+TEST(GltfMaterial, PicturesBeyondTheirBufferAreRefused) {
+  Textured file(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})");
+  const std::string honest = "\"byteLength\":" + std::to_string(file.png.size());
+  file.file.views.replace(file.file.views.find(honest), honest.size(), "\"byteLength\":100000000");
+  const auto refused = parse_glb(file.file.bytes(), "a.glb");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence.find("reaches beyond its buffer"), std::string::npos)
+      << refused.error().sentence;
+}
+
+TEST(GltfMaterial, TexturesThatAreNotThereAreRefused) {
+  const auto sentence = [](const std::string& more) {
+    const auto refused = parse_glb(
+        Textured(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})", more).file.bytes(), "a.glb");
+    return refused ? std::string() : refused.error().sentence;
+  };
+  EXPECT_NE(sentence(R"("textures":[],)").find("a texture that the file does not hold"), std::string::npos);
+  EXPECT_NE(sentence(R"("textures":[{"source":5}],)").find("an image that the file does not hold"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace fulcrum

@@ -1,0 +1,395 @@
+// Textures, holes, transparency and layers, drawn with the validation layers watching. What is to be seen is
+// known on paper: which corner of a picture lies where, which slope faces the light, which pane is before
+// which.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <glm/ext/matrix_transform.hpp>
+
+#include "image_compare.h"
+#include "test_scene.h"
+
+namespace fulcrum::render {
+namespace {
+
+// 10 cm wide and high, in the plane z = 0, seen from +z; u to the right, v downwards.
+Mesh pane() {
+  Mesh mesh;
+  mesh.name = "pane";
+  mesh.positions = {{-0.05F, 0.05F, 0}, {0.05F, 0.05F, 0}, {0.05F, -0.05F, 0}, {-0.05F, -0.05F, 0}};
+  mesh.normals.assign(4, {0, 0, 1});
+  mesh.uv = {{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {0, 1, 0, 0}};
+  mesh.indices = {0, 2, 1, 0, 3, 2};
+  return mesh;
+}
+
+Texture flat(const std::array<std::uint8_t, 4>& colour, bool srgb = true) {
+  return {"flat", 1, 1, {colour.begin(), colour.end()}, srgb};
+}
+
+// Red, green over blue, white.
+Texture four_colours() {
+  return {"four colours", 2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}, true};
+}
+
+VisualDesc pane_scene() {
+  VisualDesc desc;
+  desc.meshes = {pane()};
+  desc.materials = {{"pane", glm::vec3(1.0F), 0.0F, 0.6F, SurfaceDetail{}}};
+  desc.instances = {{0, 0, "pane"}};
+  desc.key_light.reset();
+  desc.camera = {{0, 0, 0.3F}, {0, 0, 0}, 0.5F};  // the pane is two thirds of the picture's height
+  return desc;
+}
+
+class DetailedSurfacesTest : public testing::Test {
+protected:
+  void TearDown() override {
+    for (const std::string& message : gpu_.instance.messages()) ADD_FAILURE() << message;
+  }
+
+  Picture draw(const VisualDesc& desc, const Quality& quality = {1, 512, 1.0F}, Extent extent = {180, 180}) {
+    const auto renderer = Renderer::create(*gpu_.device, desc, {extent, quality, {}});
+    if (!renderer) throw std::runtime_error(renderer.error().sentence);
+    std::vector<glm::mat4> poses;
+    for (const Instance& instance : desc.instances)
+      if (instance.movable) poses.push_back(instance.X_WM);
+    FrameState state;
+    state.X_WM = poses;
+    state.camera = desc.camera;
+    const std::optional<Error> error = (*renderer)->frame(state);
+    EXPECT_FALSE(error) << error->sentence;
+    return *(*renderer)->read_back();
+  }
+
+  // Of the pane's corners, from the top left clockwise: 'r', 'g', 'b', 'w'.
+  static std::string corners(const Picture& picture) {
+    std::string found;
+    for (const auto& [x, y] : {std::pair(0.3F, 0.3F), {0.6F, 0.3F}, {0.6F, 0.6F}, {0.3F, 0.6F}}) {
+      const glm::vec3 c = test::mean(picture, x, y, x + 0.1F, y + 0.1F);
+      const float least = std::min({c.r, c.g, c.b}), most = std::max({c.r, c.g, c.b});
+      found += most - least < 0.2F * most ? 'w' : most == c.r ? 'r' : most == c.g ? 'g' : 'b';
+    }
+    return found;
+  }
+
+  static float brightness(const Picture& picture) {
+    const glm::vec3 c = test::mean(picture, 0.4F, 0.4F, 0.6F, 0.6F);
+    return c.r + c.g + c.b;
+  }
+
+  test::Gpu gpu_ = test::make_gpu("llvmpipe");
+};
+
+TEST_F(DetailedSurfacesTest, ADetailOfNothingLooksPlain) {
+  VisualDesc desc = test::make_scene();
+  const Picture plain = draw(desc, {4, 512, 1.0F}, {320, 180});
+  for (Material& material : desc.materials) material.detail = SurfaceDetail{};
+  const Picture detailed = draw(desc, {4, 512, 1.0F}, {320, 180});
+  const test::Comparison result =
+      test::compare(plain, detailed, {.max_lsb = 1, .max_pixels = 40, .failure_folder = {}});
+  EXPECT_TRUE(result.passed) << result.sentence;
+}
+
+TEST_F(DetailedSurfacesTest, ATextureLiesAsItsCoordinatesSay) {
+  VisualDesc desc = pane_scene();
+  desc.textures = {four_colours()};
+  SurfaceDetail& detail = *desc.materials[0].detail;
+  detail.unlit = true;
+  TextureLayer& layer = detail.layers[SurfaceDetail::base_colour].emplace();
+  layer.nearest = true;
+  EXPECT_EQ(corners(draw(desc)), "rgwb");
+  layer.shift = {0.5F, 0.0F};  // the next column, round the edge
+  EXPECT_EQ(corners(draw(desc)), "grbw");
+  layer.wrap_u = Wrap::clamp;
+  EXPECT_EQ(corners(draw(desc)), "ggww");
+  layer = {.nearest = true};
+  layer.turn = glm::mat2(0, -1, 1, 0);  // u' = v, v' = -u: a quarter of a turn
+  EXPECT_EQ(corners(draw(desc)), "brgw") << "the coordinates turn to the left, the picture to the right";
+  layer = {.uv_set = 1, .nearest = true};
+  for (glm::vec4& uv : desc.meshes[0].uv) uv = {0, 0, 1 - uv.x, uv.y};
+  EXPECT_EQ(corners(draw(desc)), "grbw");
+}
+
+// A slope towards the light is brighter than the flat pane, and one away from it darker, on each axis,
+// whichever way the coordinates run, and on the back of a pane.
+TEST_F(DetailedSurfacesTest, ANormalMapSlopesAsItsColoursSay) {
+  VisualDesc desc = pane_scene();
+  desc.textures = {flat({128, 128, 255, 255}, false)};
+  SurfaceDetail& detail = *desc.materials[0].detail;
+  detail.layers[SurfaceDetail::normal].emplace();
+  detail.double_sided = true;
+  desc.key_light.emplace();
+  desc.ambient.intensity = 0.0F;
+  const auto slope = [&](std::uint8_t red, std::uint8_t green) {
+    desc.textures[0] = flat({red, green, 220, 255}, false);
+    return brightness(draw(desc));
+  };
+  for (const bool behind : {false, true}) {
+    const float side = behind ? -1.0F : 1.0F;  // seen from there, +x is at the left
+    desc.camera.eye = {0, 0, 0.3F * side};
+    for (const bool mirrored : {false, true}) {
+      desc.meshes[0] = pane();
+      for (glm::vec4& uv : desc.meshes[0].uv) uv.x = mirrored ? 1.0F - uv.x : uv.x;
+      const bool u_grows_to_x = !mirrored;
+      desc.key_light->direction = {-1, 0, -side};  // from +x and the eye
+      const float flat_x = slope(128, 128);
+      const float towards = slope(u_grows_to_x ? 190 : 66, 128), away = slope(u_grows_to_x ? 66 : 190, 128);
+      EXPECT_GT(towards, flat_x + 5) << behind << mirrored;
+      EXPECT_LT(away, flat_x - 5) << behind << mirrored;
+      desc.key_light->direction = {0, -1, -side};  // from above
+      const float flat_y = slope(128, 128);
+      EXPECT_GT(slope(128, 190), flat_y + 5) << behind << mirrored;
+      EXPECT_LT(slope(128, 66), flat_y - 5) << behind << mirrored;
+    }
+  }
+}
+
+TEST_F(DetailedSurfacesTest, OneSidedPanesAreNotSeenFromBehind) {
+  VisualDesc desc = pane_scene();
+  desc.materials[0].detail->emission = glm::vec3(1.0F);
+  const float before = brightness(draw(desc));
+  desc.camera.eye = {0, 0, -0.3F};
+  const float behind = brightness(draw(desc));
+  EXPECT_LT(behind, 0.6F * before);
+  desc.materials[0].detail->double_sided = true;
+  EXPECT_NEAR(brightness(draw(desc)), before, 0.1F * before);
+}
+
+// The left half is not there: neither in the picture nor in the shadow on the wall behind.
+TEST_F(DetailedSurfacesTest, WhatIsCutOutIsNotSeenAndThrowsNoShadow) {
+  VisualDesc desc = pane_scene();
+  desc.textures = {{"half", 2, 1, {255, 0, 0, 0, 255, 0, 0, 255}, true}};
+  SurfaceDetail& detail = *desc.materials[0].detail;
+  detail.alpha = Alpha::mask;
+  detail.layers[SurfaceDetail::base_colour] = TextureLayer{.nearest = true};
+  desc.meshes.push_back(test::make_box({0.5F, 0.5F, 0.01F}));
+  desc.materials.push_back({"wall", glm::vec3(0.5F), 0.0F, 0.9F});
+  desc.instances.push_back({1, 1, "wall", glm::translate(glm::mat4(1.0F), {0, 0, -0.06F}), false, false});
+  desc.key_light.emplace();
+  desc.key_light->direction = {0, -1, -1};  // the shadow falls 5 cm lower
+  const Picture picture = draw(desc, {1, 1024, 1.0F});
+  const auto at = [&](float x, float y) {
+    return test::mean(picture, x - 0.04F, y - 0.04F, x + 0.04F, y + 0.04F);
+  };
+  EXPECT_LT(at(0.35F, 0.4F).r, 1.3F * at(0.35F, 0.4F).g) << "the wall is seen through the hole";
+  EXPECT_GT(at(0.65F, 0.4F).r, 2.0F * at(0.65F, 0.4F).g) << "red is there";
+  EXPECT_LT(at(0.63F, 0.89F).g, at(0.37F, 0.89F).g - 30) << "its shadow, and none beside it";
+}
+
+TEST_F(DetailedSurfacesTest, WhatIsSeenThroughLiesBehind) {
+  VisualDesc desc = pane_scene();
+  desc.materials = {{"red", {1, 0, 0}, 0.0F, 0.6F, SurfaceDetail{}},
+                    {"blue", {0, 0, 1}, 0.0F, 0.6F, SurfaceDetail{}}};
+  for (Material& material : desc.materials) {
+    material.detail->alpha = Alpha::blend;
+    material.detail->opacity = 0.7F;
+    material.detail->unlit = material.detail->double_sided = true;
+  }
+  desc.instances = {{0, 0, "red", glm::translate(glm::mat4(1.0F), {0, 0, 0.01F})}, {0, 1, "blue"}};
+  const auto red_before = test::mean(draw(desc), 0.4F, 0.4F, 0.6F, 0.6F);
+  EXPECT_GT(red_before.r, red_before.b + 20);
+  EXPECT_GT(red_before.b, red_before.g + 10) << "blue shines through";
+  desc.camera.eye = {0, 0, -0.3F};
+  const auto blue_before = test::mean(draw(desc), 0.4F, 0.4F, 0.6F, 0.6F);
+  EXPECT_GT(blue_before.b, blue_before.r + 20);
+  EXPECT_GT(blue_before.r, blue_before.g + 10);
+}
+
+// Each layer does something, and what it does has the right sign.
+TEST_F(DetailedSurfacesTest, LayersLighten) {
+  VisualDesc desc = pane_scene();
+  desc.materials[0].base_colour = glm::vec3(0.02F);
+  desc.key_light.emplace();
+  desc.key_light->direction = {0, 0, -1};  // mirrored into the eye
+  const float plain = brightness(draw(desc));
+  const auto with = [&](auto change) {
+    VisualDesc changed = desc;
+    change(*changed.materials[0].detail);
+    return brightness(draw(changed));
+  };
+  EXPECT_GT(with([](SurfaceDetail& d) {
+              d.clearcoat = 1.0F;
+              d.clearcoat_roughness = 0.3F;
+            }),
+            plain + 20);
+  EXPECT_GT(with([](SurfaceDetail& d) { d.f0 = glm::vec3(0.2F); }), plain + 20)
+      << "a higher index of refraction";
+  EXPECT_LT(with([](SurfaceDetail& d) {
+              d.f0 = glm::vec3(0.0F);
+              d.f90 = 0.0F;
+            }),
+            plain - 10)
+      << "no specular";
+  EXPECT_GT(with([](SurfaceDetail& d) { d.emission = glm::vec3(0.5F); }), plain + 50);
+  desc.instances[0].X_WM =
+      glm::rotate(glm::mat4(1.0F), -1.3F, {1, 0, 0});  // nearly edge on: where fibres shine
+  const auto fibres = [](SurfaceDetail& d) {
+    d.sheen = glm::vec3(1.0F);
+    d.sheen_roughness = 0.8F;
+  };
+  EXPECT_GT(with(fibres), brightness(draw(desc)) + 20);
+}
+
+// A thin wall of glass before a red one: red is seen as before, but for what the glass mirrors.
+TEST_F(DetailedSurfacesTest, GlassShowsWhatIsBehind) {
+  VisualDesc desc = pane_scene();
+  desc.meshes.push_back(test::make_box({0.2F, 0.2F, 0.01F}));
+  desc.materials.push_back({"wall", {0.6F, 0.01F, 0.01F}, 0.0F, 0.9F});
+  desc.instances.push_back({1, 1, "wall", glm::translate(glm::mat4(1.0F), {0, 0, -0.06F})});
+  const auto red = [&] { return test::mean(draw(desc), 0.4F, 0.4F, 0.6F, 0.6F); };
+  EXPECT_LT(red().r, 1.2F * red().g) << "a white pane hides it";
+  desc.materials[0].detail->transmission = 1.0F;
+  EXPECT_GT(red().r, 2.0F * red().g);
+  desc.materials[0].base_colour = glm::vec3(0.1F);
+  const glm::vec3 through_dark = red();
+  desc.materials[0].base_colour = glm::vec3(1.0F);
+  EXPECT_GT(red().r, through_dark.r + 30) << "dark glass lets less through";
+}
+
+// A picture of n x n pixels, each as `colour` says of its place from -1 to 1.
+template <class Colour>
+Texture painted(std::uint32_t n, bool srgb, Colour colour) {
+  Texture texture{"painted", n, n, {}, srgb};
+  for (std::uint32_t y = 0; y < n; ++y)
+    for (std::uint32_t x = 0; x < n; ++x)
+      for (const int part : colour(2.0F * static_cast<float>(x) / static_cast<float>(n) - 1.0F,
+                                   2.0F * static_cast<float>(y) / static_cast<float>(n) - 1.0F))
+        texture.rgba.push_back(static_cast<std::uint8_t>(part));
+  return texture;
+}
+
+// One ball for each of what glTF knows; docs/looks.md lists them.
+VisualDesc balls() {
+  using Rgba = std::array<int, 4>;
+  VisualDesc desc;
+  Mesh ball = test::make_ball(0.04F);
+  for (std::size_t i = 0; i < ball.positions.size(); ++i)
+    ball.uv.emplace_back(4.0F * static_cast<float>(i % 49) / 48.0F, 2.0F * static_cast<float>(i / 49) / 24.0F,
+                         0, 0);
+  desc.meshes = {ball, test::make_box({0.6F, 0.01F, 0.3F})};
+  const auto checks = [](float x, float y) { return (x < 0.0F) == (y < 0.0F); };
+  desc.textures = {
+      painted(64, true,
+              [&](float x, float y) {
+                return checks(x, y) ? Rgba{230, 190, 120, 255} : Rgba{40, 60, 110, 255};
+              }),
+      painted(64, false,
+              [&](float x, float y) {
+                return checks(x, y) ? Rgba{0, 40, 255, 255} : Rgba{0, 200, 0, 255};
+              }),
+      painted(64, false,
+              [](float x, float y) {
+                const float r = std::sqrt(x * x + y * y), slope = r < 0.8F ? 0.9F * r / 0.8F : 0.0F;
+                const float nx = r > 0.0F ? slope * x / r : 0.0F, ny = r > 0.0F ? -slope * y / r : 0.0F;
+                const float nz = std::sqrt(std::max(1.0F - nx * nx - ny * ny, 0.0F));
+                const auto byte = [](float v) { return static_cast<int>(127.5F * (v + 1.0F) + 0.5F); };
+                return Rgba{byte(nx), byte(ny), byte(nz), 255};
+              }),
+      painted(64, false,
+              [](float x, float y) {
+                return Rgba{std::abs(x) > 0.85F || std::abs(y) > 0.85F ? 30 : 255, 0, 0, 255};
+              }),
+      painted(64, true,
+              [&](float x, float y) {
+                return checks(x, y) ? Rgba{255, 120, 20, 255} : Rgba{0, 0, 0, 255};
+              }),
+      painted(64, true, [](float x, float y) {
+        return Rgba{200, 40, 30, x * x + y * y < 0.6F ? 0 : 255};
+      })};
+  const auto add = [&](const char* name, const glm::vec3& colour, float metallic, float roughness,
+                       auto change) {
+    SurfaceDetail detail;
+    change(detail);
+    const std::size_t i = desc.instances.size();
+    const glm::vec3 at{-0.22F + 0.11F * static_cast<float>(i % 5), 0.04F, i < 5 ? -0.06F : 0.06F};
+    desc.materials.push_back({name, colour, metallic, roughness, detail});
+    desc.instances.push_back({0, desc.materials.size() - 1, name, glm::translate(glm::mat4(1.0F), at)});
+  };
+  const auto layer = [](SurfaceDetail& detail, SurfaceDetail::Kind kind, std::size_t texture) {
+    detail.layers[kind] = TextureLayer{.texture = texture};
+  };
+  const glm::vec3 white(1.0F), grey(0.5F), red(0.4F, 0.02F, 0.02F);
+  add(
+      "base colour", white, 0, 0.5F, [&](SurfaceDetail& d) { layer(d, SurfaceDetail::base_colour, 0); });
+  add(
+      "metal-rough", {0.9F, 0.7F, 0.4F}, 1, 1,
+      [&](SurfaceDetail& d) { layer(d, SurfaceDetail::metal_rough, 1); });
+  add(
+      "normal", grey, 0, 0.35F, [&](SurfaceDetail& d) { layer(d, SurfaceDetail::normal, 2); });
+  add("occlusion", grey, 0, 0.6F, [&](SurfaceDetail& d) { layer(d, SurfaceDetail::occlusion, 3); });
+  add("emissive", glm::vec3(0.05F), 0, 0.5F, [&](SurfaceDetail& d) {
+    layer(d, SurfaceDetail::emissive, 4);
+    d.emission = glm::vec3(1.5F);
+  });
+  add("mask", white, 0, 0.5F, [&](SurfaceDetail& d) {
+    layer(d, SurfaceDetail::base_colour, 5);
+    d.alpha = Alpha::mask;
+    d.double_sided = true;
+  });
+  add(
+      "blend", {0.1F, 0.4F, 0.9F}, 0, 0.2F,
+      [](SurfaceDetail& d) {
+        d.alpha = Alpha::blend;
+        d.opacity = 0.5F;
+      });
+  add("clear coat", red, 0, 0.8F, [](SurfaceDetail& d) { d.clearcoat = 1.0F; });
+  add(
+      "sheen", {0.05F, 0.05F, 0.2F}, 0, 1,
+      [](SurfaceDetail& d) {
+        d.sheen = {0.6F, 0.6F, 1.0F};
+        d.sheen_roughness = 0.5F;
+      });
+  add("transmission", {0.9F, 1.0F, 0.9F}, 0, 0.05F, [](SurfaceDetail& d) { d.transmission = 1.0F; });
+  desc.materials.push_back({"floor", glm::vec3(0.35F), 0.0F, 0.8F});
+  desc.instances.push_back(
+      {1, desc.materials.size() - 1, "floor", glm::translate(glm::mat4(1.0F), {0, -0.01F, 0}), false, false});
+  desc.key_light->direction = {-0.4F, -1.0F, -0.5F};
+  desc.camera = {{0.0F, 0.34F, 0.62F}, {0.0F, 0.015F, 0.0F}, 0.42F};
+  return desc;
+}
+
+TEST_F(DetailedSurfacesTest, ABallForEachOfThem) {
+  const Picture picture = draw(balls(), {4, 1024, 1.0F}, {640, 360});
+  const test::Comparison result =
+      test::compare(picture, std::filesystem::path(FULCRUM_GOLDENS) / "surfaces.png",
+                    {.max_lsb = 2, .max_pixels = 20, .failure_folder = FULCRUM_FAILURES});
+  EXPECT_TRUE(result.passed) << result.sentence;
+}
+
+TEST_F(DetailedSurfacesTest, NothingIsBuiltForWhatNoMaterialHas) {
+  const VisualDesc plain = test::make_scene();
+  const auto planned = plan(plain, RenderOptions{});
+  ASSERT_TRUE(planned);
+  EXPECT_TRUE(planned->looks.empty());
+  for (const BuildItem& item : planned->built) EXPECT_NE(item.name, "detailed surfaces");
+  VisualDesc desc = pane_scene();
+  desc.textures = {four_colours(), four_colours()};
+  desc.materials[0].detail->layers[SurfaceDetail::base_colour] = TextureLayer{};
+  const auto detailed = plan(desc, RenderOptions{});
+  ASSERT_TRUE(detailed);
+  EXPECT_EQ(detailed->looks.size(), 1U);
+  EXPECT_FALSE(detailed->plain_surfaces);
+  std::uint64_t texture_bytes = 0;
+  for (const BuildItem& item : detailed->built) texture_bytes += item.name == "textures" ? item.bytes : 0;
+  EXPECT_EQ(texture_bytes, 4U * (2 * 2 + 1)) << "of the two textures one is shown, in two sizes";
+}
+
+TEST_F(DetailedSurfacesTest, WrongTexturesAreRefusedWithASentence) {
+  VisualDesc desc = pane_scene();
+  desc.materials[0].detail->layers[SurfaceDetail::base_colour] = TextureLayer{};
+  auto refused = plan(desc, RenderOptions{});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().sentence, "The material 0 (pane) shows texture 0, but there are 0 textures.");
+  desc.textures = {{"torn", 4, 4, {1, 2, 3}, true}};
+  refused = plan(desc, RenderOptions{});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence.find("The texture 0 (torn)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fulcrum::render

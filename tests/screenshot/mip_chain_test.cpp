@@ -1,0 +1,50 @@
+#include "engine/render/mip_chain.h"
+
+#include <gtest/gtest.h>
+
+namespace fulcrum::render {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+TEST(MipChain, HalvesDownToOnePixel) {
+  const Texture texture{"odd", 5, 3, Bytes(5 * 3 * 4, 77), false};
+  const auto levels = mip_chain(texture);
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[1].size(), 4U * 2 * 1);
+  EXPECT_EQ(levels[2], Bytes(4, 77));
+  EXPECT_EQ(mip_levels(texture), 3U);
+  EXPECT_EQ(mip_bytes(texture), 4U * (15 + 2 + 1));
+}
+
+// Half the light of white is 188 in sRGB (IEC 61966-2-1), and 128 as a number.
+TEST(MipChain, TakesTheMeanOfLight) {
+  const Bytes checks{0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 255};
+  EXPECT_EQ(mip_chain({"checks", 2, 2, checks, true})[1], (Bytes{188, 188, 188, 255}));
+  EXPECT_EQ(mip_chain({"checks", 2, 2, checks, false})[1], (Bytes{128, 128, 128, 255}));
+}
+
+TEST(MipChain, WhatIsNotThereHasNoColour) {
+  const Bytes half{0, 255, 0, 0, 200, 10, 10, 255};
+  EXPECT_EQ(mip_chain({"half", 2, 1, half, true})[1], (Bytes{200, 10, 10, 128}));
+}
+
+// Each level has the light of the whole, whatever the sides.
+TEST(MipChain, KeepsTheMean) {
+  Texture texture{"noise", 64, 32, {}, false};
+  std::uint32_t state = 1;
+  double sum = 0;
+  for (int i = 0; i < 64 * 32 * 4; ++i) {
+    state = 1664525 * state + 1013904223;
+    texture.rgba.push_back(static_cast<std::uint8_t>(state >> 24));
+    sum += texture.rgba.back();
+  }
+  for (const Bytes& level : mip_chain(texture)) {
+    double mean = 0;
+    for (const std::uint8_t byte : level) mean += byte;
+    EXPECT_NEAR(mean / static_cast<double>(level.size()), sum / (64 * 32 * 4), 0.6);
+  }
+}
+
+}  // namespace
+}  // namespace fulcrum::render
