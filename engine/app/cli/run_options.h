@@ -10,6 +10,9 @@
 
 namespace fulcrum::app {
 
+// Of --overlay: the scene alone.
+inline constexpr const char* kNoOverlay = "none";
+
 // The command line of `fulcrum run`.
 struct RunOptions {
   std::string scenario;
@@ -20,11 +23,13 @@ struct RunOptions {
   std::optional<double> seconds;       // s, of simulated time
   std::vector<std::string> overrides;  // KEY=VALUE
   render::Extent size;                 // pixels
-  std::string view;           // where the window starts and the picture is drawn from; empty: the first
-  double volume = 1;          // of what is heard in a window: 0 silent, 1 as it is
-  bool muted = false;         // it begins silent; F4 changes that
-  bool wav = false;           // headless: what would be heard, as sound.wav
-  bool circle = false;        // of confusion, about the tool after an impact
+  std::string view;     // where the window starts and the picture is drawn from; empty: the first
+  double volume = 1;    // of what is heard in a window: 0 silent, 1 as it is
+  bool muted = false;   // it begins silent; F4 changes that
+  bool wav = false;     // headless: what would be heard, as sound.wav
+  bool circle = false;  // of confusion, about the tool after an impact
+  // Beside the scene in the picture: panels, markers and ghosts, or kNoOverlay.
+  std::string overlay = "all";
   std::string gpu;            // empty: the best one
   bool validate = false;      // Vulkan's validation layers watch; what they say is an error
   std::filesystem::path out;  // empty: a new folder under the data directory

@@ -139,6 +139,11 @@ int run_command(const RunOptions& given) {
     complain("--wav writes what a run without a window would sound like: add --headless.");
     return kUsage;
   }
+  if (options.overlay == kNoOverlay && !options.headless) {
+    complain(
+        "--overlay none leaves the panels out of the picture of a run without a window: add --headless.");
+    return kUsage;
+  }
   if (options.device.empty()) options.device = options.headless ? "simulated" : device_in_hand();
   for (const InjectedFault& fault : options.faults) {
     if (needs_clock(fault.kind) && options.headless && !options.realtime) {
@@ -217,6 +222,10 @@ void add_run(Program& program) {
             "After an impact, show where else on a tool it would have turned the hand about the same "
             "axis",
             options->circle);
+        arguments.choice("--overlay",
+                         "With --headless: what the picture has beside the scene, all or none (no panels, "
+                         "markers or ghosts)",
+                         options->overlay, {"all", kNoOverlay});
         arguments.text({"--gpu", "GPU", "Which GPU draws: its number, a part of its name, or 'list'"},
                        options->gpu);
         arguments.flag("--validate", "Draw under Vulkan's validation layers: slow; what they say is an error",

@@ -29,8 +29,6 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   if (!instance) return instance.error();
   const auto device = vulkan::Device::create(*instance, options.gpu);
   if (!device) return device.error();
-  const auto overlay = ui::Overlay::create(**device);
-  if (!overlay) return overlay.error();
   render::RenderOptions wanted;
   wanted.extent = options.size;
   const auto renderer = render::Renderer::create(**device, visual.desc, wanted);
@@ -38,12 +36,21 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   if (plan != nullptr) *plan = (*renderer)->plan();
 
   ui::OverlayState shown = overlay_state(prepared, scene, input.record, input.afterglow, input.task);
-  shown.target = target_view(input.camera, options.size, input.record, prepared.haptic.task, input.task);
-  if (auto error = (*overlay)->prepare(shown, options.size)) return *error;
   FrameBridge bridge(visual.desc, prepared.scenario, scene);
   render::FrameState frame =
       bridge.frame(input.record, input.afterglow, input.task, input.camera, shown.time_s);
-  frame.overlay = overlay->get();
+  std::unique_ptr<ui::Overlay> overlay;
+  if (options.overlay == kNoOverlay) {
+    frame.markers = {};
+    frame.ghosts = {};
+  } else {
+    auto made = ui::Overlay::create(**device);
+    if (!made) return made.error();
+    overlay = std::move(*made);
+    shown.target = target_view(input.camera, options.size, input.record, prepared.haptic.task, input.task);
+    if (auto error = overlay->prepare(shown, options.size)) return *error;
+    frame.overlay = overlay.get();
+  }
   if (input.gpu_lost) (*device)->lose();
   if (auto error = (*renderer)->frame(frame)) return *error;
   const auto picture = (*renderer)->read_back();
