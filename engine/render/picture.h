@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/vulkan/result.h"
@@ -19,5 +20,8 @@ struct Picture {
 // Writes an 8-bit RGB file, quickly rather than small. Fails with a sentence where the file cannot be
 // written.
 std::optional<vulkan::Error> write_png(const std::filesystem::path& file, const Picture& picture);
+
+// The same file as bytes, small rather than quickly; empty where memory does not suffice.
+std::string png_bytes(const Picture& picture);
 
 }  // namespace fulcrum::render

@@ -40,6 +40,21 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto byte = [&](std::size_t at) -> std::uint32_t {
+    return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0;
+  };
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const std::uint32_t three = byte(at) << 16 | byte(at + 1) << 8 | byte(at + 2);
+    for (std::size_t i = 0; i < 4; ++i)
+      out += at + i <= bytes.size() ? digits[three >> (18 - 6 * i) & 63] : '=';
+  }
+  return out;
+}
+
 std::string pixels(double value) {
   std::string text;
   append_number(text, std::round(value * 100) / 100);

@@ -32,6 +32,8 @@ dt { color: var(--soft); } dd { margin: 0; }
 figure { margin: 1.2rem 0; break-inside: avoid; }
 figure > b { display: block; margin-bottom: .4rem; }
 figcaption { color: var(--soft); font-size: .9rem; margin-top: .3rem; }
+.pictures { display: flex; flex-wrap: wrap; gap: .8rem; }
+.pictures div { flex: 1 1 24rem; } .pictures img { width: 100%; height: auto; display: block; }
 .scroll { overflow-x: auto; margin: 1rem 0; }
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .9rem .3rem 0; text-align: right; border-bottom: 1px solid var(--rule);
@@ -112,6 +114,16 @@ void Page::plot(const Plot& plot, std::string_view caption) {
 
 void Page::panels(const Panels& panels, std::string_view caption) {
   figure(panels.title, svg(panels), caption);
+}
+
+void Page::pictures(const std::vector<NamedPng>& pictures, std::string_view caption) {
+  body_ += "<figure><div class=\"pictures\">\n";
+  for (const NamedPng& picture : pictures) {
+    const std::string name = escaped(picture.name);
+    body_ += "<div><b>" + name + "</b><img alt=\"" + name + "\" src=\"data:image/png;base64," +
+             base64(picture.bytes) + "\"/></div>\n";
+  }
+  body_ += "</div>\n<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
 std::string Page::html() const {

@@ -21,6 +21,11 @@ struct Table {
 // Names, and what there is to say of each.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
+// A picture of the page's own.
+struct NamedPng {
+  std::string name, bytes;
+};
+
 class Page {
 public:
   explicit Page(std::string title) : title_(std::move(title)) {}
@@ -33,6 +38,7 @@ public:
   void table(const Table& table);
   void plot(const Plot& plot, std::string_view caption);
   void panels(const Panels& panels, std::string_view caption);
+  void pictures(const std::vector<NamedPng>& pictures, std::string_view caption);  // side by side
 
   std::string html() const;  // well-formed as XML, too
 

@@ -11,6 +11,7 @@
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
 #include "engine/studies/commands.h"
+#include "engine/studies/picture_study.h"
 
 namespace fulcrum::app {
 namespace {
@@ -86,14 +87,30 @@ int workprecision_command(const RunOptions& options) {
 }  // namespace
 
 void add_workprecision(Program& program) {
-  const auto options = std::make_shared<RunOptions>();
+  struct Options {
+    std::string what = "contact";
+    PictureStudyOptions picture;
+  };
+  const auto options = std::make_shared<Options>();
   program.add(
       kWorkPrecisionStudy.name, kWorkPrecisionStudy.about,
       [options](Arguments& arguments) {
-        arguments.out(*options);
-        arguments.json("Print the figures as JSON", options->json);
+        arguments.choice("what", "Contact, ticks and integrators, or the picture's quality levels",
+                         options->what, {"contact", "picture"});
+        arguments.text({"--scene", "NAME", "With picture: of this scene alone"}, options->picture.scene);
+        arguments.text({"--gpu", "GPU", "With picture: which GPU draws, its number or a part of its name"},
+                       options->picture.run.gpu);
+        arguments.text({"--describe", "FOLDER",
+                        "With picture: describe the scenes there for a path tracer, and draw nothing "
+                        "(tools/references)"},
+                       options->picture.describe);
+        arguments.out(options->picture.run);
+        arguments.json("Print the figures as JSON", options->picture.run.json);
       },
-      [options] { return workprecision_command(*options); });
+      [options] {
+        return options->what == "picture" ? picture_study(options->picture)
+                                          : workprecision_command(options->picture.run);
+      });
 }
 
 }  // namespace fulcrum::app

@@ -200,5 +200,23 @@ TEST(Panels, NeighboursOfOneBandAreOneCellAndEmptyOnesNone) {
   EXPECT_NE(picture.find(">a &lt; b</text>"), picture.npos);
 }
 
+// RFC 4648, section 10.
+TEST(Page, PutsBytesIntoAnAddress) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe"), "//4=");
+}
+
+TEST(Page, HoldsItsPictures) {
+  Page page("Pictures");
+  page.pictures({{"one & two", "foo"}, {"three", "bar"}}, "below");
+  const std::string html = page.html();
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_NE(html.find("alt=\"one &amp; two\" src=\"data:image/png;base64,Zm9v\""), html.npos);
+}
+
 }  // namespace
 }  // namespace fulcrum::report

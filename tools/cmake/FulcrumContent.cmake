@@ -39,7 +39,7 @@ fulcrum_models(sweep tablet.glb marks.glb desk.glb finger.glb)
 fulcrum_models(nut cover.glb wall.glb nut.glb)
 
 file(GLOB_RECURSE texts RELATIVE ${CMAKE_SOURCE_DIR}/content CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/content/*.yaml
-     ${CMAKE_SOURCE_DIR}/content/schema/*.json)
+     ${CMAKE_SOURCE_DIR}/content/schema/*.json ${CMAKE_SOURCE_DIR}/content/references/*)
 foreach(text IN LISTS texts)
   add_custom_command(
     OUTPUT ${FULCRUM_CONTENT_DIR}/${text}

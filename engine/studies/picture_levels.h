@@ -1,0 +1,29 @@
+#pragma once
+// A shot drawn at each quality level, and how long that takes.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/render/picture.h"
+#include "engine/render/quality.h"
+#include "engine/render/visual_desc.h"
+#include "engine/studies/picture_shot.h"
+#include "engine/vulkan/device.h"
+
+namespace fulcrum::app {
+
+struct DrawnLevel {
+  render::Picture picture;
+  double frame_ms = 0;  // the median
+};
+
+// One for each of render::kQualityLevels. desc: with the shot's instances; neither markers nor ghosts are
+// drawn.
+Result<std::vector<DrawnLevel>> draw_levels(vulkan::Device& device, render::VisualDesc desc, const Shot& shot,
+                                            render::Extent extent);
+
+// "4 samples, shadows of 2048, whole resolution"
+std::string words_of(const render::Quality& quality);
+
+}  // namespace fulcrum::app

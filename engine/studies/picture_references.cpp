@@ -1,0 +1,88 @@
+#include "engine/studies/picture_references.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <tuple>
+
+#include "engine/files/regular_file.h"
+#include "engine/render/tone.h"
+#include "engine/scenario/content.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::size_t kMostSidecarBytes = 1 << 20;
+
+Result<Reference> read_reference(const std::filesystem::path& file) {
+  Result<RegularFile> opened = RegularFile::open(file);
+  if (!opened) return opened.error();
+  const Result<std::string> text = opened->first_bytes(kMostSidecarBytes);
+  if (!text) return text.error();
+  const auto json = nlohmann::ordered_json::parse(*text, nullptr, false);
+  const Result<Shot> shot = read_shot(json, file);
+  if (!shot) return shot.error();
+  std::filesystem::path picture = file;
+  return Reference{*shot, json.value("digest", ""), picture.replace_extension(".png")};
+}
+
+}  // namespace
+
+Result<std::vector<Reference>> find_references(const std::string& scene) {
+  std::vector<Reference> found;
+  for (const std::filesystem::path& root : scenario::content_roots()) {
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(root / "references", none)) {
+      if (entry.path().extension() != ".json") continue;
+      Result<Reference> reference = read_reference(entry.path());
+      if (!reference) return reference.error();
+      if (scene.empty() || reference->shot.scene == scene) found.push_back(std::move(*reference));
+    }
+    if (!found.empty()) break;
+  }
+  if (found.empty())
+    return Error{scene.empty() ? "No reference lies in the folder references of the content; make them with "
+                                 "tools/references."
+                               : "There is no reference of a scene '" + scene +
+                                     "'; fulcrum list has the scenes that come with Fulcrum."};
+  std::ranges::sort(found, {}, [](const Reference& each) {
+    return std::tuple(each.shot.scene, each.shot.time_s, each.shot.view);
+  });
+  return found;
+}
+
+analysis::picture::Image shown_on(const render::Background& background, const render::Radiance& radiance) {
+  analysis::picture::Image image{radiance.width, radiance.height, {}};
+  image.pixels.reserve(radiance.pixels.size());
+  for (std::size_t i = 0; i < radiance.pixels.size(); ++i) {
+    const float v = (static_cast<float>(i / radiance.width) + 0.5F) / static_cast<float>(radiance.height);
+    const glm::vec4& pixel = radiance.pixels[i];
+    const glm::vec3 shown =
+        render::tone_mapped(glm::vec3(pixel) + (1.0F - pixel.a) * render::background_radiance(background, v));
+    image.pixels.push_back({shown.r, shown.g, shown.b});
+  }
+  return image;
+}
+
+analysis::picture::Image image_of(const render::Picture& picture) {
+  analysis::picture::Image image{picture.width, picture.height, {}};
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+    image.pixels.push_back({static_cast<float>(picture.rgba[i]) / 255.0F,
+                            static_cast<float>(picture.rgba[i + 1]) / 255.0F,
+                            static_cast<float>(picture.rgba[i + 2]) / 255.0F});
+  return image;
+}
+
+render::Picture picture_of(const analysis::picture::Image& image) {
+  render::Picture picture{
+      static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), {}};
+  for (const std::array<float, 3>& pixel : image.pixels) {
+    for (const float value : pixel)
+      picture.rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F))));
+    picture.rgba.push_back(255);
+  }
+  return picture;
+}
+
+}  // namespace fulcrum::app
