@@ -38,6 +38,12 @@ while IFS= read -r line; do
     "fulcrum strip PRESSES.csv")
       printf '0.03,120\n0.1,4910\n0.17,9700\n' >PRESSES.csv
       expect 0 'low_ohm' "${word[@]}" ;;
+    "fulcrum workprecision picture") # app.picture runs it on one scene
+      if [ -n "$long" ]; then
+        expect 0 'mean FLIP' "${word[@]}" --out report_picture
+      else
+        expect 0 'OPTIONS|Options' "${word[@]}" --help
+      fi ;;
     "fulcrum compare "* | "fulcrum hardness "* | "fulcrum uniformity" | "fulcrum stability" | "fulcrum workprecision" | "fulcrum ambiguity "*)
       if [ -n "$long" ]; then
         expect 0 '.' "${word[@]}" --out "report_${word[1]}"

@@ -34,6 +34,7 @@ needs content_texts list
 needs content_texts results
 needs content_texts --version
 needs "fulcrum-studies content_piping" workprecision
+needs "fulcrum-studies content" workprecision picture
 needs "fulcrum-studies content_teeth" compare teeth
 needs "fulcrum-studies fulcrum-import content" --build
 needs "fulcrum-import content_texts" import part.obj

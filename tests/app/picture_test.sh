@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# fulcrum workprecision picture from outside: one scene against its references. $FULCRUM is the program.
+set -uo pipefail
+. "$(dirname "$(readlink -f "$0")")/../support/expect.sh"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+
+expect_each 0 '4 samples, shadows of 2048' '1 sample, no shadows, 50 % of the resolution' 'stick +overview' 'stick +ball' -- \
+  "$FULCRUM" workprecision picture --scene stick --out P
+[ "$(head -1 P/picture.csv)" = scene,view,level,flip_mean,flip_p99,luminance_error,frame_ms ] ||
+  fail "picture.csv has other columns: $(head -1 P/picture.csv)"
+[ "$(wc -l <P/picture.csv)" = 11 ] || fail "two views at five levels are not ten lines: $(cat P/picture.csv)"
+# What is drawn is what the reference shows: of another scene, or from elsewhere, it would be far off. Half the pixels are
+# worse than all, and all take longer than half.
+awk -F, 'NR > 1 {
+    if (!($4 > 0 && $4 < .3 && $5 > $4 && $5 <= 1 && $6 > -.5 && $6 < .5 && $7 > 0)) { print; bad = 1 }
+    flip[$2, $3] = $4; ms[$2, $3] = $7; views[$2] = 1 }
+  END { for (v in views) if (!(flip[v, 0] < flip[v, 3] && ms[v, 0] > ms[v, 3])) { print v; bad = 1 }
+    exit bad }' P/picture.csv || fail "figures out of order: $(cat P/picture.csv)"
+[ "$(grep -o 'data:image/png;base64,iVBOR' P/picture.html | wc -l)" = 8 ] || fail "picture.html lacks pictures"
+grep -q '</html>' P/picture.html || fail "no whole picture.html"
+
+# Every scene that comes with Fulcrum has two.
+content=${FULCRUM_CONTENT:-$(dirname "$FULCRUM")/content}
+for scene in "$content"/scenarios/*/; do
+  scene=$(basename "$scene")
+  [ "$(find "$content/references" -name "${scene}_*.png" | wc -l)" = 2 ] || fail "$scene has not two references: see tools/references"
+done
+
+expect 1 'holds results.*--force' "$FULCRUM" workprecision picture --scene stick --out P
+expect 1 "no reference of a scene 'stik'" "$FULCRUM" workprecision picture --scene stik --out Q
+expect 1 "no scene 'stik' to describe" "$FULCRUM" workprecision picture --scene stik --describe D
+expect 2 'picture' "$FULCRUM" workprecision pictures --out Q
+expect 0 'stick_ball' "$FULCRUM" workprecision picture --scene stick --describe D
+for file in stick_overview stick_ball; do [ -s D/$file.json ] && [ -s D/$file.bin ] || fail "D lacks $file"; done
+
+# --- the scene alone: no panel, no marker, the same trial
+run() { "$FULCRUM" run stick --headless --seconds 0.1 --size 320x180 --out "$@" >/dev/null; }
+run all
+run none --overlay none
+cmp -s all/frame.png none/frame.png && fail "--overlay none draws panels"
+cmp -s all/trace.csv none/trace.csv || fail "--overlay changes the run"
+expect 2 'add --headless' "$FULCRUM" run stick --overlay none
+expect 2 'overlay' "$FULCRUM" run stick --headless --overlay some
+
+[ $failures = 0 ] && echo "all good"
+exit $((failures > 0))
