@@ -116,8 +116,9 @@ void DetailedSurfaces::record(VkCommandBuffer commands, const Pipelines& pipelin
 }
 
 void DetailedSurfaces::record_shadows(VkCommandBuffer commands, const Pipelines& pipelines,
-                                      const SceneGeometry& geometry, VkDescriptorSet scene_set) const {
-  const std::vector<SceneGeometry::Piece> pieces = geometry.masked_casters();
+                                      const SceneGeometry& geometry, VkDescriptorSet scene_set,
+                                      SceneGeometry::Casters which) const {
+  const std::vector<SceneGeometry::Piece> pieces = geometry.masked_casters(which);
   if (pieces.empty()) return;
   geometry.bind(commands);
   const VkPipelineLayout layout = pipelines.detailed_layout.get();

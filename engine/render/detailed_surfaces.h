@@ -28,7 +28,7 @@ public:
               VkDescriptorSet scene_set, Which which, const glm::vec3& eye, std::uint32_t layers) const;
   // The shadows of those that have holes.
   void record_shadows(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
-                      VkDescriptorSet scene_set) const;
+                      VkDescriptorSet scene_set, SceneGeometry::Casters which) const;
 
 private:
   struct OnDevice {

@@ -98,4 +98,17 @@ LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int m
                                             : fit_directional(direction, casters, map_size);
 }
 
+bool still_fits(const LightFit& fit, const KeyLight& light, std::span<const Bounds> casters, int map_size) {
+  constexpr float kWasteful = 0.8F;                      // of the texel's width
+  const bool spot = light.kind == KeyLight::Kind::spot;  // what is beside its cone throws no shadow
+  for (const Bounds& caster : casters) {
+    for (const glm::vec3& corner : corners(caster)) {
+      const glm::vec4 at = fit.clip_from_world * glm::vec4(corner, 1.0F);
+      if (!(at.w > 0.0F && at.z >= 0.0F && at.z <= at.w)) return false;
+      if (!spot && (std::abs(at.x) > at.w || std::abs(at.y) > at.w)) return false;
+    }
+  }
+  return fit_light(light, casters, map_size).texel_m >= kWasteful * fit.texel_m;
+}
+
 }  // namespace fulcrum::render

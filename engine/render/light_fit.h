@@ -29,4 +29,8 @@ struct LightFit {
 // moving caster does not make the edges of all the other shadows crawl.
 LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int map_size);
 
+// A fit that was made for casters elsewhere covers these as well, and not much more finely would another:
+// what stands need not be drawn again for every move of what does not.
+bool still_fits(const LightFit& fit, const KeyLight& light, std::span<const Bounds> casters, int map_size);
+
 }  // namespace fulcrum::render

@@ -112,6 +112,14 @@ void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& pla
   plan.built.push_back(
       {"shadow map", "image", texels({side, side}) * kDepthTexel,
        size_of({side, side}) + ", drawn again only when something that throws a shadow has moved"});
+  plan.standing_shadows = facts.moving_casters > 0 && facts.moving_casters < facts.casters;
+  if (plan.standing_shadows)
+    plan.built.push_back({"standing shadow map", "image", texels({side, side}) * kDepthTexel,
+                          "of what never moves, so that it is not drawn again when something else does"});
+  else
+    plan.left_out.push_back({"standing shadow map", "image", 0,
+                             facts.moving_casters > 0 ? "all that throws a shadow may move"
+                                                      : "nothing that throws a shadow moves"});
   plan.built.push_back({"shadows", "pipeline", 0, "depth as the key light sees it"});
 }
 
@@ -188,7 +196,10 @@ SceneFacts facts_of(const VisualDesc& desc) {
   for (const Instance& instance : desc.instances) {
     const Material& material = desc.materials[instance.material];
     const std::optional<std::uint32_t> look = look_of(material);
-    if (instance.casts_shadow && !is_blended(look.value_or(0))) ++facts.casters;
+    if (instance.casts_shadow && !is_blended(look.value_or(0))) {
+      ++facts.casters;
+      facts.moving_casters += instance.movable ? 1 : 0;
+    }
     if (!look) {
       ++facts.plain;
       continue;

@@ -45,9 +45,10 @@ struct BuildItem {
 
 struct RenderPlan {
   Extent picture;
-  Extent scene;         // picture times resolution_scale
-  int samples = 4;      // per pixel
-  int shadow_size = 0;  // pixels on a side; 0: nothing is built for shadows
+  Extent scene;                   // picture times resolution_scale
+  int samples = 4;                // per pixel
+  int shadow_size = 0;            // pixels on a side; 0: nothing is built for shadows
+  bool standing_shadows = false;  // those of what never moves have a map of their own
   bool surfaces = false;
   bool plain_surfaces = false;            // of one colour, one metallic and one roughness
   std::vector<std::uint32_t> looks = {};  // of the others (look.h), each once
@@ -64,6 +65,7 @@ struct SceneFacts {
   std::uint64_t indices = 0;
   std::uint64_t instances = 0;
   std::uint64_t casters = 0;              // instances that throw a shadow
+  std::uint64_t moving_casters = 0;       // of those, the ones that may move
   std::uint64_t plain = 0;                // instances without a detailed material
   std::vector<std::uint32_t> looks = {};  // of those with one, each once
   std::uint64_t detailed_vertices = 0;    // of their meshes

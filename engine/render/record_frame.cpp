@@ -39,18 +39,49 @@ void Renderer::record_view(VkCommandBuffer commands, View& view) {
   vulkan::barrier(commands, view.targets.scene.get(), kColour, use::kColourTarget, use::kSampled);
 }
 
+// Where something stands and something else moves, the map begins as a copy of what stands.
 void Renderer::record_shadow(VkCommandBuffer commands) {
   namespace use = vulkan::use;
-  vulkan::barrier(commands, shadow_map_.get(), kDepth, discarded_after(use::kSampled), use::kDepthTarget);
-  VkRenderingAttachmentInfo depth = attachment(shadow_map_.view(), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                               VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_STORE);
-  depth.clearValue.depthStencil.depth = 1.0F;
-  begin(commands, shadow_map_.extent(), nullptr, &depth);
-  bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), main_.scene_set.get());
-  geometry_->draw_casters(commands);
-  if (detailed_) detailed_->record_shadows(commands, pipelines_, *geometry_, main_.scene_set.get());
-  vkCmdEndRendering(commands);
+  using Casters = SceneGeometry::Casters;
+  if (standing_map_) {
+    if (standing_stale_) record_standing_shadow(commands);
+    vulkan::barrier(commands, shadow_map_.get(), kDepth, discarded_after(use::kSampled), use::kCopyTarget);
+    VkImageCopy all{};
+    all.srcSubresource = all.dstSubresource = {kDepth, 0, 0, 1};
+    all.extent = {shadow_map_.extent().width, shadow_map_.extent().height, 1};
+    vkCmdCopyImage(commands, standing_map_.get(), use::kCopySource.layout, shadow_map_.get(),
+                   use::kCopyTarget.layout, 1, &all);
+    vulkan::barrier(commands, shadow_map_.get(), kDepth, use::kCopyTarget, use::kDepthTarget);
+    draw_shadows(commands, shadow_map_, Casters::moving);
+  } else {
+    vulkan::barrier(commands, shadow_map_.get(), kDepth, discarded_after(use::kSampled), use::kDepthTarget);
+    draw_shadows(commands, shadow_map_, Casters::all);
+  }
   vulkan::barrier(commands, shadow_map_.get(), kDepth, use::kDepthTarget, use::kSampled);
+}
+
+void Renderer::record_standing_shadow(VkCommandBuffer commands) {
+  namespace use = vulkan::use;
+  vulkan::barrier(commands, standing_map_.get(), kDepth, discarded_after(use::kCopySource),
+                  use::kDepthTarget);
+  draw_shadows(commands, standing_map_, SceneGeometry::Casters::standing);
+  vulkan::barrier(commands, standing_map_.get(), kDepth, use::kDepthTarget, use::kCopySource);
+  standing_stale_ = false;
+}
+
+// Into what is there already where that is what moves, else into an empty map.
+void Renderer::draw_shadows(VkCommandBuffer commands, const vulkan::Image& map,
+                            SceneGeometry::Casters which) {
+  const bool kept = which == SceneGeometry::Casters::moving;
+  VkRenderingAttachmentInfo depth = attachment(
+      map.view(), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+      kept ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_STORE);
+  depth.clearValue.depthStencil.depth = 1.0F;
+  begin(commands, map.extent(), nullptr, &depth);
+  bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), main_.scene_set.get());
+  geometry_->draw_casters(commands, which);
+  if (detailed_) detailed_->record_shadows(commands, pipelines_, *geometry_, main_.scene_set.get(), which);
+  vkCmdEndRendering(commands);
 }
 
 void Renderer::record_scene(VkCommandBuffer commands, const View& view, bool ghosts) {

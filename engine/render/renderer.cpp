@@ -116,11 +116,14 @@ void Renderer::build_pipelines() {
 
 void Renderer::build_shadow_map() {
   shadow_map_ = {};
+  standing_map_ = {};
   shared_.shadow_map = VK_NULL_HANDLE;
   if (plan_.shadow_size == 0) return;
   shadow_map_ = make_shadow_map(device_, plan_);
+  if (plan_.standing_shadows) standing_map_ = make_shadow_map(device_, plan_);
   shadow_sampler_ = make_shadow_sampler(device_);
-  shadow_stale_ = true;
+  shadow_stale_ = standing_stale_ = true;
+  light_ = {};
   shared_.shadow_map = shadow_map_.view();
   shared_.shadow_sampler = shadow_sampler_.get();
 }
@@ -178,7 +181,7 @@ void Renderer::reload_shaders() {
     std::fprintf(stderr, "%s\nThe shaders in use stay as they were.\n", changed.error().sentence.c_str());
   } else if (*changed) {
     build_pipelines();
-    shadow_stale_ = true;
+    shadow_stale_ = standing_stale_ = true;
   }
 }
 
@@ -205,11 +208,11 @@ std::optional<Error> Renderer::update(const FrameState& state) {
                       state.inset->y + state.inset->height > plan_.picture.height))
     return Error{"A frame came with a second view that reaches beyond the picture; lay it inside."};
   if (geometry_ && geometry_->place(state.X_WM)) shadow_stale_ = true;
-  if (geometry_ && geometry_->see(state.camera.layers)) shadow_stale_ = true;
-  if (plan_.shadow_size > 0 && shadow_stale_) {
-    const std::vector<Bounds> casters = geometry_->casters();
-    light_ = casters.empty() ? LightFit{} : fit_light(*setting_.key_light, casters, plan_.shadow_size);
+  if (geometry_ && geometry_->see(state.camera.layers)) {
+    shadow_stale_ = standing_stale_ = true;
+    light_ = {};
   }
+  if (plan_.shadow_size > 0 && shadow_stale_) fit_shadow();
   main_.update(frame_data(setting_, state, plan_.scene, light_, plan_.shadow_size), state);
   inset_at_ = state.inset;
   if (inset_) {
@@ -221,6 +224,18 @@ std::optional<Error> Renderer::update(const FrameState& state) {
                                                  reinterpret_cast<gpu::MarkerData*>(marker_buffer_.mapped()))
                                  : 0;
   return {};
+}
+
+void Renderer::fit_shadow() {
+  const std::vector<Bounds> casters = geometry_->casters();
+  if (casters.empty()) {
+    light_ = {};
+    return;
+  }
+  const bool fitted = light_.texel_m > 0.0F;
+  if (fitted && standing_map_ && still_fits(light_, *setting_.key_light, casters, plan_.shadow_size)) return;
+  light_ = fit_light(*setting_.key_light, casters, plan_.shadow_size);
+  standing_stale_ = true;
 }
 
 std::optional<Error> Renderer::frame(const FrameState& state) {

@@ -59,8 +59,11 @@ private:
   // Builds anew where the picture or the second view is of another size, or comes or goes.
   std::optional<Error> fit(Extent extent, const std::optional<Inset>& inset);
   std::optional<Error> update(const FrameState& state);
+  void fit_shadow();
   void record(VkCommandBuffer commands, OverlayPass* overlay);
   void record_shadow(VkCommandBuffer commands);
+  void record_standing_shadow(VkCommandBuffer commands);
+  void draw_shadows(VkCommandBuffer commands, const vulkan::Image& map, SceneGeometry::Casters which);
   void record_view(VkCommandBuffer commands, View& view);
   void record_scene(VkCommandBuffer commands, const View& view, bool ghosts);
   void record_markers(VkCommandBuffer commands);
@@ -83,7 +86,8 @@ private:
   vulkan::SamplerHandle scene_sampler_;
 
   SharedParts shared_;
-  vulkan::Image shadow_map_;  // empty without shadows
+  vulkan::Image shadow_map_;    // empty without shadows
+  vulkan::Image standing_map_;  // the same of what never moves; empty where the plan has none
   vulkan::Image picture_;
   View main_;
   std::optional<View> inset_;      // where the plan has a second view
@@ -93,6 +97,7 @@ private:
 
   LightFit light_;
   bool shadow_stale_ = true;
+  bool standing_stale_ = true;
   std::uint32_t markers_shown_ = 0;
   bool ready_ = false;  // false when memory ran out while building for another size
   bool drawn_ = false;

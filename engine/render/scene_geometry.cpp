@@ -84,8 +84,8 @@ void SceneGeometry::sort_instances(const VisualDesc& desc, const std::vector<Pla
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const Instance &left = desc.instances[a], &right = desc.instances[b];
-    return std::tuple(left.mesh, kind_of(left), !left.casts_shadow) <
-           std::tuple(right.mesh, kind_of(right), !right.casts_shadow);
+    return std::tuple(left.mesh, kind_of(left), left.movable, !left.casts_shadow) <
+           std::tuple(right.mesh, kind_of(right), right.movable, !right.casts_shadow);
   });
   std::vector<Bounds> mesh_bounds;
   for (const Mesh& mesh : desc.meshes) mesh_bounds.push_back(bounds_of(mesh));
@@ -95,9 +95,11 @@ void SceneGeometry::sort_instances(const VisualDesc& desc, const std::vector<Pla
     const Instance& instance = desc.instances[order[i]];
     const Material& material = desc.materials[instance.material];
     const std::optional<std::size_t> kind = kind_of(instance);
-    if (batches_.empty() || batches_.back().mesh != instance.mesh || batches_.back().material != kind) {
+    if (batches_.empty() || batches_.back().mesh != instance.mesh || batches_.back().material != kind ||
+        batches_.back().movable != instance.movable) {
       const Place& place = places[instance.mesh];
-      batches_.push_back({instance.mesh, kind, look_of(material).value_or(0), place.first_index,
+      batches_.push_back({instance.mesh, kind, look_of(material).value_or(0), instance.movable,
+                          place.first_index,
                           static_cast<std::uint32_t>(desc.meshes[instance.mesh].indices.size()),
                           place.first_vertex, slot, 0, 0, false, instance.layers});
     }
@@ -140,12 +142,23 @@ std::vector<Bounds> SceneGeometry::casters() const {
 
 std::uint32_t SceneGeometry::count_of(const Batch& batch, Which which) {
   switch (which) {
-    case Which::casters:
-      return is_masked(batch.look) ? 0 : batch.casters;
     case Which::tool:
       return batch.tool ? 1 : 0;
     default:
       return batch.material ? 0 : batch.count;
+  }
+}
+
+bool SceneGeometry::is_among(const Batch& batch, Casters which) {
+  return batch.casters > 0 && (which == Casters::all || batch.movable == (which == Casters::moving));
+}
+
+void SceneGeometry::draw_casters(VkCommandBuffer commands, Casters which) const {
+  bind(commands);
+  for (std::size_t i = 0; i < batches_.size(); ++i) {
+    const Batch& batch = batches_[i];
+    if ((batch.layers & seen_) != 0 && is_among(batch, which) && !is_masked(batch.look))
+      draw(commands, Piece{0, 0, i, batch.first_slot, batch.casters});
   }
 }
 
@@ -200,11 +213,11 @@ std::vector<SceneGeometry::Piece> SceneGeometry::blended(const glm::vec3& eye, s
   return pieces;
 }
 
-std::vector<SceneGeometry::Piece> SceneGeometry::masked_casters() const {
+std::vector<SceneGeometry::Piece> SceneGeometry::masked_casters(Casters which) const {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const Batch& batch = batches_[i];
-    if (is_masked(batch.look) && batch.casters > 0 && (batch.layers & seen_) != 0)
+    if (is_masked(batch.look) && is_among(batch, which) && (batch.layers & seen_) != 0)
       pieces.push_back({*batch.material, batch.look, i, batch.first_slot, batch.casters});
   }
   return pieces;

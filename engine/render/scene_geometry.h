@@ -32,14 +32,17 @@ public:
   VkBuffer instances() const { return instances_.get(); }
 
   enum class Which {
-    plain,    // without detailed materials
-    casters,  // without those that have holes
-    tool      // each mesh that follows the tool, once: for a pipeline that brings its own pose
+    plain,  // without detailed materials
+    tool    // each mesh that follows the tool, once: for a pipeline that brings its own pose
   };
   // Binds the buffers and draws what a camera of these layers sees; pipeline and descriptor sets are bound by
   // the caller.
   void draw(VkCommandBuffer commands, Which which, std::uint32_t layers) const;
-  void draw_casters(VkCommandBuffer commands) const { draw(commands, Which::casters, seen_); }
+
+  // What throws a shadow: all of it, what never moves, or what may.
+  enum class Casters { all, standing, moving };
+  // Without those that have holes.
+  void draw_casters(VkCommandBuffer commands, Casters which) const;
 
   // Instances of one mesh and one detailed material.
   struct Piece {
@@ -53,17 +56,18 @@ public:
   // those that throw a shadow with holes in it.
   std::vector<Piece> detailed(std::uint32_t layers) const;
   std::vector<Piece> blended(const glm::vec3& eye, std::uint32_t layers) const;
-  std::vector<Piece> masked_casters() const;
+  std::vector<Piece> masked_casters(Casters which) const;
   void bind(VkCommandBuffer commands) const;
   void draw(VkCommandBuffer commands, const Piece& piece) const;
 
 private:
-  // All instances of one mesh that are plain, or of one detailed material, lie side by side, those that throw
-  // a shadow first: one draw each.
+  // All instances of one mesh that are plain, or of one detailed material, and that all stand or may all
+  // move, lie side by side, those that throw a shadow first: one draw each.
   struct Batch {
     std::size_t mesh = 0;
     std::optional<std::size_t> material;  // none: plain ones, each with its own
     std::uint32_t look = 0;               // of the material
+    bool movable = false;
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
     std::int32_t first_vertex = 0;
@@ -88,6 +92,7 @@ private:
   };
 
   static std::uint32_t count_of(const Batch& batch, Which which);
+  static bool is_among(const Batch& batch, Casters which);
   std::vector<Place> upload_meshes(vulkan::Device& device, const VisualDesc& desc);
   void sort_instances(const VisualDesc& desc, const std::vector<Place>& places);
   gpu::InstanceData* data() { return reinterpret_cast<gpu::InstanceData*>(instances_.mapped()); }

@@ -25,9 +25,11 @@ vulkan::Image make_picture(vulkan::Device& device, const RenderPlan& plan) {
 
 vulkan::Image make_shadow_map(vulkan::Device& device, const RenderPlan& plan) {
   const auto side = static_cast<std::uint32_t>(plan.shadow_size);
-  return {
-      device,
-      {kDepthFormat, {side, side}, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT}};
+  return {device,
+          {kDepthFormat,
+           {side, side},
+           VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+               VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}};
 }
 
 }  // namespace fulcrum::render

@@ -100,6 +100,20 @@ TEST(LightFit, CoversEveryCasterAndLooksFromTheLight) {
   }
 }
 
+TEST(LightFit, IsKeptWhileItCoversWhatMovesAndIsNotFarTooCoarse) {
+  const KeyLight light;
+  const auto casters = [](float reach) {
+    return std::vector<Bounds>{{{-0.5F, 0.0F, -0.5F}, {0.5F, 0.3F, 0.5F}},
+                               {{-0.01F, 0.1F, reach}, {0.01F, 0.2F, reach + 0.1F}}};
+  };
+  const LightFit inside = fit_light(light, casters(0.0F), 1024),
+                 outside = fit_light(light, casters(3.0F), 1024);
+  EXPECT_TRUE(still_fits(inside, light, casters(0.2F), 1024));
+  EXPECT_FALSE(still_fits(inside, light, casters(3.0F), 1024)) << "beyond its edge";
+  EXPECT_TRUE(still_fits(outside, light, casters(2.9F), 1024));
+  EXPECT_FALSE(still_fits(outside, light, casters(0.0F), 1024)) << "a much finer one would do";
+}
+
 TEST(LightFit, ASmallMoveOfACasterShiftsTheMapByWholeTexels) {
   KeyLight light;
   const glm::vec3 fixed{0.0F, 0.0F, 0.0F};

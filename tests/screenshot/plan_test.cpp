@@ -30,12 +30,18 @@ std::string complaint(const VisualDesc& desc, const RenderOptions& options = {})
 TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   RenderOptions with_inset;
   with_inset.inset = Extent{320, 200};
-  const RenderPlan all = planned(test::make_scene(), with_inset);
-  for (const char* pipeline : {"surfaces", "shadows", "markers", "ghost depth", "ghost lines", "ghost",
-                               "background", "tone mapping"})
+  VisualDesc full = test::make_scene();
+  full.textures = {{"grain", 2, 2, std::vector<std::uint8_t>(16, 255), true}};
+  full.materials[1].detail.emplace().alpha = Alpha::mask;
+  full.materials[1].detail->layers[SurfaceDetail::base_colour].emplace();
+  const RenderPlan all = planned(full, with_inset);
+  for (const char* pipeline : {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers",
+                               "ghost depth", "ghost lines", "ghost", "background", "tone mapping"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);
+  EXPECT_EQ(find(all.built, "standing shadow map", "image")->bytes, 2048U * 2048U * 4U);
+  EXPECT_EQ(find(all.built, "textures", "image")->bytes, 4U * (2 * 2 + 1));
   // Four samples of colour and depth, the scene, and the ghost's depth and lines.
   EXPECT_EQ(find(all.built, "second view", "image")->bytes, 320U * 200U * (4U * 8U + 8U + 4U * 4U + 4U + 2U));
   EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 1280U * 720U * 8U * 4U);

@@ -84,6 +84,35 @@ TEST_F(RendererTest, TheBallThrowsAShadowThatMovesWithIt) {
   EXPECT_GT(lit, shadowed + 25.0F);
 }
 
+// A renderer that has drawn the ball elsewhere, and keeps what the others throw, draws what a new one does:
+// between two boxes far apart the map is the same wherever the ball is.
+TEST_F(RendererTest, ShadowsOfWhatStandsAreKeptWhileTheBallMoves) {
+  VisualDesc desc = test::make_scene();
+  for (const glm::vec3& corner : {glm::vec3(-0.3F, 0.3F, -0.3F), {0.3F, 0.0F, 0.3F}})
+    desc.instances.push_back({1, 1, "corner", glm::translate(glm::mat4(1.0F), corner), false, true});
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  EXPECT_TRUE(renderer->plan().standing_shadows);
+  draw(*renderer, desc);
+  // Last far away, where the map has to grow.
+  for (const glm::vec3& place : {glm::vec3(0.02F, 0.10F, 0.01F), {-0.1F, 0.2F, 0.0F}, {0.9F, 0.1F, -0.9F}}) {
+    desc.instances[2].X_WM = glm::translate(glm::mat4(1.0F), place);
+    const test::Comparison same = test::compare(draw(*renderer, desc), draw(*make(desc, small_), desc),
+                                                {.max_lsb = 0, .max_pixels = 0, .failure_folder = {}});
+    EXPECT_TRUE(same.passed) << same.sentence;
+  }
+}
+
+TEST_F(RendererTest, WhatOnlyStandsOrOnlyMovesNeedsNoSecondShadowMap) {
+  VisualDesc desc = test::make_scene();
+  desc.ghosts.clear();
+  desc.instances[2].movable = false;
+  EXPECT_FALSE(make(desc, small_)->plan().standing_shadows);
+  desc.instances[2].movable = true;
+  EXPECT_TRUE(make(desc, small_)->plan().standing_shadows);
+  desc.instances.erase(desc.instances.begin() + 1);  // the floor throws none
+  EXPECT_FALSE(make(desc, small_)->plan().standing_shadows);
+}
+
 TEST_F(RendererTest, AShadowMapThatIsKeptDrawsTheSamePicture) {
   const VisualDesc desc = test::make_scene();
   const std::unique_ptr<Renderer> renderer = make(desc, small_);
