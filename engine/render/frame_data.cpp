@@ -10,13 +10,6 @@ namespace {
 
 constexpr float kNear_m = 0.005F;
 
-glm::mat4 view_of(const Camera& camera) {
-  const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
-  const glm::vec3 up =
-      std::abs(forward.y) > 0.9999F ? glm::vec3(0.0F, 0.0F, -1.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
-  return glm::lookAt(camera.eye, camera.target, up);
-}
-
 glm::vec4 with(const glm::vec3& xyz, float w = 0.0F) {
   return {xyz, w};
 }
@@ -31,23 +24,32 @@ void write_light(gpu::FrameData& data, const KeyLight& light) {
 
 }  // namespace
 
-glm::mat4 clip_from_world(const Camera& camera, Extent extent) {
+glm::mat4 view_of(const Camera& camera) {
+  const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+  const glm::vec3 up =
+      std::abs(forward.y) > 0.9999F ? glm::vec3(0.0F, 0.0F, -1.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+  return glm::lookAt(camera.eye, camera.target, up);
+}
+
+glm::mat4 clip_from_world(const Camera& camera, Extent picture) {
   // Depth near/z: a float keeps it equally exact at 5 mm and at 50 m, and nothing is ever too far.
   const float f = 1.0F / std::tan(0.5F * camera.vertical_fov_rad);
-  const float aspect = static_cast<float>(extent.width) / static_cast<float>(extent.height);
+  const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);
   glm::mat4 projection(0.0F);
   projection[0][0] = f / aspect;
   projection[1][1] = f;
+  projection[2][0] = f / aspect * camera.lean.x;  // what lies that way ends in the middle
+  projection[2][1] = f * camera.lean.y;
   projection[2][3] = -1.0F;
   projection[3][2] = kNear_m;
   return projection * view_of(camera);
 }
 
-gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent extent,
+gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent picture,
                           const LightFit& light, int shadow_size) {
   const glm::mat4 world_from_view = glm::transpose(view_of(state.camera));  // its rotation
   gpu::FrameData data{};
-  data.clip_from_world = clip_from_world(state.camera, extent);
+  data.clip_from_world = clip_from_world(state.camera, picture);
   data.shadow_from_world = light.clip_from_world;
   // A float holds a second exactly enough for an hour, not for a day.
   data.eye = with(state.camera.eye, static_cast<float>(std::fmod(state.time_s, 3600.0)));

@@ -16,10 +16,13 @@ struct Setting {
   Background background;
 };
 
-// Clip space with the depth reversed (1 near, 0 infinitely far), Y up.
-glm::mat4 clip_from_world(const Camera& camera, Extent extent);
+// The camera's frame: x to the right, y up, z to the back.
+glm::mat4 view_of(const Camera& camera);
 
-gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent extent,
+// Clip space with the depth reversed (1 near, 0 infinitely far), Y up.
+glm::mat4 clip_from_world(const Camera& camera, Extent picture);
+
+gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent picture,
                           const LightFit& light, int shadow_size);
 
 // The markers that are to be seen, written to `to` one after another; returns how many.

@@ -30,7 +30,7 @@ vulkan::SamplerHandle make_texel_sampler(vulkan::Device& device) {
 }  // namespace
 
 GhostPass::GhostPass(vulkan::Device& device, const Ghost& look, std::shared_ptr<GhostEdges> edges,
-                     const RenderPlan& plan, VkImageView scene_depth)
+                     const RenderPlan& plan, VkImageView scene_depth, VkSampler smooth)
     : look_(look),
       edges_(std::move(edges)),
       chosen_(device, edges_->size() * sizeof(gpu::GhostLine), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
@@ -41,19 +41,16 @@ GhostPass::GhostPass(vulkan::Device& device, const Ghost& look, std::shared_ptr<
                                   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
   lines_ = vulkan::Image(
       device, {kGhostLineFormat, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
-  const auto sampled = [&](std::uint32_t number, VkImageView view) {
-    return vulkan::Binding{number,
-                           VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                           VK_SHADER_STAGE_FRAGMENT_BIT,
-                           VK_NULL_HANDLE,
-                           view,
-                           sampler_.get()};
+  const auto sampled = [](std::uint32_t number, VkImageView view, VkSampler sampler) {
+    return vulkan::Binding{
+        number, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, view,
+        sampler};
   };
   set_ = vulkan::DescriptorSet(device, {{kGhostChosenBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                          VK_SHADER_STAGE_VERTEX_BIT, chosen_.get()},
-                                        sampled(kGhostDepthBinding, depth_.view()),
-                                        sampled(kGhostSceneBinding, scene_depth),
-                                        sampled(kGhostLinesBinding, lines_.view())});
+                                        sampled(kGhostDepthBinding, depth_.view(), sampler_.get()),
+                                        sampled(kGhostSceneBinding, scene_depth, sampler_.get()),
+                                        sampled(kGhostLinesBinding, lines_.view(), smooth)});
 }
 
 void GhostPass::update(const GhostState& ghost, const Camera& camera, const RenderPlan& plan) {
@@ -65,7 +62,7 @@ void GhostPass::update(const GhostState& ghost, const Camera& camera, const Rend
   const glm::vec4 p_GE = glm::inverse(ghost.X_WG) * glm::vec4(camera.eye, 1.0F);
   chosen_count_ = static_cast<std::uint32_t>(
       edges_->choose(glm::vec3(p_GE), reinterpret_cast<gpu::GhostLine*>(chosen_.mapped())));
-  draw_.clip_from_ghost = clip_from_world(camera, plan.scene) * ghost.X_WG;
+  draw_.clip_from_ghost = clip_from_world(camera, plan.picture) * ghost.X_WG;
   const auto width = static_cast<float>(plan.picture.width);
   const auto height = static_cast<float>(plan.picture.height);
   draw_.size = {width, height, static_cast<float>(plan.scene.width) / width,

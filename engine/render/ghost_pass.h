@@ -16,9 +16,10 @@ namespace fulcrum::render {
 class GhostPass {
 public:
   // Of one view. Views may share edges: one after the other chooses of them. Images and descriptors are for a
-  // plan with a ghost and its targets. Throws vulkan::Failure.
+  // plan with a ghost and its targets. smooth: its lines are read with it, for a squeezed picture, too.
+  // Throws vulkan::Failure.
   GhostPass(vulkan::Device& device, const Ghost& look, std::shared_ptr<GhostEdges> edges,
-            const RenderPlan& plan, VkImageView scene_depth);
+            const RenderPlan& plan, VkImageView scene_depth, VkSampler smooth);
   VkDescriptorSetLayout layout() const { return set_.layout(); }
 
   // What of the ghost is to be seen in the next frame, by that camera.

@@ -49,7 +49,10 @@ void OrbitCamera::zoom(float steps) {
 Camera OrbitCamera::camera() const {
   const glm::vec3 direction{std::cos(elevation_rad_) * std::sin(azimuth_rad_), std::sin(elevation_rad_),
                             std::cos(elevation_rad_) * std::cos(azimuth_rad_)};
-  return {target_ + distance_ * direction, target_, start_.vertical_fov_rad, start_.layers};
+  Camera now = start_;
+  now.eye = target_ + distance_ * direction;
+  now.target = target_;
+  return now;
 }
 
 }  // namespace fulcrum::render

@@ -38,13 +38,16 @@ struct Pipelines {
   vulkan::PipelineHandle ghost_depth;
   vulkan::PipelineHandle ghost_lines;
   vulkan::PipelineHandle ghost_over;
+  vulkan::PipelineLayoutHandle stereo_layout;
+  vulkan::PipelineHandle stereo;
 };
 
 struct SetLayouts {
   VkDescriptorSetLayout scene = VK_NULL_HANDLE;
   VkDescriptorSetLayout material = VK_NULL_HANDLE;  // read only if the plan has detailed surfaces
   VkDescriptorSetLayout tone = VK_NULL_HANDLE;
-  VkDescriptorSetLayout ghost = VK_NULL_HANDLE;  // read only if the plan has a ghost
+  VkDescriptorSetLayout ghost = VK_NULL_HANDLE;   // read only if the plan has a ghost
+  VkDescriptorSetLayout stereo = VK_NULL_HANDLE;  // read only if the plan is for two eyes
 };
 
 // Throws vulkan::Failure.

@@ -47,6 +47,9 @@ std::optional<Error> check_options(const RenderOptions& options) {
   }
   if (!(quality.resolution_scale >= 0.25F && quality.resolution_scale <= 1.0F))
     return Error{"The resolution scale is " + std::to_string(quality.resolution_scale) + "; use 0.25 to 1."};
+  if (options.stereo && options.stereo->screen &&
+      !(options.stereo->screen->height > 0.0F && options.stereo->screen->head.z > 0.0F))
+    return Error{"A screen has a height, and a head is before it; give both more than 0."};
   const auto& inset = options.inset;
   if (inset && (inset->width == 0 || inset->height == 0 || inset->width > options.extent.width ||
                 inset->height > options.extent.height))
@@ -152,16 +155,38 @@ void add_ghosts(const SceneFacts& facts, RenderPlan& plan) {
   plan.built.push_back({"ghost", "pipeline", 0, "its lines over the picture"});
 }
 
+// Of one more view.
+std::uint64_t view_bytes(const SceneFacts& facts, Extent scene, Extent picture, int samples) {
+  const auto each = static_cast<std::uint64_t>(samples);
+  const std::uint64_t colour = kSceneTexel * (each > 1 ? each + 1 : 1), depth = kDepthTexel * each;
+  return texels(scene) * (colour + depth) +
+         texels(picture) * facts.ghost_edges.size() * (kDepthTexel + kGhostTexel);
+}
+
 void add_inset(const SceneFacts& facts, RenderPlan& plan) {
   if (!plan.inset) {
     plan.left_out.push_back({"second view", "image", 0, "it is switched on in a window"});
     return;
   }
-  const auto samples = static_cast<std::uint64_t>(plan.samples);
-  const std::uint64_t scene = kSceneTexel * (samples > 1 ? samples + 1 : 1), depth = kDepthTexel * samples;
-  const std::uint64_t ghosts = facts.ghost_edges.size() * (kDepthTexel + kGhostTexel);
-  plan.built.push_back({"second view", "image", texels(*plan.inset) * (scene + depth + ghosts),
+  plan.built.push_back({"second view", "image", view_bytes(facts, *plan.inset, *plan.inset, plan.samples),
                         size_of(*plan.inset) + ", the same passes once more"});
+}
+
+void add_stereo(const SceneFacts& facts, RenderPlan& plan) {
+  if (!plan.stereo) {
+    plan.left_out.push_back({"stereo", "image", 0, "--stereo asks for it"});
+    plan.left_out.push_back({"stereo", "pipeline", 0, "--stereo asks for it"});
+    return;
+  }
+  const std::string size = size_of(plan.eye);
+  plan.built.push_back({"second eye", "image", view_bytes(facts, plan.scene, plan.picture, plan.samples),
+                        size_of(plan.scene) + ", the same passes once more; the shadow map is for both"});
+  plan.built.push_back(
+      {"eyes", "image", 2 * texels(plan.eye) * kPictureTexel, size + ", twice: tone mapped"});
+  plan.built.push_back({"screen", "image", texels(plan.picture) * kPictureTexel,
+                        size_of(plan.picture) + ", what lies at the screen: panels, a second view"});
+  plan.built.push_back(
+      {"stereo", "pipeline", 0, std::string(kStereoModeNames[static_cast<std::size_t>(*plan.stereo)])});
 }
 
 void add_targets(RenderPlan& plan) {
@@ -183,6 +208,13 @@ void add_targets(RenderPlan& plan) {
 }
 
 }  // namespace
+
+Extent eye_extent(Extent picture, const std::optional<Stereo>& stereo) {
+  // Of an odd number the first eye has one more.
+  if (stereo && stereo->mode == StereoMode::side_by_side) picture.width = (picture.width + 1) / 2;
+  if (stereo && stereo->mode == StereoMode::top_bottom) picture.height = (picture.height + 1) / 2;
+  return picture;
+}
 
 SceneFacts facts_of(const VisualDesc& desc) {
   SceneFacts facts;
@@ -232,13 +264,15 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   };
   RenderPlan plan;
   plan.picture = options.extent;
-  plan.scene = {scaled(options.extent.width), scaled(options.extent.height)};
+  plan.eye = eye_extent(options.extent, options.stereo);
+  plan.scene = {scaled(plan.eye.width), scaled(plan.eye.height)};
   plan.samples = options.quality.samples;
   plan.surfaces = facts.instances > 0;
   plan.plain_surfaces = facts.plain > 0;
   plan.markers = facts.markers > 0;
   plan.ghosts = !facts.ghost_edges.empty();
   plan.inset = options.inset;
+  if (options.stereo) plan.stereo = options.stereo->mode;
   add_geometry(facts, plan);
   add_shadow(facts, options.quality, plan);
   add_detail(facts, plan);
@@ -246,6 +280,7 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   add_ghosts(facts, plan);
   add_targets(plan);
   add_inset(facts, plan);
+  add_stereo(facts, plan);
   return plan;
 }
 

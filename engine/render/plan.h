@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/render/quality.h"
+#include "engine/render/stereo.h"
 #include "engine/render/visual_desc.h"
 #include "engine/vulkan/result.h"
 
@@ -30,7 +31,8 @@ struct RenderOptions {
   Quality quality;
   std::filesystem::path
       shader_folder;  // empty: the built-in shaders; else GLSL from here, reloaded when it changes
-  std::optional<Extent> inset{};  // of a second view; none: there is none
+  std::optional<Extent> inset{};   // of a second view; none: there is none
+  std::optional<Stereo> stereo{};  // none: for one eye
 };
 
 // The repository's shaders/ in a Debug build, else empty: what `shader_folder` should be in a program.
@@ -45,7 +47,8 @@ struct BuildItem {
 
 struct RenderPlan {
   Extent picture;
-  Extent scene;                   // picture times resolution_scale
+  Extent eye;                     // what one eye sees of it: the picture, or in stereo its squeezed part
+  Extent scene;                   // eye times resolution_scale
   int samples = 4;                // per pixel
   int shadow_size = 0;            // pixels on a side; 0: nothing is built for shadows
   bool standing_shadows = false;  // those of what never moves have a map of their own
@@ -54,7 +57,8 @@ struct RenderPlan {
   std::vector<std::uint32_t> looks = {};  // of the others (look.h), each once
   bool markers = false;
   bool ghosts = false;
-  std::optional<Extent> inset{};  // its scene is as large
+  std::optional<Extent> inset{};       // its scene is as large
+  std::optional<StereoMode> stereo{};  // none: nothing is built for a second eye
   std::vector<BuildItem> built;
   std::vector<BuildItem> left_out;
 };
@@ -78,6 +82,9 @@ struct SceneFacts {
 };
 
 SceneFacts facts_of(const VisualDesc& desc);
+
+// What one eye's picture is to be drawn in.
+Extent eye_extent(Extent picture, const std::optional<Stereo>& stereo);
 
 // Fails with a sentence that names the option out of range.
 Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options);

@@ -21,9 +21,14 @@ void Renderer::record(VkCommandBuffer commands, OverlayPass* overlay) {
     shadow_stale_ = false;
   }
   record_view(commands, main_);
+  if (stereo_) record_view(commands, stereo_->right);
   if (inset_) record_view(commands, *inset_);
-  record_picture(commands);
-  if (overlay != nullptr) overlay->record(commands, {picture_.view(), picture_.extent(), generation_});
+  if (stereo_) {
+    record_stereo(commands, overlay);
+  } else {
+    record_picture(commands);
+    if (overlay != nullptr) overlay->record(commands, {picture_.view(), picture_.extent(), generation_});
+  }
   vulkan::barrier(commands, picture_.get(), kColour, use::kColourTarget, use::kCopySource);
 }
 
@@ -145,11 +150,13 @@ void Renderer::record_picture(VkCommandBuffer commands) {
                  VK_ATTACHMENT_STORE_OP_STORE);
   begin(commands, picture_.extent(), &colour, nullptr);
   record_tone(commands, main_);
-  if (inset_) {
-    set_area(commands, inset_at_->x, inset_at_->y, {inset_at_->width, inset_at_->height});
-    record_tone(commands, *inset_);
-  }
+  if (inset_) record_inset(commands);
   vkCmdEndRendering(commands);
+}
+
+void Renderer::record_inset(VkCommandBuffer commands) {
+  set_area(commands, inset_at_->x, inset_at_->y, {inset_at_->width, inset_at_->height});
+  record_tone(commands, *inset_);
 }
 
 // Into the part of the picture that the view fills.

@@ -95,11 +95,13 @@ void Renderer::build(const RenderPlan& plan) {
   plan_ = plan;
   main_ = {};  // the old ones go before the new ones come: both might not fit
   inset_.reset();
+  stereo_.reset();
   picture_ = {};
   picture_ = make_picture(device_, plan);
   generation_ = next_generation();
   if (other_shadow) build_shadow_map();
   main_ = View(device_, plan, shared_);
+  if (plan.stereo) stereo_.emplace(device_, plan, shared_);
   if (plan.inset) inset_.emplace(device_, inset_plan(plan), shared_);
   if (other_pipelines)  // not for another size alone: drivers take long to compile them
     build_pipelines();
@@ -109,9 +111,10 @@ void Renderer::build(const RenderPlan& plan) {
 void Renderer::build_pipelines() {
   // Of all ghosts alike.
   const VkDescriptorSetLayout ghost = main_.ghosts.empty() ? VK_NULL_HANDLE : main_.ghosts.front()->layout();
+  const VkDescriptorSetLayout stereo = stereo_ ? stereo_->set.layout() : VK_NULL_HANDLE;
   pipelines_ = make_pipelines(device_, plan_, shaders_,
                               {main_.scene_set.layout(), detailed_ ? detailed_->layout() : VK_NULL_HANDLE,
-                               main_.tone_set.layout(), ghost});
+                               main_.tone_set.layout(), ghost, stereo});
 }
 
 void Renderer::build_shadow_map() {
@@ -213,13 +216,19 @@ std::optional<Error> Renderer::update(const FrameState& state) {
     light_ = {};
   }
   if (plan_.shadow_size > 0 && shadow_stale_) fit_shadow();
-  main_.update(frame_data(setting_, state, plan_.scene, light_, plan_.shadow_size), state);
-  inset_at_ = state.inset;
-  if (inset_) {
+  const auto show = [&](View& view, const Camera& camera) {
     FrameState seen = state;
-    seen.camera = state.inset->camera;
-    inset_->update(frame_data(setting_, seen, inset_->plan.scene, light_, plan_.shadow_size), seen);
+    seen.camera = camera;
+    view.update(frame_data(setting_, seen, view.plan.picture, light_, plan_.shadow_size), seen);
+  };
+  if (stereo_) {
+    show(main_, seen_by(Eye::left, *options_.stereo, state.camera));
+    show(stereo_->right, seen_by(Eye::right, *options_.stereo, state.camera));
+  } else {
+    show(main_, state.camera);
   }
+  inset_at_ = state.inset;
+  if (inset_) show(*inset_, state.inset->camera);
   markers_shown_ = plan_.markers ? write_markers(markers_, state.markers, state.marker_colours,
                                                  reinterpret_cast<gpu::MarkerData*>(marker_buffer_.mapped()))
                                  : 0;

@@ -11,6 +11,7 @@
 #include "engine/render/picture.h"
 #include "engine/render/pipelines.h"
 #include "engine/render/scene_geometry.h"
+#include "engine/render/stereo_targets.h"
 #include "engine/render/view.h"
 #include "engine/vulkan/commands.h"
 #include "engine/vulkan/swapchain.h"
@@ -68,7 +69,11 @@ private:
   void record_scene(VkCommandBuffer commands, const View& view, bool ghosts);
   void record_markers(VkCommandBuffer commands);
   void record_picture(VkCommandBuffer commands);
+  void record_inset(VkCommandBuffer commands);
   void record_tone(VkCommandBuffer commands, const View& view);
+  void record_stereo(VkCommandBuffer commands, OverlayPass* overlay);
+  void record_eye(VkCommandBuffer commands, const View& view, const vulkan::Image& finished);
+  void record_screen(VkCommandBuffer commands, OverlayPass* overlay);
 
   vulkan::Device& device_;
   RenderOptions options_;
@@ -89,11 +94,12 @@ private:
   vulkan::Image shadow_map_;    // empty without shadows
   vulkan::Image standing_map_;  // the same of what never moves; empty where the plan has none
   vulkan::Image picture_;
-  View main_;
-  std::optional<View> inset_;      // where the plan has a second view
-  std::optional<Inset> inset_at_;  // of the newest frame
+  View main_;                            // in stereo the left eye's
+  std::optional<StereoTargets> stereo_;  // where the plan is for two eyes
+  std::optional<View> inset_;            // where the plan has a second view
+  std::optional<Inset> inset_at_;        // of the newest frame
   Pipelines pipelines_;
-  std::uint64_t generation_ = 0;  // of the picture's image
+  std::uint64_t generation_ = 0;  // of the image that an overlay is drawn into
 
   LightFit light_;
   bool shadow_stale_ = true;

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "engine/render/pipelines.h"
-#include "shaders/shared/frame.h"
 
 namespace fulcrum::render {
 namespace {
@@ -38,8 +37,8 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
       tone_set(device, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT,
                          VK_NULL_HANDLE, targets.scene.view(), shared.scene_sampler}}) {
   for (const SharedGhost& ghost : shared.ghosts)
-    ghosts.push_back(
-        std::make_unique<GhostPass>(device, ghost.look, ghost.edges, plan, targets.depth.view()));
+    ghosts.push_back(std::make_unique<GhostPass>(device, ghost.look, ghost.edges, plan, targets.depth.view(),
+                                                 shared.scene_sampler));
 }
 
 void View::update(const gpu::FrameData& data, const FrameState& state) {
@@ -52,7 +51,7 @@ void View::update(const gpu::FrameData& data, const FrameState& state) {
 
 RenderPlan inset_plan(const RenderPlan& plan) {
   RenderPlan inset = plan;
-  inset.picture = inset.scene = *plan.inset;
+  inset.picture = inset.eye = inset.scene = *plan.inset;
   return inset;
 }
 

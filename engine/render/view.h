@@ -1,6 +1,6 @@
 #pragma once
 // One camera's way from the scene to the picture: its images, its figures, its ghosts. The whole picture is
-// one, and a second view another.
+// one, a second view another, and in stereo a second eye.
 
 #include <memory>
 #include <vector>

@@ -68,11 +68,19 @@ struct Ambient {
   bool mirrored = false;  // the boxes that stand at the left are at the right
 };
 
+// Two eyes in place of one, for stereo (stereo.h); lengths in the scene.
+struct EyePair {
+  std::optional<float> distance{};     // m, between them; none: what suits the picture
+  std::optional<float> convergence{};  // m, to the plane that is seen at the screen; none: the target's
+};
+
 struct Camera {
   glm::vec3 eye{0.6F, 0.5F, 0.8F};  // m, world
   glm::vec3 target{0.0F};           // m, world
-  float vertical_fov_rad = 0.7F;
-  std::uint32_t layers = 1;  // bits of the instances that it sees
+  float vertical_fov_rad = 0.7F;    // where it does not lean: twice the angle of half the picture's height
+  std::uint32_t layers = 1;         // bits of the instances that it sees
+  EyePair eyes{};
+  glm::vec2 lean{0.0F};  // (2) right and up, tangents: where from its way ahead the picture's middle is
 };
 
 // A place that the trainee has to reach, drawn as a glowing sphere.

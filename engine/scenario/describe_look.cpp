@@ -19,6 +19,20 @@ void describe_degrees(KeyVisitor& visitor, const Key& key, float& radians, const
   radians = static_cast<float>(degrees * kDegree);
 }
 
+void describe_metres(KeyVisitor& visitor, const Key& key, std::optional<float>& length, const Range& range) {
+  std::optional<double> read;
+  visitor.optional_number(key, read, range);
+  if (read) length = static_cast<float>(*read);
+}
+
+void describe_eyes(KeyVisitor& visitor, render::EyePair& eyes) {
+  describe_metres(visitor, {"eye_distance", "m", "between them, in the scene; none: what suits the picture"},
+                  eyes.distance, from_to(0, 10));
+  describe_metres(
+      visitor, {"convergence", "m", "from 'eye' to the plane that is seen at the screen; none: the target's"},
+      eyes.convergence, above_to(0, 1000));
+}
+
 void describe_views(KeyVisitor& visitor, std::vector<View>& views) {
   std::set<std::string> names;
   visitor.list(
@@ -32,6 +46,8 @@ void describe_views(KeyVisitor& visitor, std::vector<View>& views) {
                   "is where the eye is; there is no direction to look in");
         describe_degrees(each, {"fov_deg", "", "vertical field of view"}, view.camera.vertical_fov_rad,
                          from_to(1, 150));
+        each.mapping({"stereo", "", "the two eyes that --stereo draws for"},
+                     [&](KeyVisitor& inner) { describe_eyes(inner, view.camera.eyes); });
         each.boolean({"cut", "", "shows the models cut open that have a model 'cut_of' them"}, view.cut);
       });
 }

@@ -71,9 +71,10 @@ void mirror(GuideDesc& guide) {
 
 void mirror(View& view) {
   auto& [name, camera, cut] = view;
-  auto& [eye, target, vertical_fov_rad, layers] = camera;
+  auto& [eye, target, vertical_fov_rad, layers, eyes, lean] = camera;
   mirror(eye);
   mirror(target);
+  lean.x = -lean.x;
 }
 
 void mirror(render::KeyLight& light) {

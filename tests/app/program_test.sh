@@ -93,6 +93,23 @@ done
 cmp -s V/overview/frame.png V/slot/frame.png && fail "--view slot draws the overview"
 cmp -s V/overview/trace.csv V/slot/trace.csv || fail "--view changes the run"
 expect 2 "no view 'slott'; did you mean 'slot'" "$FULCRUM" run piping --headless --view slott --out W
+for mode in side-by-side top-bottom interlaced anaglyph; do
+  expect 3 'Not completed' "$FULCRUM" run piping --headless --seconds 0.1 --view slot --stereo $mode --validate --out "S/$mode" --size 320x180
+  cmp -s V/slot/trace.csv "S/$mode/trace.csv" || fail "--stereo $mode changes the run"
+  grep -q '"name": "second eye"' "S/$mode/summary.json" || fail "--stereo $mode: summary.json does not say what was built"
+done
+grep -q '"name": "second eye"' V/slot/summary.json && fail "a second eye is built that nobody asked for"
+[ "$(sha256sum S/*/frame.png V/slot/frame.png | cut -d' ' -f1 | sort -u | wc -l)" = 5 ] || fail "two modes have the same picture"
+stereo=(run piping --headless --seconds 0.1 --size 320x180 --stereo)
+expect 3 'Not completed' "$FULCRUM" "${stereo[@]}" interlaced --view slot --eye-distance 0 --out S/flat
+expect 3 'Not completed' "$FULCRUM" "${stereo[@]}" anaglyph --screen-height 300 --head=-100,0,600 --convergence 300 --out S/window
+expect 2 "no stereo mode 'anaglif'; did you mean 'anaglyph'" "$FULCRUM" "${stereo[@]}" anaglif
+expect 2 "no stereo mode 'nonsense'; use side-by-side, top-bottom, interlaced, anaglyph" "$FULCRUM" "${stereo[@]}" nonsense
+expect 2 'head: give RIGHT,UP,BEFORE in mm' "$FULCRUM" "${stereo[@]}" anaglyph --screen-height 300 --head=1,2,-3
+expect 2 'add --screen-height' "$FULCRUM" "${stereo[@]}" anaglyph --head=0,0,500
+expect 2 '--convergence is of pictures for two eyes: add --stereo' "$FULCRUM" run piping --headless --convergence 400
+expect 0 'stereo .*--stereo asks for it' "$FULCRUM" explain piping
+expect 0 'second eye .*640 x 720' "$FULCRUM" explain piping --stereo side-by-side
 [ -e W ] && fail "a run with an unknown view left a folder"
 expect 2 "no view 'slott'" env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --view slott --out W
 expect 1 'no hand' env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --headless --hand nobody --out W

@@ -28,13 +28,14 @@ std::string complaint(const VisualDesc& desc, const RenderOptions& options = {})
 }
 
 TEST(Plan, HoldsEverythingThatAFullSceneShows) {
-  RenderOptions with_inset;
-  with_inset.inset = Extent{320, 200};
+  RenderOptions everything;
+  everything.inset = Extent{320, 200};
+  everything.stereo = Stereo{StereoMode::interlaced};
   VisualDesc full = test::make_scene();
   full.textures = {{"grain", 2, 2, std::vector<std::uint8_t>(16, 255), true}};
   full.materials[1].detail.emplace().alpha = Alpha::mask;
   full.materials[1].detail->layers[SurfaceDetail::base_colour].emplace();
-  const RenderPlan all = planned(full, with_inset);
+  const RenderPlan all = planned(full, everything);
   for (const char* pipeline : {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers",
                                "ghost depth", "ghost lines", "ghost", "background", "tone mapping"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;

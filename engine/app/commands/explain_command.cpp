@@ -96,6 +96,7 @@ struct ExplainOptions {
   std::string scenario;
   std::vector<std::string> overrides;  // KEY=VALUE
   std::string device = "simulated";
+  StereoOptions stereo;
   bool json = false;
 };
 
@@ -135,7 +136,9 @@ int explain_command(const ExplainOptions& options) {
     complain(visual.error().sentence);
     return kError;
   }
-  const Result<render::RenderPlan> plan = render::plan(visual->desc, {});
+  render::RenderOptions picture;
+  picture.stereo = stereo_of(options.stereo);
+  const Result<render::RenderPlan> plan = render::plan(visual->desc, picture);
   if (!plan) {
     complain(plan.error().sentence);
     return kError;
@@ -197,6 +200,7 @@ void add_explain(Program& program) {
         arguments.overrides(options->overrides);
         arguments.text({"--device", "DEVICE", "On this device (fulcrum devices): what it leaves out"},
                        options->device);
+        add_stereo_mode(arguments, options->stereo);
         arguments.json("As JSON", options->json);
       },
       [options] { return explain_command(*options); });

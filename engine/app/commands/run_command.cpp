@@ -144,6 +144,10 @@ int run_command(const RunOptions& given) {
         "--overlay none leaves the panels out of the picture of a run without a window: add --headless.");
     return kUsage;
   }
+  if (const auto refused = refuse_stereo(options.stereo)) {
+    complain(refused->sentence);
+    return kUsage;
+  }
   if (options.device.empty()) options.device = options.headless ? "simulated" : device_in_hand();
   for (const InjectedFault& fault : options.faults) {
     if (needs_clock(fault.kind) && options.headless && !options.realtime) {
@@ -217,6 +221,7 @@ void add_run(Program& program) {
             {"--view", "NAME",
              "The view of the picture, and where the window starts (default: the scenario's first)"},
             options->view);
+        add_stereo(arguments, options->stereo);
         arguments.flag(
             "--circle",
             "After an impact, show where else on a tool it would have turned the hand about the same "

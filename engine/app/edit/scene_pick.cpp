@@ -25,7 +25,9 @@ Ray ray_through(const render::Camera& camera, const render::Extent& picture, dou
   const Vec3 eye = to_vec3(camera.eye), forward = (to_vec3(camera.target) - eye).normalized();
   const Vec3 up = std::abs(forward.y()) > 0.9999 ? Vec3(0, 0, -1) : Vec3(0, 1, 0);  // as the picture has it
   const Vec3 right = forward.cross(up).normalized();
-  const Vec3 way = forward + slope * ((x - half_width) * right + (half_height - y) * right.cross(forward));
+  const double lean_right = static_cast<double>(camera.lean.x), lean_up = static_cast<double>(camera.lean.y);
+  const Vec3 way = forward + (slope * (x - half_width) + lean_right) * right +
+                   (slope * (half_height - y) + lean_up) * right.cross(forward);
   return {eye, way.normalized()};
 }
 

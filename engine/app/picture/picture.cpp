@@ -15,7 +15,10 @@ namespace fulcrum::app {
 Result<scenario::VisualAssembly> assemble_shown(const Prepared& prepared, const SceneDesc& scene,
                                                 const RunOptions& options) {
   Result<scenario::VisualAssembly> visual = assemble_view(prepared, scene, options.view);
-  if (visual && options.circle) add_impact_circle(visual->desc);
+  if (!visual) return visual;
+  if (options.circle) add_impact_circle(visual->desc);
+  set_eyes(options.stereo, visual->desc.camera);
+  for (scenario::View& view : visual->views) set_eyes(options.stereo, view.camera);
   return visual;
 }
 
@@ -31,6 +34,7 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   if (!device) return device.error();
   render::RenderOptions wanted;
   wanted.extent = options.size;
+  wanted.stereo = stereo_of(options.stereo);
   const auto renderer = render::Renderer::create(**device, visual.desc, wanted);
   if (!renderer) return renderer.error();
   if (plan != nullptr) *plan = (*renderer)->plan();
@@ -47,7 +51,8 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
     auto made = ui::Overlay::create(**device);
     if (!made) return made.error();
     overlay = std::move(*made);
-    shown.target = target_view(input.camera, options.size, input.record, prepared.haptic.task, input.task);
+    shown.target = target_view(seen_by_middle(wanted.stereo, input.camera), options.size, input.record,
+                               prepared.haptic.task, input.task);
     if (auto error = overlay->prepare(shown, options.size)) return *error;
     frame.overlay = overlay.get();
   }

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/app/picture/holding_controls.h"
@@ -184,7 +185,12 @@ Vec3 TrainingWindow::touch_W() const {
 }
 
 void TrainingWindow::on_cursor(double x, double y) {
-  const double dx = x - std::exchange(cursor_x_, x), dy = y - std::exchange(cursor_y_, y);
+  const render::Extent window = stage_.window().pixels();
+  const double aspect = static_cast<double>(window.width) / std::max(window.height, 1U);
+  const auto [to, by] = pointer_.move(stage_.renderer().plan().stereo, aspect, {x, y}, button_ >= 0);
+  cursor_x_ = to.x;
+  cursor_y_ = to.y;
+  const double dx = by.x, dy = by.y;
   if (slides_ && shown_.holding) {
     const ui::PanelPoint at = ui::panel_point(stage_.window().pixels(), shown_.look, cursor_x_, cursor_y_);
     send(holding_commands(*shown_.holding, {ui::HoldingPress::Part::place, ui::dragged_place(shown_, at)}));
@@ -199,7 +205,7 @@ void TrainingWindow::on_cursor(double x, double y) {
   const bool moves_tool = mouse_ != nullptr && button_ != GLFW_MOUSE_BUTTON_MIDDLE && !resting_;
   if (moves_tool && tool_rests()) return;
   if (moves_tool) {
-    const input::ViewAxes view = view_axes(camera_.camera(), touch_W());
+    const input::ViewAxes view = view_axes(seen(), touch_W());
     if (button_ == GLFW_MOUSE_BUTTON_LEFT && shift_)
       tool_mouse_.push(view, dx, -dy);
     else if (button_ == GLFW_MOUSE_BUTTON_LEFT)
@@ -222,7 +228,7 @@ void TrainingWindow::on_scroll(double steps) {
     return;
   }
   if (tool_rests()) return;
-  const input::ViewAxes view = view_axes(camera_.camera(), touch_W());
+  const input::ViewAxes view = view_axes(seen(), touch_W());
   tool_mouse_.reach(view, steps, shift_ ? input::Step::fine : input::Step::whole);
   mouse_->aim(tool_mouse_.X_WH());
 }

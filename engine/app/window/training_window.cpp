@@ -187,9 +187,9 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
                                             render::Extent size) const {
   ui::OverlayState state = overlay_state(prepared_, *scene_, record, sink.afterglow(), task_shown(sink));
   if (state.trial) state.trial->limit_s = sink.limit();
-  state.tool = lost_tool(camera_.camera(), size, record, prepared_.haptic.task);
+  state.tool = lost_tool(seen(), size, record, prepared_.haptic.task);
   const double limit = force_limit_W(*scene_);
-  state.touches = touch_marks(camera_.camera(), size, touches_, limit);
+  state.touches = touch_marks(seen(), size, touches_, limit);
   if (second_view_)
     state.second_view = {
         second_view_->name,
@@ -202,7 +202,7 @@ ui::OverlayState TrainingWindow::overlay_of(const TickRecord& record, const RunS
     state.force = ui::Force::on;  // what was stopped then is no stop now
     state.stop_reason.clear();
   } else if (guides_)
-    state.target = target_view(camera_.camera(), size, record, prepared_.haptic.task, sink.task());
+    state.target = target_view(seen(), size, record, prepared_.haptic.task, sink.task());
   state.look = stage_.settings().look;
   state.figures_visible = figures_visible_;
   state.ticks = tick_health();
@@ -249,7 +249,7 @@ ui::TickHealth TrainingWindow::tick_health() const {
 }
 
 void TrainingWindow::show_to_device(const TickRecord& record) {
-  if (rate_ != nullptr) rate_->look(seen_frame(camera_.camera(), record.X_WT.p, tool_rests() || resting_));
+  if (rate_ != nullptr) rate_->look(seen_frame(seen(), record.X_WT.p, tool_rests() || resting_));
 }
 
 render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {

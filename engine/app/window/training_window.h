@@ -18,6 +18,7 @@
 #include "engine/app/run/run_sink.h"
 #include "engine/app/run/trial_results.h"
 #include "engine/app/window/cue_switches.h"
+#include "engine/app/window/eye_pointer.h"
 #include "engine/app/window/frame_rate.h"
 #include "engine/app/window/pad_controls.h"
 #include "engine/app/window/pad_device.h"
@@ -94,6 +95,8 @@ private:
   bool edit_key(int key);
   bool edit_button(int button, int action);
   SceneEditor::Seen seen_by_author() const;
+  // What the panels' marks and the pointer are of.
+  render::Camera seen() const { return stage_.seen(camera_.camera()); }
   static void add_edit_keys(std::vector<ui::KeyLine>& keys);
   void edit_on(LiveLoop& loop);
   // Tells a device that moves as it is seen what is seen.
@@ -154,8 +157,9 @@ private:
   int button_ = -1;      // that is down, or -1
   bool slides_ = false;  // it holds the slider of the holding point
   bool shift_ = false, control_ = false;
-  double cursor_x_ = 0, cursor_y_ = 0;
-  std::size_t view_ = 0;  // that was gone to last
+  EyePointer pointer_;
+  double cursor_x_ = 0, cursor_y_ = 0;  // of the picture, in its heights
+  std::size_t view_ = 0;                // that was gone to last
   bool keys_visible_ = false;
   std::size_t keys_page_ = 0;
   bool expert_shown_ = true;                // while looking back

@@ -10,6 +10,7 @@ Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& titl
                                                          const Settings& settings) {
   std::unique_ptr<WindowStage> self(new WindowStage);
   self->settings_ = settings;
+  self->stereo_ = stereo_of(options.stereo);
   auto window = ui::Window::create(title, options.size);
   if (!window) return window.error();
   self->window_ = std::move(*window);
@@ -35,6 +36,7 @@ Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& titl
   render::RenderOptions empty;
   empty.extent = options.size;
   empty.quality = kCardQuality;
+  empty.stereo = self->stereo_;
   auto renderer = render::Renderer::create(*self->gpu_, {}, empty);
   if (!renderer) return renderer.error();
   self->renderer_ = std::move(*renderer);
@@ -75,6 +77,7 @@ std::optional<Error> WindowStage::set_scene(const render::VisualDesc& desc, cons
   render::RenderOptions options;
   options.extent = renderer_->plan().picture;
   options.quality = quality;
+  options.stereo = stereo_;
   options.shader_folder = render::development_shader_folder();
   auto renderer = render::Renderer::create(*gpu_, desc, options);
   if (!renderer) return renderer.error();

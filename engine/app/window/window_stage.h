@@ -33,6 +33,8 @@ public:
 
   const Settings& settings() const { return settings_; }
   void set_settings(const Settings& settings) { settings_ = settings; }
+  // What is seen in the middle between the eyes, where there are two.
+  render::Camera seen(const render::Camera& camera) const { return seen_by_middle(stereo_, camera); }
 
   ui::Window& window() { return *window_; }
   ui::Overlay& overlay() { return *overlay_; }
@@ -48,6 +50,7 @@ private:
   WindowStage() = default;
 
   Settings settings_;
+  std::optional<render::Stereo> stereo_;
 
   // In the order in which they need each other; destroyed backwards.
   std::unique_ptr<ui::Window> window_;
