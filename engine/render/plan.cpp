@@ -183,7 +183,7 @@ void add_stereo(const SceneFacts& facts, RenderPlan& plan) {
                         size_of(plan.scene) + ", the same passes once more; the shadow map is for both"});
   plan.built.push_back(
       {"eyes", "image", 2 * texels(plan.eye) * kPictureTexel, size + ", twice: tone mapped"});
-  plan.built.push_back({"screen", "image", texels(plan.picture) * kPictureTexel,
+  plan.built.push_back({"screen layer", "image", texels(plan.picture) * kPictureTexel,
                         size_of(plan.picture) + ", what lies at the screen: panels, a second view"});
   plan.built.push_back(
       {"stereo", "pipeline", 0, std::string(kStereoModeNames[static_cast<std::size_t>(*plan.stereo)])});

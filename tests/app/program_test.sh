@@ -96,9 +96,9 @@ expect 2 "no view 'slott'; did you mean 'slot'" "$FULCRUM" run piping --headless
 for mode in side-by-side top-bottom interlaced anaglyph; do
   expect 3 'Not completed' "$FULCRUM" run piping --headless --seconds 0.1 --view slot --stereo $mode --validate --out "S/$mode" --size 320x180
   cmp -s V/slot/trace.csv "S/$mode/trace.csv" || fail "--stereo $mode changes the run"
-  grep -q '"name": "second eye"' "S/$mode/summary.json" || fail "--stereo $mode: summary.json does not say what was built"
+  grep -q '"second eye"' "S/$mode/summary.json" || fail "--stereo $mode: summary.json does not say what was built"
 done
-grep -q '"name": "second eye"' V/slot/summary.json && fail "a second eye is built that nobody asked for"
+grep -q '"second eye"' V/slot/summary.json && fail "a second eye is built that nobody asked for"
 [ "$(sha256sum S/*/frame.png V/slot/frame.png | cut -d' ' -f1 | sort -u | wc -l)" = 5 ] || fail "two modes have the same picture"
 stereo=(run piping --headless --seconds 0.1 --size 320x180 --stereo)
 expect 3 'Not completed' "$FULCRUM" "${stereo[@]}" interlaced --view slot --eye-distance 0 --out S/flat

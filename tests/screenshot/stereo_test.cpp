@@ -227,7 +227,7 @@ TEST_F(StereoTest, IsBuiltWhereItIsAskedForAndNowhereElse) {
   RenderOptions options;
   const Result<RenderPlan> mono = plan(desc, options);
   ASSERT_TRUE(mono);
-  for (const char* name : {"second eye", "eyes, ", "screen, ", "stereo"})
+  for (const char* name : {"second eye", "eyes, ", "screen layer, ", "stereo"})
     EXPECT_EQ(names(mono->built).find(name), std::string::npos) << name;
   EXPECT_NE(names(mono->left_out).find("stereo, stereo"), std::string::npos);
   options.stereo = Stereo{StereoMode::side_by_side};
@@ -235,7 +235,7 @@ TEST_F(StereoTest, IsBuiltWhereItIsAskedForAndNowhereElse) {
   ASSERT_TRUE(both);
   EXPECT_EQ(both->eye, (Extent{640, 720}));
   EXPECT_EQ(both->scene, (Extent{640, 720}));
-  for (const char* name : {"second eye", "eyes, ", "screen, ", "stereo"})
+  for (const char* name : {"second eye", "eyes, ", "screen layer, ", "stereo"})
     EXPECT_NE(names(both->built).find(name), std::string::npos) << name;
   EXPECT_EQ(names(both->left_out).find("stereo"), std::string::npos);
 }
