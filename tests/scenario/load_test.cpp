@@ -52,6 +52,24 @@ TEST(Load, DefaultsAreThoseOfTheDescs) {
   EXPECT_EQ(scenario->models[1].file.where.text(), (folder.peg() / kScenarioFile).string() + ":7:15");
 }
 
+TEST(Load, ReadsTheEyesOfAView) {
+  const Folder folder;
+  const auto read = [&](const std::string& stereo) {
+    return load_scenario_text(replaced(kScenario, "target: [0, 0, 0]}", "target: [0, 0, 0]" + stereo + "}"),
+                              folder.peg());
+  };
+  const auto plain = read(""), given = read(", stereo: {eye_distance: 0.01, convergence: 0.3}");
+  ASSERT_TRUE(plain && given);
+  EXPECT_FALSE(plain->views[0].camera.eyes.distance);
+  EXPECT_FALSE(plain->views[0].camera.eyes.convergence);
+  EXPECT_EQ(given->views[0].camera.eyes.distance, 0.01F);
+  EXPECT_EQ(given->views[0].camera.eyes.convergence, 0.3F);
+  const auto wrong = read(", stereo: {convergence: 0}");
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(to_text(wrong.faults()).find("'views.0.stereo.convergence'"), std::string::npos)
+      << to_text(wrong.faults());
+}
+
 TEST(Load, ReadsWallsAndDriftOfTheDevice) {
   const Folder folder;
   const auto read = [&](const std::string& lines) {

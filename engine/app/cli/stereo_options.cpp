@@ -1,6 +1,7 @@
 #include "engine/app/cli/stereo_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "engine/app/cli/program.h"
