@@ -2,9 +2,6 @@
 
 #include <tiny_gltf.h>
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -14,6 +11,7 @@
 
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_model.h"
+#include "engine/assets/importable.h"
 #include "engine/files/regular_file.h"
 
 namespace fulcrum {
@@ -111,6 +109,7 @@ bool keep_image(tinygltf::Image* image, int, std::string*, std::string*, int, in
 struct Beside {
   std::optional<std::filesystem::path> folder;  // all of them lie in it
   std::string refused;                          // a clause about the last one that could not be read
+  std::vector<std::string> named;               // all of them
 };
 
 bool read_beside(std::vector<unsigned char>* bytes, std::string*, const std::string& path, void* beside) {
@@ -119,6 +118,7 @@ bool read_beside(std::vector<unsigned char>* bytes, std::string*, const std::str
     files.refused = "it names the file " + path + ", which cannot be read: " + why;
     return false;
   };
+  files.named.push_back(path);
   if (!files.folder) return refuse("there is no folder beside it");
   const Result<RegularFile> file = RegularFile::open_within(*files.folder, path);
   if (!file) return refuse(file.error().sentence);
@@ -167,11 +167,15 @@ Model parse(std::string_view text, bool binary, Beside beside, const std::filesy
     read = loader.LoadASCIIFromString(&file, &fault, &warning, text.data(), size, place.string());
   }
   check_extensions(file);
-  if (!read && !beside.refused.empty()) throw GltfFault(beside.refused);
+  // A picture that is not there stops nothing, and is no reason.
+  const bool picture = warning.find("for image[") != std::string::npos;
+  if (!read && !beside.refused.empty() && !picture) throw GltfFault(beside.refused);
   if (!read)
     throw GltfFault("it cannot be read as glTF (" + one_line(fault) +
                     "); export it again as glTF 2.0 (.glb)");
-  return model_from_gltf(file);
+  Model model = model_from_gltf(file);
+  model.beside = std::move(beside.named);
+  return model;
 }
 
 // tinygltf and the JSON parser below it throw on some damaged files.
@@ -196,13 +200,6 @@ Result<Model> parse_glb(std::span<const std::byte> bytes, std::string_view name)
   return parse_guarded({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, true, {}, {}, name);
 }
 
-bool is_importable(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  constexpr std::array<std::string_view, 7> kKnown{".obj", ".stl", ".ply", ".3ds", ".fbx", ".dae", ".off"};
-  return std::ranges::find(kKnown, extension) != kKnown.end();
-}
-
 Result<Model> load_gltf(const std::filesystem::path& folder, const std::filesystem::path& file) {
   const auto unread = [&](const Error& why) {
     return Error{file.string() + ": " + why.sentence +
@@ -215,7 +212,7 @@ Result<Model> load_gltf(const std::filesystem::path& folder, const std::filesyst
   if (!opened) return unread(opened.error());
   const Result<std::string> content = opened->first_bytes(kLargest + 1);
   if (!content) return unread(content.error());
-  return parse_guarded(*content, file.extension() != ".gltf", {folder, {}}, file.parent_path(),
+  return parse_guarded(*content, file.extension() != ".gltf", {folder, {}, {}}, file.parent_path(),
                        file.string());
 }
 

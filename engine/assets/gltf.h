@@ -12,9 +12,6 @@
 
 namespace fulcrum {
 
-// The file is a mesh of another format, by its name, that `fulcrum import` makes a .glb of.
-bool is_importable(const std::filesystem::path& file);
-
 // .glb, or .gltf with its buffers beside it. The file and all that it names lie in `folder`. Every fault is a
 // sentence that names the file, what is wrong and what to do: missing, unreadable, truncated, not glTF, no
 // triangles, indices or accessors out of range, numbers that are not finite, and what is not supported

@@ -51,12 +51,14 @@ TextureWrap wrap_of(int gltf) {
   }
 }
 
-// What this program draws of a material's extensions; the pictures that some of them may have are not drawn.
+constexpr std::size_t kMostTold = 12;  // of what is left out, so that a sentence can be read
+
+// What this program draws of extensions; the pictures that some of a material's may have are not drawn.
 const std::set<std::string>& drawn_extensions() {
-  static const std::set<std::string> known{"KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-                                           "KHR_materials_ior",       "KHR_materials_sheen",
-                                           "KHR_materials_specular",  "KHR_materials_transmission",
-                                           "KHR_materials_unlit"};
+  static const std::set<std::string> known{
+      "KHR_texture_transform",      "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+      "KHR_materials_ior",          "KHR_materials_sheen",     "KHR_materials_specular",
+      "KHR_materials_transmission", "KHR_materials_unlit"};
   return known;
 }
 
@@ -68,14 +70,40 @@ public:
     for (const tinygltf::Material& material : file_.materials)
       model_.materials.push_back(material_from(material));
     model_.materials.push_back({});
-    if (file_.extensions.contains("KHR_lights_punctual") || !file_.lights.empty())
-      leave_out("its lights (KHR_lights_punctual): a scenario has its own");
+    for (const std::string& extension : file_.extensionsUsed)
+      if (extension == "KHR_lights_punctual")
+        leave_out("its lights (KHR_lights_punctual): a scenario has its own");
+      else if (!drawn_extensions().contains(extension))
+        leave_out(printable(extension));
+    for (const tinygltf::Mesh& mesh : file_.meshes)
+      for (const tinygltf::Primitive& primitive : mesh.primitives) tell_of_faint_vertices(primitive);
   }
 
 private:
   void leave_out(std::string clause) {
-    if (std::ranges::find(model_.left_out, clause) == model_.left_out.end())
-      model_.left_out.push_back(std::move(clause));
+    if (model_.left_out.size() > kMostTold ||
+        std::ranges::find(model_.left_out, clause) != model_.left_out.end())
+      return;
+    if (model_.left_out.size() == kMostTold) clause = "more of that kind";
+    model_.left_out.push_back(std::move(clause));
+  }
+
+  // A name that a file gives, as it may go to a terminal.
+  static std::string printable(std::string name) {
+    std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7f; });
+    return name.substr(0, 80);
+  }
+
+  void tell_of_faint_vertices(const tinygltf::Primitive& primitive) {
+    const auto colours = primitive.attributes.find("COLOR_0");
+    if (colours == primitive.attributes.end() || primitive.material < 0) return;
+    const auto accessor = static_cast<std::size_t>(colours->second);
+    const auto material = static_cast<std::size_t>(primitive.material);
+    if (colours->second < 0 || accessor >= file_.accessors.size() || material >= file_.materials.size())
+      return;
+    if (file_.accessors[accessor].type == TINYGLTF_TYPE_VEC4 &&
+        (file_.materials[material].alphaMode == "BLEND" || file_.materials[material].alphaMode == "MASK"))
+      leave_out("the alpha of vertices (COLOR_0)");
   }
 
   // The image that a texture shows, kept once; none: it cannot be drawn, which is told.
@@ -91,9 +119,9 @@ private:
       throw GltfFault("a texture refers to an image that the file does not hold; export it again");
     if (const auto known = kept_.find(source); known != kept_.end()) return known->second;
     const tinygltf::Image& image = file_.images[static_cast<std::size_t>(source)];
-    std::string name = !image.name.empty()  ? image.name
-                       : !image.uri.empty() ? image.uri
-                                            : "number " + std::to_string(source);
+    std::string name = printable(!image.name.empty()  ? image.name
+                                 : !image.uri.empty() ? image.uri
+                                                      : "number " + std::to_string(source));
     std::optional<std::size_t>& index = kept_[source];
     std::vector<std::uint8_t> encoded =
         image.bufferView >= 0 ? read_bytes(file_, image.bufferView) : image.image;
@@ -157,7 +185,8 @@ private:
     if (source.alphaMode == "MASK") detail.alpha_mode = AlphaMode::mask;
     if (source.alphaMode == "BLEND") detail.alpha_mode = AlphaMode::blend;
     if (detail.alpha_mode == AlphaMode::opaque) detail.alpha = 1;
-    if (detail.alpha_mode == AlphaMode::mask) detail.alpha_cutoff = fraction(source.alphaCutoff);
+    if (detail.alpha_mode == AlphaMode::mask)
+      detail.alpha_cutoff = within(source.alphaCutoff, 0.0F, kLargestFactor, 0.5F);
     detail.double_sided = source.doubleSided;
     read_extensions(source, detail);
     if (detail != MaterialDetail{}) material.detail = detail;
@@ -181,7 +210,7 @@ private:
   void read_extensions(const tinygltf::Material& source, MaterialDetail& detail) {
     static const tinygltf::Value nothing;
     for (const auto& [name, value] : source.extensions)
-      if (!drawn_extensions().contains(name)) leave_out(name);
+      if (!drawn_extensions().contains(name)) leave_out(printable(name));
     const auto get = [&](const char* name) -> const tinygltf::Value& {
       const auto found = source.extensions.find(name);
       if (found == source.extensions.end()) return nothing;
@@ -194,7 +223,8 @@ private:
     const float strength =
         number_in(get("KHR_materials_emissive_strength"), "emissiveStrength", 0.0F, kLargestFactor, 1.0F);
     for (float& part : detail.emission) part *= strength;
-    detail.ior = number_in(get("KHR_materials_ior"), "ior", 1.0F, 10.0F, 1.5F);
+    detail.ior = number_in(get("KHR_materials_ior"), "ior", 0.0F, 10.0F, 1.5F);
+    if (detail.ior > 0) detail.ior = std::max(detail.ior, 1.0F);
     const tinygltf::Value& specular = get("KHR_materials_specular");
     detail.specular = number_in(specular, "specularFactor", 0.0F, 1.0F, 1.0F);
     detail.specular_colour = colour_in(specular, "specularColorFactor", {1, 1, 1}, kLargestFactor);
@@ -216,6 +246,14 @@ private:
 };
 
 }  // namespace
+
+bool names_pictures(const tinygltf::Model& file, int material) {
+  if (material < 0 || static_cast<std::size_t>(material) >= file.materials.size()) return false;
+  const tinygltf::Material& of = file.materials[static_cast<std::size_t>(material)];
+  const tinygltf::PbrMetallicRoughness& pbr = of.pbrMetallicRoughness;
+  return pbr.baseColorTexture.index >= 0 || pbr.metallicRoughnessTexture.index >= 0 ||
+         of.normalTexture.index >= 0 || of.occlusionTexture.index >= 0 || of.emissiveTexture.index >= 0;
+}
 
 void read_materials(const tinygltf::Model& file, Model& model) {
   MaterialReader(file, model).read();

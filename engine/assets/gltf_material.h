@@ -11,4 +11,8 @@ namespace fulcrum {
 // and is not drawn is told in Model::left_out. Throws GltfFault.
 void read_materials(const tinygltf::Model& file, Model& model);
 
+// Some texture is laid onto what is made of it; what no picture is laid onto need not know where it would
+// lie. Any number may be asked for.
+bool names_pictures(const tinygltf::Model& file, int material);
+
 }  // namespace fulcrum

@@ -108,12 +108,6 @@ std::vector<std::array<float, 4>> read_uv(const tinygltf::Model& file, const tin
   return uv;
 }
 
-bool shows_pictures(const ModelMaterial& material) {
-  if (!material.detail) return false;
-  const MaterialDetail& detail = *material.detail;
-  return detail.base_colour || detail.metal_rough || detail.normal || detail.occlusion || detail.emissive;
-}
-
 ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& primitive) {
   const auto positions = primitive.attributes.find("POSITION");
   if (positions == primitive.attributes.end())
@@ -141,7 +135,7 @@ ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& prim
     if (part.colours.size() != part.positions.size())
       throw GltfFault("a mesh has more or fewer colours than vertices; export it again");
   }
-  part.uv = read_uv(file, primitive, part.positions.size());
+  if (names_pictures(file, primitive.material)) part.uv = read_uv(file, primitive, part.positions.size());
   if (const auto normals = primitive.attributes.find("NORMAL"); normals != primitive.attributes.end()) {
     part.normals = read_vectors(file, normals->second);
     if (part.normals.size() != part.positions.size())
@@ -245,9 +239,6 @@ Model model_from_gltf(const tinygltf::Model& file) {
   model.parts = Walk(file).parts();
   if (model.parts.empty()) throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
   read_materials(file, model);
-  // What no picture is laid onto need not know where it would lie.
-  for (ModelPart& part : model.parts)
-    if (!shows_pictures(model.materials[part.material])) part.uv = {};
   return model;
 }
 

@@ -34,6 +34,7 @@ struct Model {
   std::vector<ModelMaterial> materials;  // at least one
   std::vector<ModelImage> images{};      // what materials name
   std::vector<std::string> left_out{};   // what of the file's looks is not drawn: a clause each
+  std::vector<std::string> beside{};     // files that its file names, from the folder of that
 };
 
 // Moves what the part has by X, which is invertible: positions, and normals so that they stay normal to the

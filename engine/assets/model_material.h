@@ -53,7 +53,7 @@ struct MaterialDetail {
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;                             // KHR_materials_unlit
-  float ior = 1.5f;                               // KHR_materials_ior
+  float ior = 1.5f;                               // KHR_materials_ior; 0: without end, all is mirrored
   float specular = 1;                             // KHR_materials_specular
   std::array<float, 3> specular_colour{1, 1, 1};  // the same
   float clearcoat = 0, clearcoat_roughness = 0;   // KHR_materials_clearcoat

@@ -1,5 +1,6 @@
 #include "engine/importing/import_command.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -92,6 +93,13 @@ void print(const std::string& file, const fs::path& out, const fs::path& drawn, 
   if (imported.images > 0)
     line(count_text(imported.images, "image") + (imported.images == 1 ? " is" : " are") +
          " left out: only colours are taken.");
+  if (imported.format == "glTF" &&
+      std::ranges::any_of(imported.model.materials,
+                          [](const ModelMaterial& material) { return material.detail.has_value(); }))
+    line(
+        "Textures, transparency and layers of its materials are not written: a scenario can name this file "
+        "itself, "
+        "and has them.");
   if (!drawn.empty()) {
     char text[64];
     std::snprintf(text, sizeof text, "%.3g mm", 1e3 * imported.drawn_deviation);

@@ -180,12 +180,13 @@ std::optional<double> unit_in_figures(const aiScene& scene) {
 Result<ReadMesh> read_gltf(const fs::path& file) {
   auto model = load_gltf(fs::absolute(file).parent_path(), fs::absolute(file));
   if (!model) return model.error();
+  const std::size_t images = model->images.size();
   return ReadMesh{.model = std::move(*model),
                   .format = "glTF",
                   .said_of_unit = {},
                   .unit_m = 1.0,
                   .y_is_up = true,
-                  .images = 0};
+                  .images = images};
 }
 
 }  // namespace

@@ -111,6 +111,14 @@ void DetailedSurfaces::record(VkCommandBuffer commands, const Pipelines& pipelin
     if (std::exchange(bound, pipeline) != pipeline) render::bind(commands, pipeline, layout, scene_set);
     const VkDescriptorSet set = materials_[piece.material]->set.get();
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
+    // Through the near side of what is blended its far side is seen.
+    const bool two_sided = is_two_sided(piece.look);
+    if (which == Which::blended && two_sided) {
+      vkCmdSetCullMode(commands, VK_CULL_MODE_FRONT_BIT);
+      geometry.draw(commands, piece);
+    }
+    vkCmdSetCullMode(commands,
+                     two_sided && which == Which::opaque ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     geometry.draw(commands, piece);
   }
 }
@@ -126,6 +134,7 @@ void DetailedSurfaces::record_shadows(VkCommandBuffer commands, const Pipelines&
   for (const SceneGeometry::Piece& piece : pieces) {
     const VkDescriptorSet set = materials_[piece.material]->set.get();
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
+    vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     geometry.draw(commands, piece);
   }
 }

@@ -17,6 +17,7 @@ std::optional<std::uint32_t> look_of(const Material& material) {
   has(detail.emission != glm::vec3(0.0F), FULCRUM_LOOK_EMISSION);
   has(detail.alpha == Alpha::mask, FULCRUM_LOOK_MASK);
   has(detail.alpha == Alpha::blend || detail.transmission > 0.0F, FULCRUM_LOOK_BLEND);
+  has(detail.alpha == Alpha::blend, FULCRUM_LOOK_COVER);
   has(detail.double_sided, FULCRUM_LOOK_DOUBLE_SIDED);
   has(detail.unlit, FULCRUM_LOOK_UNLIT);
   has(detail.clearcoat > 0.0F, FULCRUM_LOOK_COAT);
@@ -25,12 +26,16 @@ std::optional<std::uint32_t> look_of(const Material& material) {
   return look;
 }
 
-bool is_masked(std::uint32_t look) {
-  return (look & FULCRUM_LOOK_MASK) != 0;
-}
-
 bool is_blended(std::uint32_t look) {
   return (look & FULCRUM_LOOK_BLEND) != 0;
+}
+
+bool is_masked(std::uint32_t look) {
+  return (look & FULCRUM_LOOK_MASK) != 0 && !is_blended(look);
+}
+
+bool is_two_sided(std::uint32_t look) {
+  return (look & FULCRUM_LOOK_DOUBLE_SIDED) != 0;
 }
 
 std::string describe_look(std::uint32_t look) {

@@ -13,8 +13,9 @@ namespace fulcrum::render {
 // None: it is a plain one.
 std::optional<std::uint32_t> look_of(const Material& material);
 
-bool is_masked(std::uint32_t look);
 bool is_blended(std::uint32_t look);
+bool is_masked(std::uint32_t look);  // and not blended: it is there, or it is not
+bool is_two_sided(std::uint32_t look);
 
 // "base colour and normal textures, clear coat".
 std::string describe_look(std::uint32_t look);

@@ -20,30 +20,50 @@ std::uint8_t to_byte(float x) {
   return static_cast<std::uint8_t>(std::clamp(255.0F * x + 0.5F, 0.0F, 255.0F));
 }
 
+// What a colour that is not there weighs: where nothing is, it is all that is left.
+constexpr float kNothing = 1e-4F;
+
 struct Level {
   std::uint32_t width, height;
-  std::vector<glm::vec4> pixels;  // linear; colours times alpha where the texture is sRGB
+  std::vector<glm::vec4>
+      pixels;  // linear; where the texture has holes, colours times alpha and a little more
 };
 
-Level first_level(const Texture& texture) {
-  std::array<float, 256> decoded{};
-  for (std::size_t i = 0; i < 256; ++i) {
-    const float x = static_cast<float>(i) / 255.0F;
-    decoded[i] = texture.srgb ? linear_of(x) : x;
+// A texture's own pixels, one at a time: whole, in floats, the largest would take a gigabyte.
+class FirstLevel {
+public:
+  explicit FirstLevel(const Texture& texture)
+      : width(texture.width), height(texture.height), texture_(texture) {
+    for (std::size_t i = 0; i < 256; ++i) {
+      const float x = static_cast<float>(i) / 255.0F;
+      decoded_[i] = texture.srgb ? linear_of(x) : x;
+    }
   }
-  Level level{texture.width, texture.height, {}};
-  level.pixels.reserve(std::size_t{texture.width} * texture.height);
-  for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4) {
-    const float alpha = static_cast<float>(texture.rgba[i + 3]) / 255.0F;
-    const float weight = texture.srgb ? alpha : 1.0F;
-    level.pixels.emplace_back(weight * decoded[texture.rgba[i]], weight * decoded[texture.rgba[i + 1]],
-                              weight * decoded[texture.rgba[i + 2]], alpha);
+
+  glm::vec4 at(std::uint32_t x, std::uint32_t y) const {
+    const std::uint8_t* pixel = &texture_.rgba[4 * (std::size_t{y} * width + x)];
+    const float alpha = static_cast<float>(pixel[3]) / 255.0F;
+    const float weight = texture_.holes ? alpha + kNothing : 1.0F;
+    return {weight * decoded_[pixel[0]], weight * decoded_[pixel[1]], weight * decoded_[pixel[2]], alpha};
   }
-  return level;
-}
+
+  std::uint32_t width, height;
+
+private:
+  const Texture& texture_;
+  std::array<float, 256> decoded_{};
+};
+
+struct SmallerLevel {
+  std::uint32_t width, height;
+  const Level& level;
+
+  glm::vec4 at(std::uint32_t x, std::uint32_t y) const { return level.pixels[std::size_t{y} * width + x]; }
+};
 
 // Of a side that is odd, the last pixel of the smaller one covers three.
-Level halved(const Level& from) {
+template <class From>
+Level halved(const From& from) {
   Level to{std::max(from.width / 2, 1U), std::max(from.height / 2, 1U), {}};
   to.pixels.reserve(std::size_t{to.width} * to.height);
   const auto covers = [](std::uint32_t i, std::uint32_t small, std::uint32_t large) {
@@ -55,22 +75,21 @@ Level halved(const Level& from) {
       const auto [left, right] = covers(x, to.width, from.width);
       glm::vec4 sum(0.0F);
       for (std::uint32_t row = top; row < bottom; ++row)
-        for (std::uint32_t column = left; column < right; ++column)
-          sum += from.pixels[std::size_t{row} * from.width + column];
+        for (std::uint32_t column = left; column < right; ++column) sum += from.at(column, row);
       to.pixels.push_back(sum / static_cast<float>((bottom - top) * (right - left)));
     }
   }
   return to;
 }
 
-std::vector<std::uint8_t> bytes_of(const Level& level, bool srgb) {
+std::vector<std::uint8_t> bytes_of(const Level& level, const Texture& texture) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(4 * level.pixels.size());
   for (const glm::vec4& pixel : level.pixels) {
-    const float weight = srgb && pixel.a > 0.0F ? 1.0F / pixel.a : 1.0F;
+    const float weight = texture.holes ? 1.0F / (pixel.a + kNothing) : 1.0F;
     for (int i = 0; i < 3; ++i) {
       const float x = weight * pixel[i];
-      bytes.push_back(to_byte(srgb ? encoded_of(x) : x));
+      bytes.push_back(to_byte(texture.srgb ? encoded_of(x) : x));
     }
     bytes.push_back(to_byte(pixel.a));
   }
@@ -83,10 +102,11 @@ std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture) {
   std::vector<std::vector<std::uint8_t>> levels{texture.rgba};
   const std::uint32_t count = mip_levels(texture);
   if (count == 1) return levels;
-  Level level = first_level(texture);
+  Level level = halved(FirstLevel(texture));
+  levels.push_back(bytes_of(level, texture));
   while (levels.size() < count) {
-    level = halved(level);
-    levels.push_back(bytes_of(level, texture.srgb));
+    level = halved(SmallerLevel{level.width, level.height, level});
+    levels.push_back(bytes_of(level, texture));
   }
   return levels;
 }

@@ -65,35 +65,32 @@ PipelineHandle make_detailed(vulkan::Device& device, const RenderPlan& plan, con
   desc.stages.back().constant = look;
   read_vertices(desc, true);
   read_uv(desc);
-  desc.cull = (look & FULCRUM_LOOK_DOUBLE_SIDED) != 0 ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+  desc.cull.reset();
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, !is_blended(look), false};
   if (is_blended(look)) desc.blend = vulkan::Blend::over;
   return make_pipeline(device, desc);
 }
 
-PipelineDesc shadow_desc(const RenderPlan& plan, VkPipelineLayout layout) {
+PipelineDesc shadow_desc(VkPipelineLayout layout) {
   PipelineDesc desc;
   desc.layout = layout;
   read_vertices(desc, false);
   desc.depth = kDepthFormat;
-  const bool two_sided = std::ranges::any_of(
-      plan.looks, [](std::uint32_t look) { return (look & FULCRUM_LOOK_DOUBLE_SIDED) != 0; });
-  desc.cull = two_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+  desc.cull.reset();
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_LESS, true, false};
   desc.depth_bias = 1.5F;
   return desc;
 }
 
-PipelineHandle make_shadow(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
-                           VkPipelineLayout layout) {
-  PipelineDesc desc = shadow_desc(plan, layout);
+PipelineHandle make_shadow(vulkan::Device& device, const ShaderLibrary& shaders, VkPipelineLayout layout) {
+  PipelineDesc desc = shadow_desc(layout);
   desc.stages = stages(shaders, "shadow.vert", nullptr);
   return make_pipeline(device, desc);
 }
 
-PipelineHandle make_masked_shadow(vulkan::Device& device, const RenderPlan& plan,
-                                  const ShaderLibrary& shaders, VkPipelineLayout layout) {
-  PipelineDesc desc = shadow_desc(plan, layout);
+PipelineHandle make_masked_shadow(vulkan::Device& device, const ShaderLibrary& shaders,
+                                  VkPipelineLayout layout) {
+  PipelineDesc desc = shadow_desc(layout);
   desc.stages = stages(shaders, "masked_shadow.vert", "masked_shadow.frag");
   read_uv(desc);
   return make_pipeline(device, desc);
@@ -170,14 +167,14 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
   const VkPipelineLayout layout = made.scene_layout.get();
   made.background = make_background(device, plan, shaders, layout);
   if (plan.plain_surfaces) made.surfaces = make_surfaces(device, plan, shaders, layout);
-  if (plan.shadow_size > 0) made.shadow = make_shadow(device, plan, shaders, layout);
+  if (plan.shadow_size > 0) made.shadow = make_shadow(device, shaders, layout);
   if (!plan.looks.empty()) {
     const std::array<VkDescriptorSetLayout, 2> both = {sets.scene, sets.material};
     made.detailed_layout = vulkan::make_pipeline_layout(device, both, pushed);
     for (const std::uint32_t look : plan.looks)
       made.detailed[look] = make_detailed(device, plan, shaders, made.detailed_layout.get(), look);
     if (plan.shadow_size > 0 && std::ranges::any_of(plan.looks, is_masked))
-      made.masked_shadow = make_masked_shadow(device, plan, shaders, made.detailed_layout.get());
+      made.masked_shadow = make_masked_shadow(device, shaders, made.detailed_layout.get());
   }
   if (plan.markers) made.markers = make_markers(device, plan, shaders, layout);
   if (plan.ghosts) add_ghosts(made, device, plan, shaders, sets.ghost);

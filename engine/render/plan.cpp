@@ -98,9 +98,12 @@ void add_detail(const SceneFacts& facts, RenderPlan& plan) {
                           std::to_string(facts.textures) + " of them, in all their sizes"});
   else
     plan.left_out.push_back({"textures", "image", 0, "no material has one"});
-  if (std::ranges::none_of(plan.looks, is_masked)) return;
-  if (plan.shadow_size > 0)
+  const bool masked = std::ranges::any_of(plan.looks, is_masked);
+  if (masked && plan.shadow_size > 0)
     plan.built.push_back({"shadows with holes", "pipeline", 0, "of materials that are cut out"});
+  else
+    plan.left_out.push_back(
+        {"shadows with holes", "pipeline", 0, masked ? "there are no shadows" : "no material is cut out"});
 }
 
 void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {

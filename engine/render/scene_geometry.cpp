@@ -157,8 +157,9 @@ void SceneGeometry::draw_casters(VkCommandBuffer commands, Casters which) const 
   bind(commands);
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const Batch& batch = batches_[i];
-    if ((batch.layers & seen_) != 0 && is_among(batch, which) && !is_masked(batch.look))
-      draw(commands, Piece{0, 0, i, batch.first_slot, batch.casters});
+    if ((batch.layers & seen_) == 0 || !is_among(batch, which) || is_masked(batch.look)) continue;
+    vkCmdSetCullMode(commands, is_two_sided(batch.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+    draw(commands, Piece{0, 0, i, batch.first_slot, batch.casters});
   }
 }
 

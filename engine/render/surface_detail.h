@@ -18,6 +18,7 @@ struct Texture {
   std::uint32_t width = 1, height = 1;  // pixels, at most 8192
   std::vector<std::uint8_t> rgba;       // (4 x width x height)
   bool srgb = false;                    // red, green and blue are sRGB encoded, alpha never
+  bool holes = false;  // where alpha is 0 there is no colour: none of it is mixed into others
 };
 
 enum class Wrap { repeat, mirror, clamp };

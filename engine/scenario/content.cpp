@@ -5,7 +5,7 @@
 #include <map>
 #include <system_error>
 
-#include "engine/assets/gltf.h"
+#include "engine/assets/importable.h"
 #include "engine/scenario/load.h"
 #include "engine/scenario/words.h"
 

@@ -37,15 +37,29 @@ render::TextureLayer layer_of(const TextureUse& use, std::size_t texture) {
   return layer;
 }
 
+constexpr std::uint64_t kMostBytes = 1U << 30U;  // of all textures, decoded
+
+std::uint64_t bytes_of(const std::vector<render::Texture>& textures) {
+  std::uint64_t bytes = 0;
+  for (const render::Texture& texture : textures) bytes += texture.rgba.size();
+  return bytes;
+}
+
 // The model's images as textures, each decoded once; one that is shown as colours and as numbers is there
 // twice.
 class Textures {
 public:
   Textures(render::VisualDesc& desc, const Model& model) : desc_(desc), model_(model) {}
 
-  std::optional<render::TextureLayer> layer(const std::optional<TextureUse>& use, bool srgb) {
+  enum class Meaning {
+    numbers,
+    colours,
+    colours_with_holes  // where alpha is 0 there is none
+  };
+
+  std::optional<render::TextureLayer> layer(const std::optional<TextureUse>& use, Meaning meaning) {
     if (!use || error_) return std::nullopt;
-    const auto [known, is_new] = made_.try_emplace({use->image, srgb}, desc_.textures.size());
+    const auto [known, is_new] = made_.try_emplace({use->image, meaning}, desc_.textures.size());
     if (is_new) {
       const ModelImage& image = model_.images[use->image];
       Result<Image> decoded = decode_image(image.encoded);
@@ -53,7 +67,13 @@ public:
         error_ = Error{"the texture " + image.name + " cannot be used: " + decoded.error().sentence + "."};
         return std::nullopt;
       }
-      desc_.textures.push_back({image.name, decoded->width, decoded->height, std::move(decoded->rgba), srgb});
+      desc_.textures.push_back({image.name, decoded->width, decoded->height, std::move(decoded->rgba),
+                                meaning != Meaning::numbers, meaning == Meaning::colours_with_holes});
+      if (bytes_of(desc_.textures) > kMostBytes) {
+        error_ = Error{"the textures of the scene take more than 1 GB with this one, " + image.name +
+                       ": make them smaller."};
+        return std::nullopt;
+      }
     }
     return layer_of(*use, known->second);
   }
@@ -63,17 +83,19 @@ public:
 private:
   render::VisualDesc& desc_;
   const Model& model_;
-  std::map<std::pair<std::size_t, bool>, std::size_t> made_;
+  std::map<std::pair<std::size_t, Meaning>, std::size_t> made_;
   std::optional<Error> error_;
 };
 
 SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
   SurfaceDetail to;
-  to.layers[SurfaceDetail::base_colour] = textures.layer(from.base_colour, true);
-  to.layers[SurfaceDetail::metal_rough] = textures.layer(from.metal_rough, false);
-  to.layers[SurfaceDetail::normal] = textures.layer(from.normal, false);
-  to.layers[SurfaceDetail::occlusion] = textures.layer(from.occlusion, false);
-  to.layers[SurfaceDetail::emissive] = textures.layer(from.emissive, true);
+  using enum Textures::Meaning;
+  to.layers[SurfaceDetail::base_colour] =
+      textures.layer(from.base_colour, from.alpha_mode == AlphaMode::opaque ? colours : colours_with_holes);
+  to.layers[SurfaceDetail::metal_rough] = textures.layer(from.metal_rough, numbers);
+  to.layers[SurfaceDetail::normal] = textures.layer(from.normal, numbers);
+  to.layers[SurfaceDetail::occlusion] = textures.layer(from.occlusion, numbers);
+  to.layers[SurfaceDetail::emissive] = textures.layer(from.emissive, colours);
   to.normal_scale = from.normal_scale;
   to.occlusion_strength = from.occlusion_strength;
   to.emission = colour_of(from.emission);
@@ -84,7 +106,7 @@ SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
   to.alpha_cutoff = from.alpha_cutoff;
   to.double_sided = from.double_sided;
   to.unlit = from.unlit;
-  const float mirrored = (from.ior - 1.0F) / (from.ior + 1.0F);
+  const float mirrored = from.ior > 0.0F ? (from.ior - 1.0F) / (from.ior + 1.0F) : 1.0F;
   to.f0 = from.specular * glm::min(mirrored * mirrored * colour_of(from.specular_colour), glm::vec3(1.0F));
   to.f90 = from.specular;
   to.clearcoat = from.clearcoat;
@@ -98,10 +120,13 @@ SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
 }  // namespace
 
 std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model) {
+  std::vector<bool> is_shown(model.materials.size(), false);
+  for (const ModelPart& part : model.parts) is_shown[part.material] = true;
   Textures textures(desc, model);
-  for (const ModelMaterial& from : model.materials) {
+  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+    const ModelMaterial& from = model.materials[i];
     render::Material to{from.name, colour_of(from.base_colour), from.metallic, from.roughness};
-    if (from.detail) to.detail = detail_of(*from.detail, textures);
+    if (from.detail && is_shown[i]) to.detail = detail_of(*from.detail, textures);
     desc.materials.push_back(std::move(to));
   }
   return textures.error();

@@ -5,6 +5,7 @@
 
 #include "engine/assets/model.h"
 #include "engine/render/visual_desc.h"
+#include "haptics/math/result.h"
 
 namespace fulcrum::scenario {
 

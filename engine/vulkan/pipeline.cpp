@@ -30,7 +30,7 @@ VkPipelineRasterizationStateCreateInfo raster_state(const PipelineDesc& desc) {
   VkPipelineRasterizationStateCreateInfo raster{};
   raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
   raster.polygonMode = VK_POLYGON_MODE_FILL;
-  raster.cullMode = desc.cull;
+  raster.cullMode = desc.cull.value_or(VK_CULL_MODE_NONE);
   raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   raster.depthBiasEnable = desc.depth_bias != 0.0F ? VK_TRUE : VK_FALSE;
   raster.depthBiasConstantFactor = desc.depth_bias;
@@ -116,6 +116,7 @@ PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc) {
   std::vector<VkDynamicState> changing = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
   if (desc.depth_test && desc.depth_test->compare_is_dynamic)
     changing.push_back(VK_DYNAMIC_STATE_DEPTH_COMPARE_OP);
+  if (!desc.cull) changing.push_back(VK_DYNAMIC_STATE_CULL_MODE);
   VkPipelineDynamicStateCreateInfo dynamic{};
   dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
   dynamic.dynamicStateCount = static_cast<std::uint32_t>(changing.size());

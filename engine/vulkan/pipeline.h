@@ -38,7 +38,7 @@ struct PipelineDesc {
   VkFormat colour = VK_FORMAT_UNDEFINED;  // undefined: no colour target
   VkFormat depth = VK_FORMAT_UNDEFINED;   // undefined: no depth target
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-  VkCullModeFlags cull = VK_CULL_MODE_NONE;
+  std::optional<VkCullModeFlags> cull = VK_CULL_MODE_NONE;  // none: set by vkCmdSetCullMode
   std::optional<DepthTest> depth_test;
   float depth_bias = 0.0F;  // constant, and the same again times the slope
   Blend blend = Blend::none;

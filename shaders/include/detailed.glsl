@@ -78,19 +78,20 @@ void main() {
   if (has(FULCRUM_LOOK_MASK) && base.a < material.emission.w) {
     discard;
   }
-  float cover = has(FULCRUM_LOOK_BLEND) ? base.a : 1.0;
+  float cover = has(FULCRUM_LOOK_COVER) ? base.a : 1.0;
   if (has(FULCRUM_LOOK_UNLIT)) {
     colour = vec4(to_target(base.rgb) * cover, cover);
     return;
   }
 
   vec3 geometric = normalize(world_normal);
-  if (has(FULCRUM_LOOK_DOUBLE_SIDED) && !gl_FrontFacing) {
-    geometric = -geometric;
-  }
   vec3 n = geometric;
   if (has_texture(FULCRUM_TEXTURE_NORMAL)) {
     n = mapped(geometric, uv_of(FULCRUM_TEXTURE_NORMAL));
+  }
+  if (has(FULCRUM_LOOK_DOUBLE_SIDED) && !gl_FrontFacing) {  // a bump is a dent from behind
+    geometric = -geometric;
+    n = -n;
   }
   vec3 v = normalize(frame.eye.xyz - world_position);
   float n_dot_v = max(dot(n, v), 1e-3);

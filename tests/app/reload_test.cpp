@@ -281,6 +281,74 @@ TEST_F(ReloadTest, AHandleIsWhereItWasDragged) {
   EXPECT_EQ(kinds.size(), 8U) << "each kind is there";
 }
 
+// The checkpoint "back" lies on the start, and all three views look at one place: what F8 chose, and the view
+// that is seen, are meant. A handle that was chosen stays so when others come before it.
+TEST_F(ReloadTest, OfHandlesInOnePlaceTheOneThatIsMeantIsTaken) {
+  const fs::path file = folder_ / "scenario.yaml";
+  std::optional<Prepared> prepared = prepare(file.string(), std::vector<std::string>());
+  ASSERT_TRUE(prepared);
+  const Pose X_WT{Quat::Identity(), Vec3(1, 1, 1)};
+  render::Camera camera;
+  SceneEditor editor(file, prepared->scenario);
+  const auto held_at = [&](const Vec3& p_W, std::size_t view) {
+    camera.target = scenario::narrowed(p_W);
+    camera.eye = camera.target + glm::vec3(0.1F, 0.1F, 0.1F);
+    editor.press({*prepared, X_WT, camera, {640, 360}, view}, 320, 180);
+    const std::string name = editor.held() ? editor.held()->name : "";
+    editor.let_go();
+    return name;
+  };
+  const auto named = [&](const std::string& name) {
+    for (const Handle& handle : handles_of(*prepared, X_WT))
+      if (handle.name == name) return handle.p_W;
+    return Vec3(Vec3::Constant(9));
+  };
+  const Vec3 start = named("start"), target = named("view side: target");
+  EXPECT_EQ(held_at(start, 0), "back");
+  const auto choose = [&](const std::string& words) {
+    const SceneEditor::Seen seen{*prepared, X_WT, camera, {640, 360}};
+    for (int i = 0; i < 20; ++i) {
+      editor.next_item(seen);
+      if (editor.message(seen).find(words) != std::string::npos) return;
+    }
+    ADD_FAILURE() << "nothing is " << words;
+  };
+  choose("put the start");
+  EXPECT_EQ(held_at(start, 0), "start");
+  EXPECT_EQ(held_at(target, 0), "view overview: target");
+  EXPECT_EQ(held_at(target, 1), "view side: target");
+  choose("put the start");
+  prepared->scenario.checkpoints.insert(prepared->scenario.checkpoints.begin(), {.name = "new"});
+  EXPECT_EQ(held_at(start, 0), "start");
+}
+
+TEST_F(ReloadTest, WhatIsSetFromOutsideIsNotWritten) {
+  const fs::path file = folder_ / "scenario.yaml";
+  for (const auto& [set, name] : {std::pair("start={position: [0.1, 0.1, 0.1]}", "start"),
+                                  {"light.kind=spot", "light"},
+                                  {"views.0.eye=[0.3, 0.3, 0.3]", "view overview: eye"}}) {
+    const std::optional<Prepared> prepared = prepare(file.string(), std::vector<std::string>{set});
+    ASSERT_TRUE(prepared) << set;
+    const Pose X_WT{Quat::Identity(), Vec3(1, 1, 1)};
+    for (const Handle& handle : handles_of(*prepared, X_WT)) {
+      if (handle.name != name) continue;
+      SceneEditor editor(file, prepared->scenario);
+      render::Camera camera;
+      camera.target = scenario::narrowed(handle.p_W);
+      camera.eye = camera.target + glm::vec3(0.3F, 0.31F, 0.32F);
+      const SceneEditor::Seen seen{*prepared, X_WT, camera, {640, 360}};
+      for (int i = 0; i < 20 && !(editor.held() && editor.held()->name == name); ++i) {
+        editor.next_item(seen);
+        editor.press(seen, 320, 180);
+      }
+      ASSERT_TRUE(editor.held() && editor.held()->name == name) << name;
+      editor.drag(seen, 30, 20);
+      editor.release(seen);
+      EXPECT_NE(editor.message(seen).find("It is set by --set"), std::string::npos) << editor.message(seen);
+    }
+  }
+}
+
 // Where the picture shows a place, that is what is looked up; its depth is that of a board of 20 mm, seen
 // aslant.
 TEST_F(ReloadTest, WhatIsLookedUpIsWhatTheRendererShowsThere) {
@@ -328,6 +396,30 @@ TEST_F(ReloadTest, WhatIsNamedIsWatched) {
   settle(reloader);
   EXPECT_NE(reloader.message().find("scene.GLB"), std::string::npos) << reloader.message();
   write("meshes/scene.GLB", to_glb(starter_board(), "board", "test"));
+  settle(reloader);
+  EXPECT_TRUE(reloader.is_ready());
+}
+
+// A picture in a folder of its own, which the model's file names and the scenario does not.
+TEST_F(ReloadTest, WhatAModelNamesIsWatched) {
+  fs::create_directories(folder_ / "textures");
+  write("textures/grain.png", "no picture yet");
+  write(
+      "wall.gltf",
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":)"
+      R"([{"attributes":{"POSITION":0},"material":0}]}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":)"
+      R"({"index":0}}}],"textures":[{"source":0}],"images":[{"uri":"textures/grain.png"}],"accessors":[{"bufferView":0,)"
+      R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":)"
+      R"([{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  write("scenario.yaml", with("models:", "models:\n  wall: {file: wall.gltf, role: decor}"));
+  const std::string file = (folder_ / "scenario.yaml").string();
+  std::optional<Prepared> prepared = prepare(file, std::vector<std::string>());
+  ASSERT_TRUE(prepared);
+  Reloader reloader(file, prepared->scenario);
+  reloader.watch_beside(*prepared);
+  settle(reloader);
+  EXPECT_FALSE(reloader.is_ready());
+  write("textures/grain.png", "another one");
   settle(reloader);
   EXPECT_TRUE(reloader.is_ready());
 }

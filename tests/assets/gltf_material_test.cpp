@@ -65,6 +65,22 @@ TEST(GltfMaterial, ReadsWhatTheExtensionsSay) {
   EXPECT_EQ(model.images.size(), 1U) << "one picture, however often it is named";
 }
 
+TEST(GltfMaterial, ReadsTheOddestNumbersAsTheyAreMeant) {
+  const auto detail = [](const std::string& material) {
+    return Textured(material).read().materials[0].detail.value();
+  };
+  EXPECT_EQ(detail(R"({"extensions":{"KHR_materials_ior":{"ior":0}}})").ior, 0.0F) << "all is mirrored";
+  EXPECT_EQ(detail(R"({"extensions":{"KHR_materials_ior":{"ior":0.5}}})").ior, 1.0F);
+  EXPECT_EQ(detail(R"({"alphaMode":"MASK","alphaCutoff":2})").alpha_cutoff, 2.0F) << "nothing of it is there";
+}
+
+// What names no picture is read whatever its coordinates are.
+TEST(GltfMaterial, CoordinatesThatNothingNeedsAreNotRead) {
+  Textured file(R"({"name":"plain"})");
+  file.file.accessors.replace(file.file.accessors.find("VEC2"), 4, "MAT4");
+  EXPECT_TRUE(parse_glb(file.file.bytes(), "a.glb"));
+}
+
 TEST(GltfMaterial, APlainOneHasNoDetailAndKeepsNoCoordinates) {
   const Model model = Textured(R"({"pbrMetallicRoughness":{"metallicFactor":0.5}})").read();
   EXPECT_FALSE(model.materials[0].detail);
@@ -78,6 +94,15 @@ TEST(GltfMaterial, SaysWhatIsNotDrawn) {
     return std::ranges::any_of(
         list, [&](const std::string& clause) { return clause.find(words) != std::string::npos; });
   };
+  EXPECT_TRUE(
+      has(left_out(Textured(R"({"name":"plain"})", R"("extensionsUsed":["KHR_materials_variants"],)")),
+          "KHR_materials_variants"));
+  Textured faint(R"({"alphaMode":"BLEND"})");
+  faint.file.primitive = R"({"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"material":0})";
+  const std::string pairs = R"("componentType":5126,"count":4,"type":"VEC2")";
+  faint.file.accessors.replace(faint.file.accessors.find(pairs), pairs.size(),
+                               R"("componentType":5121,"count":4,"type":"VEC4","normalized":true)");
+  EXPECT_TRUE(has(left_out(faint), "the alpha of vertices"));
   const std::string base = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
   EXPECT_TRUE(
       has(left_out(Textured(R"({"extensions":{"KHR_materials_iridescence":{"iridescenceFactor":1}}})")),

@@ -57,6 +57,17 @@ TEST(DecodeImage, GivesThePixelsOfAJpeg) {
   }
 }
 
+// libpng's simplified interface reads interlaced files of 16 bits wrongly.
+TEST(DecodeImage, WhatWouldBeReadWronglyIsRefused) {
+  Bytes png = test::png_of(1, 1, PNG_FORMAT_RGB, {1, 2, 3});
+  png[24] = 16;
+  png[28] = 1;
+  const auto refused = decode_image(png);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().sentence,
+            "it is interlaced, with 16 bits a colour, which is not supported: export it without interlacing");
+}
+
 // Cut off anywhere, or one byte wrong: refused with a clause, or decoded to as many pixels as it says.
 TEST(DecodeImage, DamagedOnesAreRefusedOrWhole) {
   Bytes noise;

@@ -116,7 +116,7 @@ TEST_F(DetailedSurfacesTest, ATextureLiesAsItsCoordinatesSay) {
 }
 
 // A slope towards the light is brighter than the flat pane, and one away from it darker, on each axis,
-// whichever way the coordinates run, and on the back of a pane.
+// whichever way the coordinates run; from behind, a slope is the other way about.
 TEST_F(DetailedSurfacesTest, ANormalMapSlopesAsItsColoursSay) {
   VisualDesc desc = pane_scene();
   desc.textures = {flat({128, 128, 255, 255}, false)};
@@ -135,16 +135,15 @@ TEST_F(DetailedSurfacesTest, ANormalMapSlopesAsItsColoursSay) {
     for (const bool mirrored : {false, true}) {
       desc.meshes[0] = pane();
       for (glm::vec4& uv : desc.meshes[0].uv) uv.x = mirrored ? 1.0F - uv.x : uv.x;
-      const bool u_grows_to_x = !mirrored;
+      const bool red_leans_to_x = mirrored == behind, green_leans_up = !behind;
       desc.key_light->direction = {-1, 0, -side};  // from +x and the eye
       const float flat_x = slope(128, 128);
-      const float towards = slope(u_grows_to_x ? 190 : 66, 128), away = slope(u_grows_to_x ? 66 : 190, 128);
-      EXPECT_GT(towards, flat_x + 5) << behind << mirrored;
-      EXPECT_LT(away, flat_x - 5) << behind << mirrored;
+      EXPECT_GT(slope(red_leans_to_x ? 190 : 66, 128), flat_x + 5) << behind << mirrored;
+      EXPECT_LT(slope(red_leans_to_x ? 66 : 190, 128), flat_x - 5) << behind << mirrored;
       desc.key_light->direction = {0, -1, -side};  // from above
       const float flat_y = slope(128, 128);
-      EXPECT_GT(slope(128, 190), flat_y + 5) << behind << mirrored;
-      EXPECT_LT(slope(128, 66), flat_y - 5) << behind << mirrored;
+      EXPECT_GT(slope(128, green_leans_up ? 190 : 66), flat_y + 5) << behind << mirrored;
+      EXPECT_LT(slope(128, green_leans_up ? 66 : 190), flat_y - 5) << behind << mirrored;
     }
   }
 }
@@ -198,6 +197,28 @@ TEST_F(DetailedSurfacesTest, WhatIsSeenThroughLiesBehind) {
   const auto blue_before = test::mean(draw(desc), 0.4F, 0.4F, 0.6F, 0.6F);
   EXPECT_GT(blue_before.b, blue_before.r + 20);
   EXPECT_GT(blue_before.r, blue_before.g + 10);
+}
+
+// A pane of two sides, whose own order in the mesh is front, back: the near one is seen.
+TEST_F(DetailedSurfacesTest, TheNearSideOfWhatIsBlendedIsDrawnLast) {
+  VisualDesc desc = pane_scene();
+  Mesh both = pane();
+  for (std::size_t i = 0; i < 4; ++i) {  // the back looks away; the front is red, the back green
+    both.positions.push_back(both.positions[i] - glm::vec3(0, 0, 0.02F));
+    both.normals.emplace_back(0, 0, -1);
+    both.uv.emplace_back(0.75F, 0.25F, 0, 0);
+  }
+  for (std::size_t i = 0; i < 4; ++i) both.uv[i] = {0.25F, 0.25F, 0, 0};
+  both.indices.insert(both.indices.end(), {4, 5, 6, 4, 6, 7});
+  desc.meshes = {both};
+  desc.textures = {four_colours()};
+  SurfaceDetail& detail = *desc.materials[0].detail;
+  detail.layers[SurfaceDetail::base_colour] = TextureLayer{.nearest = true};
+  detail.alpha = Alpha::blend;
+  detail.double_sided = detail.unlit = true;
+  EXPECT_EQ(corners(draw(desc)), "rrrr");
+  desc.camera.eye = {0, 0, -0.3F};
+  EXPECT_EQ(corners(draw(desc)), "gggg");
 }
 
 // Each layer does something, and what it does has the right sign.

@@ -26,7 +26,16 @@ TEST(MipChain, TakesTheMeanOfLight) {
 
 TEST(MipChain, WhatIsNotThereHasNoColour) {
   const Bytes half{0, 255, 0, 0, 200, 10, 10, 255};
-  EXPECT_EQ(mip_chain({"half", 2, 1, half, true})[1], (Bytes{200, 10, 10, 128}));
+  EXPECT_EQ(mip_chain({"half", 2, 1, half, true, true})[1], (Bytes{200, 10, 10, 128}));
+  // Where nothing is there at all, what lies beside it is not mixed with black.
+  const Bytes none{200, 100, 50, 0, 200, 100, 50, 0};
+  EXPECT_EQ(mip_chain({"none", 2, 1, none, true, true})[1], (Bytes{200, 100, 50, 0}));
+}
+
+// An alpha that means nothing weighs nothing.
+TEST(MipChain, WithoutHolesAlphaIsANumberLikeOthers) {
+  const Bytes pixels{200, 100, 50, 0, 200, 100, 50, 255};
+  EXPECT_EQ(mip_chain({"opaque", 2, 1, pixels, true})[1], (Bytes{200, 100, 50, 128}));
 }
 
 // Each level has the light of the whole, whatever the sides.

@@ -32,6 +32,7 @@ public:
   // Until the window is closed, or nothing can be drawn.
   int work(std::unique_ptr<Prepared> prepared) {
     std::optional<Place> place;
+    editor_.reloader().watch_beside(*prepared);
     for (;;) {
       const Pose X_WT_start = prepared->haptic.scene.tool.X_WT_start;
       if (place) begin_at(*prepared, place->X_WM);

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 // Editors keep files of their own beside: those are none of a scenario's.
 bool is_of_a_scenario(const fs::path& file) {
-  constexpr std::array<std::string_view, 5> kEndings{".yaml", ".yml", ".glb", ".gltf", ".bin"};
+  constexpr std::array<std::string_view, 8> kEndings{".yaml", ".yml", ".glb", ".gltf",
+                                                     ".bin",  ".png", ".jpg", ".jpeg"};
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });

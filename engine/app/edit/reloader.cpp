@@ -28,6 +28,18 @@ std::vector<std::filesystem::path> files_of(const scenario::Scenario& scenario) 
   return files;
 }
 
+// What the models' files name themselves: buffers, textures.
+void add_beside(const Prepared& prepared, std::vector<std::filesystem::path>& files) {
+  const auto add = [&](const Model& model, const scenario::FileRef& file) {
+    for (const std::string& name : model.beside) files.push_back(file.path.parent_path() / name);
+  };
+  for (std::size_t i = 0; i < prepared.scenario.models.size(); ++i) {
+    const scenario::ModelEntry& entry = prepared.scenario.models[i];
+    add(prepared.models.models[i], entry.file);
+    if (const auto& drawn = prepared.models.drawn[i]) add(*drawn, entry.drawn);
+  }
+}
+
 }  // namespace
 
 Reloader::Reloader(std::filesystem::path file, const scenario::Scenario& shown,
@@ -40,6 +52,12 @@ Reloader::Reloader(std::filesystem::path file, const scenario::Scenario& shown,
   watch_.also(files_of(shown));
   const Result<std::string> text = scenario::read_text(RegularFile::open(file_));
   saved_again_ = !text || *text != shown.texts.files.at(shown.texts.scenario);
+}
+
+void Reloader::watch_beside(const Prepared& shown) {
+  std::vector<std::filesystem::path> files;
+  add_beside(shown, files);
+  watch_.also(files);
 }
 
 Reloader::~Reloader() {
@@ -59,6 +77,7 @@ Reloader::Made Reloader::make() const {
           if (ends_) throw Ended();
         });
     if (!prepared) return {nullptr, prepared.error().sentence, std::move(files)};
+    add_beside(*prepared, files);
     // What would end the session once it has taken over.
     const auto seen = assemble_visual(prepared->scenario, prepared->models, prepared->haptic.scene);
     if (!seen) return {nullptr, seen.error().sentence, std::move(files)};

@@ -24,6 +24,10 @@ public:
   Reloader(const Reloader&) = delete;
   Reloader& operator=(const Reloader&) = delete;
 
+  // What the models' files name themselves is watched as well: buffers, and the pictures that are laid onto
+  // them.
+  void watch_beside(const Prepared& shown);
+
   // To be called a few times a second, by one thread.
   void look();
 

@@ -1,6 +1,7 @@
 #include "engine/app/edit/scene_editor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <span>
 #include <system_error>
@@ -16,8 +17,9 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr float kNearHandle = 12;  // px, from its middle
-constexpr int kTurnDecimals = 6;   // of a quaternion, about 2 um at 1 m
+constexpr float kNearHandle = 12;    // px, from its middle
+constexpr float kSamePlace = 0.05F;  // of how near counts as on a handle
+constexpr int kTurnDecimals = 6;     // of a quaternion, about 2 um at 1 m
 
 using Kind = Handle::Kind;
 
@@ -56,6 +58,11 @@ std::string place_words(const Vec3& p) {
   return text;
 }
 
+// Of the same thing in the file, wherever it is now and whatever has come before it.
+bool is_same(const Handle& a, const Handle& b) {
+  return a.kind == b.kind && a.name == b.name;
+}
+
 bool is_of_checkpoint(Kind kind) {
   return kind == Kind::checkpoint || kind == Kind::corner;
 }
@@ -68,7 +75,7 @@ SceneEditor::SceneEditor(std::filesystem::path file, const scenario::Scenario& s
 
 void SceneEditor::press(const Seen& seen, double x, double y) {
   const Projection projection(seen.camera, seen.picture);
-  const glm::vec2 at(x, y);
+  pressed_ = {x, y};
   float nearest = 1;  // of what counts as on it
   held_.reset();
   moved_ = false;
@@ -76,19 +83,23 @@ void SceneEditor::press(const Seen& seen, double x, double y) {
     const glm::vec4 clip = projection.clip(handle.p_W);
     if (!Projection::is_before(clip)) continue;
     const float radius = std::max(kNearHandle, projection.length(static_cast<float>(handle.radius), clip));
-    const float away = glm::length(projection.pixel(clip) - at) / radius;
-    if (away >= nearest) continue;  // of two in one place, the first
+    const float away = glm::length(projection.pixel(clip) - pressed_) / radius;
+    const bool same_place = held_ && std::abs(away - nearest) < kSamePlace;
+    if (same_place ? !is_preferred(handle, seen) || is_preferred(*held_, seen) : away >= nearest) continue;
     nearest = away;
     held_ = std::move(handle);
   }
-  if (held_) {
-    const std::vector<Handle> all = items(seen);
-    const auto same = [&](const Handle& item) { return item == *held_; };
-    if (const auto found = std::ranges::find_if(all, same); found != all.end())
-      item_ = static_cast<std::size_t>(found - all.begin());
-    said_ = scenario::in_quotes(held_->name) + " is held: drag it.";
-    return;
-  }
+  if (!held_) return look_up(seen, x, y);
+  if (held_->kind != Kind::target) chosen_ = held_;
+  said_ = scenario::in_quotes(held_->name) + " is held: drag it.";
+}
+
+bool SceneEditor::is_preferred(const Handle& handle, const Seen& seen) const {
+  const bool of_view = handle.kind == Kind::eye || handle.kind == Kind::target;
+  return of_view ? handle.index == seen.view : chosen_ && is_same(handle, *chosen_);
+}
+
+void SceneEditor::look_up(const Seen& seen, double x, double y) {
   picked_ = pick(seen.prepared, seen.X_WT, seen.camera, seen.picture, x, y);
   if (picked_) text_ = picked_text(*picked_);
   said_ = picked_ ? *text_ + "\nIt is on the clipboard." : "Nothing is there.";
@@ -105,22 +116,21 @@ void SceneEditor::drag(const Seen& seen, double dx, double dy) {
 void SceneEditor::release(const Seen& seen) {
   if (!held_) return;
   const Handle handle = *std::exchange(held_, std::nullopt);
-  if (!moved_) return;
+  if (!moved_) return look_up(seen, static_cast<double>(pressed_.x), static_cast<double>(pressed_.y));
   write(seen.prepared, handle.kind, put_at(seen.prepared, seen.X_WT, handle, handle.p_W),
         scenario::in_quotes(handle.name));
 }
 
 std::vector<ui::HandleMark> SceneEditor::marks(const Seen& seen) const {
   const Projection projection(seen.camera, seen.picture);
-  const std::vector<Handle> all = items(seen);
-  const Handle chosen = all[std::min(item_, all.size() - 1)];
+  const Handle put = chosen(seen);
   std::vector<ui::HandleMark> marks;
   for (const Handle& handle : handles_of(seen.prepared, seen.X_WT)) {
     const bool is_held =
         held_ && held_->kind == handle.kind && held_->index == handle.index && held_->corner == handle.corner;
     const glm::vec4 clip = projection.clip(is_held ? held_->p_W : handle.p_W);
     if (Projection::is_before(clip))
-      marks.push_back({projection.pixel(clip), handle.name, is_held || handle == chosen});
+      marks.push_back({projection.pixel(clip), handle.name, is_held || is_same(handle, put)});
   }
   return marks;
 }
@@ -131,15 +141,24 @@ std::vector<Handle> SceneEditor::items(const Seen& seen) {
   return all;
 }
 
+Handle SceneEditor::chosen(const Seen& seen) const {
+  const std::vector<Handle> all = items(seen);
+  const auto found =
+      std::ranges::find_if(all, [&](const Handle& handle) { return chosen_ && is_same(handle, *chosen_); });
+  return found != all.end() ? *found : all.front();
+}
+
 void SceneEditor::next_item(const Seen& seen) {
-  item_ = (item_ + 1) % items(seen).size();
+  const std::vector<Handle> all = items(seen);
+  const Handle now = chosen(seen);
+  const auto at = std::ranges::find(all, now);
+  chosen_ = at + 1 == all.end() ? all.front() : *(at + 1);
   said_.clear();
 }
 
 void SceneEditor::put(const Seen& seen) {
   const scenario::Scenario& scenario = seen.prepared.scenario;
-  const std::vector<Handle> all = items(seen);
-  const Handle handle = all[std::min(item_, all.size() - 1)];
+  const Handle handle = chosen(seen);
   std::vector<scenario::NumberChange> changes;
   switch (handle.kind) {
     case Kind::start: {
@@ -179,10 +198,12 @@ std::string SceneEditor::why_elsewhere(const Prepared& prepared, Handle::Kind ki
   if (is_of_checkpoint(kind) && prepared.scenario.variant.spread > 0)
     return "The places are those of a variant: edit them with --set variants.spread=0.";
   for (const std::string& override : prepared.scenario.overrides) {
-    // A key of --set may be the end of a path, or the beginning of what lies below it.
-    const std::string key = override.substr(0, override.find('='));
+    // A key of --set may be any part of a path, or the beginning of what lies below it.
+    const std::string key = '.' + override.substr(0, override.find('=')) + '.';
+    // What kind of light it is decides what else it has.
+    const bool light = kind == Kind::light && key.starts_with(".light.");
     for (const scenario::NumberChange& change : changes)
-      if (change.path.starts_with(key) || ('.' + change.path).ends_with('.' + key))
+      if (light || ('.' + change.path + '.').find(key) != std::string::npos)
         return "It is set by --set " + override + ", whatever the file says: edit it without that.";
   }
   return {};
@@ -229,9 +250,8 @@ std::string SceneEditor::message(const Seen& seen) const {
   std::string reload = reloader_.message();
   if (!reload.empty()) return reload;
   if (!said_.empty()) return said_;
-  const std::vector<Handle> all = items(seen);
   return "Control + left button: look a place up, or drag a handle. F8: another one, F9: put " +
-         put_words(all[std::min(item_, all.size() - 1)]) + ".";
+         put_words(chosen(seen)) + ".";
 }
 
 }  // namespace fulcrum::app

@@ -25,6 +25,7 @@ public:
     Pose X_WT;  // the tool
     render::Camera camera;
     render::Extent picture;
+    std::size_t view = 0;  // that the camera began in
   };
 
   // As a Reloader's.
@@ -33,7 +34,9 @@ public:
 
   Reloader& reloader() { return reloader_; }
 
-  // With Control held. On a handle: it is held. Anywhere else: what is there is looked up.
+  // With Control held. On a handle: it is held; of several in one place the one that put() would write, else
+  // one of the view that is seen. Anywhere else, and where a handle is not dragged: what is there is looked
+  // up.
   void press(const Seen& seen, double x, double y);
   // The handle that is held goes along, at its distance from the eye. Pixels.
   void drag(const Seen& seen, double dx, double dy);
@@ -61,6 +64,10 @@ public:
 
 private:
   static std::vector<Handle> items(const Seen& seen);
+  // That put() writes: the one that was chosen, as it is now.
+  Handle chosen(const Seen& seen) const;
+  bool is_preferred(const Handle& handle, const Seen& seen) const;
+  void look_up(const Seen& seen, double x, double y);
   // Why what is seen is not what the file says, so that nothing can be written of it; empty: it is.
   static std::string why_elsewhere(const Prepared& prepared, Handle::Kind kind,
                                    const std::vector<scenario::NumberChange>& changes);
@@ -72,10 +79,11 @@ private:
 
   std::filesystem::path file_;
   Reloader reloader_;
-  std::size_t item_ = 0;
+  std::optional<Handle> chosen_;  // none: the first
   std::optional<Picked> picked_;
   std::optional<std::string> text_;
   std::optional<Handle> held_;
+  glm::vec2 pressed_{0.0F};  // px, where it was taken
   bool moved_ = false;
   std::string said_;
   std::string written_;  // the file's text as it was written last

@@ -10,7 +10,7 @@
 namespace fulcrum::app {
 
 SceneEditor::Seen TrainingWindow::seen_by_author() const {
-  return {prepared_, loop_->newest().X_WT, camera_.camera(), stage_.window().pixels()};
+  return {prepared_, loop_->newest().X_WT, camera_.camera(), stage_.window().pixels(), view_};
 }
 
 bool TrainingWindow::edit_key(int key) {
@@ -29,6 +29,7 @@ bool TrainingWindow::edit_button(int button, int action) {
     if (!edits_) return false;
     edits_ = false;
     editor_->release(seen_by_author());
+    if (const std::optional<std::string> text = editor_->take_text()) stage_.window().copy(*text);
     return true;
   }
   if (!control_) return false;
