@@ -120,8 +120,8 @@ void Page::pictures(const std::vector<NamedPng>& pictures, std::string_view capt
   body_ += "<figure><div class=\"pictures\">\n";
   for (const NamedPng& picture : pictures) {
     const std::string name = escaped(picture.name);
-    body_ += "<div><b>" + name + "</b><img alt=\"" + name + "\" src=\"data:image/png;base64," +
-             base64(picture.bytes) + "\"/></div>\n";
+    body_.append("<div><b>").append(name).append("</b><img alt=\"").append(name);
+    body_.append("\" src=\"data:image/png;base64,").append(base64(picture.bytes)).append("\"/></div>\n");
   }
   body_ += "</div>\n<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }

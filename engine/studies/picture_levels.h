@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/render/picture.h"
+#include "engine/render/plan.h"
 #include "engine/render/quality.h"
 #include "engine/render/visual_desc.h"
 #include "engine/studies/picture_shot.h"

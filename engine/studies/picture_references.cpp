@@ -56,7 +56,8 @@ analysis::picture::Image shown_on(const render::Background& background, const re
   analysis::picture::Image image{radiance.width, radiance.height, {}};
   image.pixels.reserve(radiance.pixels.size());
   for (std::size_t i = 0; i < radiance.pixels.size(); ++i) {
-    const float v = (static_cast<float>(i / radiance.width) + 0.5F) / static_cast<float>(radiance.height);
+    const std::size_t row = i / radiance.width;
+    const float v = (static_cast<float>(row) + 0.5F) / static_cast<float>(radiance.height);
     const glm::vec4& pixel = radiance.pixels[i];
     const glm::vec3 shown =
         render::tone_mapped(glm::vec3(pixel) + (1.0F - pixel.a) * render::background_radiance(background, v));

@@ -15,6 +15,33 @@ ShaderModuleHandle make_module(Device& device, std::span<const std::uint32_t> co
   return {device.get(), module};
 }
 
+// Stages with what they point to, until the pipeline is made.
+struct Stages {
+  Stages(Device& device, const std::vector<Stage>& stages) {
+    constants.reserve(stages.size());
+    for (const Stage& stage : stages) {
+      modules.push_back(make_module(device, stage.code));
+      VkPipelineShaderStageCreateInfo info{};
+      info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+      info.stage = stage.stage;
+      info.module = modules.back().get();
+      info.pName = "main";
+      if (stage.constant) {
+        constants.push_back({1, &entry, sizeof(std::uint32_t), &*stage.constant});
+        info.pSpecializationInfo = &constants.back();
+      }
+      infos.push_back(info);
+    }
+  }
+  Stages(const Stages&) = delete;
+  Stages& operator=(const Stages&) = delete;
+
+  const VkSpecializationMapEntry entry{0, 0, sizeof(std::uint32_t)};
+  std::vector<ShaderModuleHandle> modules;
+  std::vector<VkSpecializationInfo> constants;
+  std::vector<VkPipelineShaderStageCreateInfo> infos;
+};
+
 VkPipelineDepthStencilStateCreateInfo depth_state(const PipelineDesc& desc) {
   VkPipelineDepthStencilStateCreateInfo depth{};
   depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
@@ -62,25 +89,7 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
 }  // namespace
 
 PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc) {
-  std::vector<ShaderModuleHandle> modules;  // needed until the pipeline is made
-  std::vector<VkPipelineShaderStageCreateInfo> stages;
-  const VkSpecializationMapEntry entry{0, 0, sizeof(std::uint32_t)};
-  std::vector<VkSpecializationInfo> constants;
-  constants.reserve(desc.stages.size());  // stages point into it
-  for (const Stage& stage : desc.stages) {
-    modules.push_back(make_module(device, stage.code));
-    VkPipelineShaderStageCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-    info.stage = stage.stage;
-    info.module = modules.back().get();
-    info.pName = "main";
-    if (stage.constant) {
-      constants.push_back({1, &entry, sizeof(std::uint32_t), &*stage.constant});
-      info.pSpecializationInfo = &constants.back();
-    }
-    stages.push_back(info);
-  }
-
+  const Stages stages(device, desc.stages);
   const std::array<VkVertexInputBindingDescription, 2> buffers = {
       {{0, desc.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX},
        {1, desc.second_stride, VK_VERTEX_INPUT_RATE_VERTEX}}};
@@ -131,8 +140,8 @@ PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc) {
   VkGraphicsPipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
   info.pNext = &rendering;
-  info.stageCount = static_cast<std::uint32_t>(stages.size());
-  info.pStages = stages.data();
+  info.stageCount = static_cast<std::uint32_t>(stages.infos.size());
+  info.pStages = stages.infos.data();
   info.pVertexInputState = &input;
   info.pInputAssemblyState = &assembly;
   info.pViewportState = &viewport;

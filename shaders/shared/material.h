@@ -21,7 +21,7 @@
 #define FULCRUM_LOOK_COAT 1024u
 #define FULCRUM_LOOK_SHEEN 2048u
 #define FULCRUM_LOOK_TRANSMISSION 4096u
-#define FULCRUM_LOOK_COVER 8192u // of those that are blended: its alpha says how much of it is there
+#define FULCRUM_LOOK_COVER 8192u  // of those that are blended: its alpha says how much of it is there
 
 FULCRUM_GPU_BEGIN
 

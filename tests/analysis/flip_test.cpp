@@ -44,75 +44,92 @@ Image pattern(double phase) {
       });
 }
 
+using Map = std::vector<double>;
+using Kernel = std::function<double(int, int)>;
+
 // As the paper has it, with kernels of two dimensions, written apart from what is tested.
-std::vector<double> flip_by_the_book(const Image& reference, const Image& test, double ppd) {
-  const auto w = static_cast<int>(reference.width), h = static_cast<int>(reference.height);
-  using Map = std::vector<double>;
-  const auto convolved = [&](const Map& map, int r, const std::function<double(int, int)>& weight) {
-    Map out;
-    for (int y = 0; y < h; ++y)
-      for (int x = 0; x < w; ++x) {
-        double sum = 0;
-        for (int j = -r; j <= r; ++j)
-          for (int i = -r; i <= r; ++i)
-            sum +=
-                weight(i, j) *
-                map[static_cast<std::size_t>(std::clamp(y + j, 0, h - 1) * w + std::clamp(x + i, 0, w - 1))];
-        out.push_back(sum);
-      }
-    return out;
-  };
-  const int r = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * kPi * kPi)) * ppd));
-  const auto csf = [&](double a1, double b1, double a2, double b2) {
-    const auto raw = [=](int i, int j) {
-      const double z = (i * i + j * j) / (ppd * ppd);
-      return a1 * std::sqrt(kPi / b1) * std::exp(-kPi * kPi * z / b1) +
-             a2 * std::sqrt(kPi / b2) * std::exp(-kPi * kPi * z / b2);
-    };
-    double sum = 0;
-    for (int j = -r; j <= r; ++j)
-      for (int i = -r; i <= r; ++i) sum += raw(i, j);
-    return [=](int i, int j) { return raw(i, j) / sum; };
-  };
-  const double sd = 0.5 * 0.082 * ppd;
-  const int rf = static_cast<int>(std::ceil(3 * sd));
-  const auto feature = [&](bool edge, bool flipped) {
-    const auto raw = [=](int i, int j) {
-      const double at = flipped ? j : i;
-      return (edge ? -at : at * at / (sd * sd) - 1) * std::exp(-(i * i + j * j) / (2 * sd * sd));
-    };
-    double above = 0, below = 0;
-    for (int j = -rf; j <= rf; ++j)
-      for (int i = -rf; i <= rf; ++i) (raw(i, j) > 0 ? above : below) += std::abs(raw(i, j));
-    return [=](int i, int j) { return raw(i, j) / (raw(i, j) > 0 ? above : below); };
-  };
+class ByTheBook {
+public:
+  ByTheBook(const Image& image, double ppd)
+      : w_(static_cast<int>(image.width)), h_(static_cast<int>(image.height)), ppd_(ppd) {}
+
   struct Half {
     std::vector<Vec3> colours;
     Map edges, points;
   };
-  const auto half = [&](const Image& image) {
+  Half half(const Image& image) const {
     Map c[3], light;
     for (const Rgb& pixel : image.pixels) {
       const Vec3 opponent = opponent_of({decoded(pixel[0]), decoded(pixel[1]), decoded(pixel[2])});
       for (int i = 0; i < 3; ++i) c[i].push_back(opponent[i]);
       light.push_back((opponent.x() + 16) / 116);
     }
-    c[0] = convolved(c[0], r, csf(1, 0.0047, 0, 1e-5));
-    c[1] = convolved(c[1], r, csf(1, 0.0053, 0, 1e-5));
-    c[2] = convolved(c[2], r, csf(34.1, 0.04, 13.5, 0.025));
+    c[0] = seen(c[0], 1, 0.0047, 0, 1e-5);
+    c[1] = seen(c[1], 1, 0.0053, 0, 1e-5);
+    c[2] = seen(c[2], 34.1, 0.04, 13.5, 0.025);
     Half out;
     for (std::size_t i = 0; i < c[0].size(); ++i) {
       const Vec3 lab = lab_of(linear_of({c[0][i], c[1][i], c[2][i]}).cwiseMax(0).cwiseMin(1));
       out.colours.push_back({lab.x(), lab.x() * lab.y() / 100, lab.x() * lab.z() / 100});
     }
     for (const bool edge : {true, false}) {
-      const Map x = convolved(light, rf, feature(edge, false)), y = convolved(light, rf, feature(edge, true));
+      const Map x = features(light, edge, false), y = features(light, edge, true);
       for (std::size_t i = 0; i < x.size(); ++i)
         (edge ? out.edges : out.points).push_back(std::hypot(x[i], y[i]));
     }
     return out;
-  };
-  const Half a = half(reference), b = half(test);
+  }
+
+private:
+  Map convolved(const Map& map, int r, const Kernel& weight) const {
+    Map out;
+    for (int y = 0; y < h_; ++y)
+      for (int x = 0; x < w_; ++x) {
+        double sum = 0;
+        for (int j = -r; j <= r; ++j)
+          for (int i = -r; i <= r; ++i) sum += weight(i, j) * map[at(x + i, y + j)];
+        out.push_back(sum);
+      }
+    return out;
+  }
+
+  std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(std::clamp(y, 0, h_ - 1) * w_ + std::clamp(x, 0, w_ - 1));
+  }
+
+  Map seen(const Map& map, double a1, double b1, double a2, double b2) const {
+    const int r = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * kPi * kPi)) * ppd_));
+    const auto raw = [=, this](int i, int j) {
+      const double z = (i * i + j * j) / (ppd_ * ppd_);
+      return a1 * std::sqrt(kPi / b1) * std::exp(-kPi * kPi * z / b1) +
+             a2 * std::sqrt(kPi / b2) * std::exp(-kPi * kPi * z / b2);
+    };
+    double sum = 0;
+    for (int j = -r; j <= r; ++j)
+      for (int i = -r; i <= r; ++i) sum += raw(i, j);
+    return convolved(map, r, [=](int i, int j) { return raw(i, j) / sum; });
+  }
+
+  Map features(const Map& map, bool edge, bool flipped) const {
+    const double sd = 0.5 * 0.082 * ppd_;
+    const int r = static_cast<int>(std::ceil(3 * sd));
+    const auto raw = [=](int i, int j) {
+      const double along = flipped ? j : i;
+      return (edge ? -along : along * along / (sd * sd) - 1) * std::exp(-(i * i + j * j) / (2 * sd * sd));
+    };
+    double above = 0, below = 0;
+    for (int j = -r; j <= r; ++j)
+      for (int i = -r; i <= r; ++i) (raw(i, j) > 0 ? above : below) += std::abs(raw(i, j));
+    return convolved(map, r, [=](int i, int j) { return raw(i, j) / (raw(i, j) > 0 ? above : below); });
+  }
+
+  int w_, h_;
+  double ppd_;
+};
+
+std::vector<double> flip_by_the_book(const Image& reference, const Image& test, double ppd) {
+  const ByTheBook book(reference, ppd);
+  const ByTheBook::Half a = book.half(reference), b = book.half(test);
   const auto hyab = [](const Vec3& p, const Vec3& q) {
     return std::abs(p.x() - q.x()) + std::hypot(p.y() - q.y(), p.z() - q.z());
   };

@@ -294,7 +294,7 @@ TEST_F(ReloadTest, OfHandlesInOnePlaceTheOneThatIsMeantIsTaken) {
     camera.target = scenario::narrowed(p_W);
     camera.eye = camera.target + glm::vec3(0.1F, 0.1F, 0.1F);
     editor.press({*prepared, X_WT, camera, {640, 360}, view}, 320, 180);
-    const std::string name = editor.held() ? editor.held()->name : "";
+    std::string name = editor.held() ? editor.held()->name : "";
     editor.let_go();
     return name;
   };

@@ -33,7 +33,7 @@ inline std::vector<std::uint8_t> jpeg_of(int width, int height, const std::vecto
   unsigned long size = 0;
   const int fault = tjCompress2(encoder, rgb.data(), width, 0, height, TJPF_RGB, &made, &size, TJSAMP_444, 95,
                                 TJFLAG_ACCURATEDCT);
-  const std::vector<std::uint8_t> bytes(made, made + size);
+  std::vector<std::uint8_t> bytes(made, made + size);
   tjFree(made);
   tjDestroy(encoder);
   if (fault != 0) throw std::runtime_error("a JPEG was not made");

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <glm/ext/matrix_transform.hpp>
 
 #include "image_compare.h"
+#include "surface_balls.h"
 #include "test_scene.h"
 
 namespace fulcrum::render {
@@ -272,110 +272,8 @@ TEST_F(DetailedSurfacesTest, GlassShowsWhatIsBehind) {
   EXPECT_GT(red().r, through_dark.r + 30) << "dark glass lets less through";
 }
 
-// A picture of n x n pixels, each as `colour` says of its place from -1 to 1.
-template <class Colour>
-Texture painted(std::uint32_t n, bool srgb, Colour colour) {
-  Texture texture{"painted", n, n, {}, srgb};
-  for (std::uint32_t y = 0; y < n; ++y)
-    for (std::uint32_t x = 0; x < n; ++x)
-      for (const int part : colour(2.0F * static_cast<float>(x) / static_cast<float>(n) - 1.0F,
-                                   2.0F * static_cast<float>(y) / static_cast<float>(n) - 1.0F))
-        texture.rgba.push_back(static_cast<std::uint8_t>(part));
-  return texture;
-}
-
-// One ball for each of what glTF knows; docs/looks.md lists them.
-VisualDesc balls() {
-  using Rgba = std::array<int, 4>;
-  VisualDesc desc;
-  Mesh ball = test::make_ball(0.04F);
-  for (std::size_t i = 0; i < ball.positions.size(); ++i)
-    ball.uv.emplace_back(4.0F * static_cast<float>(i % 49) / 48.0F, 2.0F * static_cast<float>(i / 49) / 24.0F,
-                         0, 0);
-  desc.meshes = {ball, test::make_box({0.6F, 0.01F, 0.3F})};
-  const auto checks = [](float x, float y) { return (x < 0.0F) == (y < 0.0F); };
-  desc.textures = {
-      painted(64, true,
-              [&](float x, float y) {
-                return checks(x, y) ? Rgba{230, 190, 120, 255} : Rgba{40, 60, 110, 255};
-              }),
-      painted(64, false,
-              [&](float x, float y) {
-                return checks(x, y) ? Rgba{0, 40, 255, 255} : Rgba{0, 200, 0, 255};
-              }),
-      painted(64, false,
-              [](float x, float y) {
-                const float r = std::sqrt(x * x + y * y), slope = r < 0.8F ? 0.9F * r / 0.8F : 0.0F;
-                const float nx = r > 0.0F ? slope * x / r : 0.0F, ny = r > 0.0F ? -slope * y / r : 0.0F;
-                const float nz = std::sqrt(std::max(1.0F - nx * nx - ny * ny, 0.0F));
-                const auto byte = [](float v) { return static_cast<int>(127.5F * (v + 1.0F) + 0.5F); };
-                return Rgba{byte(nx), byte(ny), byte(nz), 255};
-              }),
-      painted(64, false,
-              [](float x, float y) {
-                return Rgba{std::abs(x) > 0.85F || std::abs(y) > 0.85F ? 30 : 255, 0, 0, 255};
-              }),
-      painted(64, true,
-              [&](float x, float y) {
-                return checks(x, y) ? Rgba{255, 120, 20, 255} : Rgba{0, 0, 0, 255};
-              }),
-      painted(64, true, [](float x, float y) {
-        return Rgba{200, 40, 30, x * x + y * y < 0.6F ? 0 : 255};
-      })};
-  const auto add = [&](const char* name, const glm::vec3& colour, float metallic, float roughness,
-                       auto change) {
-    SurfaceDetail detail;
-    change(detail);
-    const std::size_t i = desc.instances.size();
-    const glm::vec3 at{-0.22F + 0.11F * static_cast<float>(i % 5), 0.04F, i < 5 ? -0.06F : 0.06F};
-    desc.materials.push_back({name, colour, metallic, roughness, detail});
-    desc.instances.push_back({0, desc.materials.size() - 1, name, glm::translate(glm::mat4(1.0F), at)});
-  };
-  const auto layer = [](SurfaceDetail& detail, SurfaceDetail::Kind kind, std::size_t texture) {
-    detail.layers[kind] = TextureLayer{.texture = texture};
-  };
-  const glm::vec3 white(1.0F), grey(0.5F), red(0.4F, 0.02F, 0.02F);
-  add(
-      "base colour", white, 0, 0.5F, [&](SurfaceDetail& d) { layer(d, SurfaceDetail::base_colour, 0); });
-  add(
-      "metal-rough", {0.9F, 0.7F, 0.4F}, 1, 1,
-      [&](SurfaceDetail& d) { layer(d, SurfaceDetail::metal_rough, 1); });
-  add(
-      "normal", grey, 0, 0.35F, [&](SurfaceDetail& d) { layer(d, SurfaceDetail::normal, 2); });
-  add("occlusion", grey, 0, 0.6F, [&](SurfaceDetail& d) { layer(d, SurfaceDetail::occlusion, 3); });
-  add("emissive", glm::vec3(0.05F), 0, 0.5F, [&](SurfaceDetail& d) {
-    layer(d, SurfaceDetail::emissive, 4);
-    d.emission = glm::vec3(1.5F);
-  });
-  add("mask", white, 0, 0.5F, [&](SurfaceDetail& d) {
-    layer(d, SurfaceDetail::base_colour, 5);
-    d.alpha = Alpha::mask;
-    d.double_sided = true;
-  });
-  add(
-      "blend", {0.1F, 0.4F, 0.9F}, 0, 0.2F,
-      [](SurfaceDetail& d) {
-        d.alpha = Alpha::blend;
-        d.opacity = 0.5F;
-      });
-  add("clear coat", red, 0, 0.8F, [](SurfaceDetail& d) { d.clearcoat = 1.0F; });
-  add(
-      "sheen", {0.05F, 0.05F, 0.2F}, 0, 1,
-      [](SurfaceDetail& d) {
-        d.sheen = {0.6F, 0.6F, 1.0F};
-        d.sheen_roughness = 0.5F;
-      });
-  add("transmission", {0.9F, 1.0F, 0.9F}, 0, 0.05F, [](SurfaceDetail& d) { d.transmission = 1.0F; });
-  desc.materials.push_back({"floor", glm::vec3(0.35F), 0.0F, 0.8F});
-  desc.instances.push_back(
-      {1, desc.materials.size() - 1, "floor", glm::translate(glm::mat4(1.0F), {0, -0.01F, 0}), false, false});
-  desc.key_light->direction = {-0.4F, -1.0F, -0.5F};
-  desc.camera = {{0.0F, 0.34F, 0.62F}, {0.0F, 0.015F, 0.0F}, 0.42F};
-  return desc;
-}
-
 TEST_F(DetailedSurfacesTest, ABallForEachOfThem) {
-  const Picture picture = draw(balls(), {4, 1024, 1.0F}, {640, 360});
+  const Picture picture = draw(test::surface_balls(), {4, 1024, 1.0F}, {640, 360});
   const test::Comparison result =
       test::compare(picture, std::filesystem::path(FULCRUM_GOLDENS) / "surfaces.png",
                     {.max_lsb = 2, .max_pixels = 20, .failure_folder = FULCRUM_FAILURES});
