@@ -21,7 +21,7 @@ constexpr float kNearHandle = 12;    // px, from its middle
 constexpr float kSamePlace = 0.05F;  // of how near counts as on a handle
 constexpr int kTurnDecimals = 6;     // of a quaternion, about 2 um at 1 m
 
-using Kind = Handle::Kind;
+using HandleKind = Handle::Kind;
 
 std::vector<double> numbers(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
@@ -38,14 +38,14 @@ std::vector<double> numbers(const Quat& q) {
 // What put() does with it.
 std::string put_words(const Handle& handle) {
   switch (handle.kind) {
-    case Kind::start:
+    case HandleKind::start:
       return "the start to where the tool is";
-    case Kind::grasp:
+    case HandleKind::grasp:
       return "the grasp to the place of the tool that was looked up";
-    case Kind::eye:
-    case Kind::target:
+    case HandleKind::eye:
+    case HandleKind::target:
       return scenario::in_quotes(handle.name.substr(0, handle.name.rfind(':'))) + " to what is seen";
-    case Kind::light:
+    case HandleKind::light:
       return "the light to the eye";
     default:
       return scenario::in_quotes(handle.name) + " to the touch point";
@@ -63,8 +63,8 @@ bool is_same(const Handle& a, const Handle& b) {
   return a.kind == b.kind && a.name == b.name;
 }
 
-bool is_of_checkpoint(Kind kind) {
-  return kind == Kind::checkpoint || kind == Kind::corner;
+bool is_of_checkpoint(HandleKind kind) {
+  return kind == HandleKind::checkpoint || kind == HandleKind::corner;
 }
 
 }  // namespace
@@ -90,12 +90,12 @@ void SceneEditor::press(const Seen& seen, double x, double y) {
     held_ = std::move(handle);
   }
   if (!held_) return look_up(seen, x, y);
-  if (held_->kind != Kind::target) chosen_ = held_;
+  if (held_->kind != HandleKind::target) chosen_ = held_;
   said_ = scenario::in_quotes(held_->name) + " is held: drag it.";
 }
 
 bool SceneEditor::is_preferred(const Handle& handle, const Seen& seen) const {
-  const bool of_view = handle.kind == Kind::eye || handle.kind == Kind::target;
+  const bool of_view = handle.kind == HandleKind::eye || handle.kind == HandleKind::target;
   return of_view ? handle.index == seen.view : chosen_ && is_same(handle, *chosen_);
 }
 
@@ -137,7 +137,7 @@ std::vector<ui::HandleMark> SceneEditor::marks(const Seen& seen) const {
 
 std::vector<Handle> SceneEditor::items(const Seen& seen) {
   std::vector<Handle> all = handles_of(seen.prepared, seen.X_WT);
-  std::erase_if(all, [](const Handle& handle) { return handle.kind == Kind::target; });
+  std::erase_if(all, [](const Handle& handle) { return handle.kind == HandleKind::target; });
   return all;
 }
 
@@ -161,26 +161,26 @@ void SceneEditor::put(const Seen& seen) {
   const Handle handle = chosen(seen);
   std::vector<scenario::NumberChange> changes;
   switch (handle.kind) {
-    case Kind::start: {
+    case HandleKind::start: {
       const Pose X_WM = seen.X_WT * Pose{Quat::Identity(), -seen.prepared.models.p_MT};
       changes = {{"tool.start.position", numbers(X_WM.p)},
                  {"tool.start.orientation", numbers(X_WM.q), kTurnDecimals}};
       break;
     }
-    case Kind::grasp:
+    case HandleKind::grasp:
       if (!picked_ || !picked_->on_tool) {
         said_ = "Press Control and the left button on the tool, where it is to be held; then again.";
         return;
       }
       changes = {{"tool.grasp.position", numbers(-(scenario.tool.X_HM.q * picked_->p))}};
       break;
-    case Kind::eye:
-    case Kind::target: {
+    case HandleKind::eye:
+    case HandleKind::target: {
       const std::string path = "views." + std::to_string(handle.index);
       changes = {{path + ".eye", numbers(seen.camera.eye)}, {path + ".target", numbers(seen.camera.target)}};
       break;
     }
-    case Kind::light:
+    case HandleKind::light:
       changes = {{"light.direction", numbers(glm::normalize(seen.camera.target - seen.camera.eye))}};
       if (scenario.light->kind == render::KeyLight::Kind::spot)
         changes.push_back({"light.position", numbers(seen.camera.eye)});
@@ -191,7 +191,7 @@ void SceneEditor::put(const Seen& seen) {
   write(seen.prepared, handle.kind, std::move(changes), scenario::in_quotes(handle.name));
 }
 
-std::string SceneEditor::why_elsewhere(const Prepared& prepared, Handle::Kind kind,
+std::string SceneEditor::why_elsewhere(const Prepared& prepared, HandleKind kind,
                                        const std::vector<scenario::NumberChange>& changes) {
   if (prepared.scenario.left_handed)
     return "The scene is mirrored, and its file is not: edit it with --set left_handed=false.";
@@ -201,7 +201,7 @@ std::string SceneEditor::why_elsewhere(const Prepared& prepared, Handle::Kind ki
     // A key of --set may be any part of a path, or the beginning of what lies below it.
     const std::string key = '.' + override.substr(0, override.find('=')) + '.';
     // What kind of light it is decides what else it has.
-    const bool light = kind == Kind::light && key.starts_with(".light.");
+    const bool light = kind == HandleKind::light && key.starts_with(".light.");
     for (const scenario::NumberChange& change : changes)
       if (light || ('.' + change.path + '.').find(key) != std::string::npos)
         return "It is set by --set " + override + ", whatever the file says: edit it without that.";
@@ -209,7 +209,7 @@ std::string SceneEditor::why_elsewhere(const Prepared& prepared, Handle::Kind ki
   return {};
 }
 
-void SceneEditor::write(const Prepared& prepared, Handle::Kind kind,
+void SceneEditor::write(const Prepared& prepared, HandleKind kind,
                         std::vector<scenario::NumberChange> changes, const std::string& what) {
   if (said_ = why_elsewhere(prepared, kind, changes); !said_.empty()) return;
   const std::optional<std::string> text = text_of(prepared);
