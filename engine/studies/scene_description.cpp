@@ -1,5 +1,6 @@
 #include "engine/studies/scene_description.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 

@@ -53,7 +53,7 @@ vec3 mapped(vec3 n, vec2 at) {
 const float kLeastSheen = 0.2;  // of its roughness: below, this lobe sends on more light than it gets
 
 // The part of even light from all around that a sheen sends to the eye: the integral of its lobe, at most 1, fitted over
-// roughnesses of 0.2 to 1 to 0.013.
+// roughnesses of 0.2 to 1.
 float sheen_albedo(float n_dot_v, float roughness) {
   vec3 s = vec3(1.0, 1.0 / roughness, 1.0 / (roughness * roughness));
   float k0 = dot(s, vec3(-0.967, 0.500, -0.038));
