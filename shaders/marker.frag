@@ -30,7 +30,7 @@ void main() {
   float shell = (0.34 + 0.66 * pow(1.0 - facing, 2.0)) * inside;
   float halo = (1.0 - inside) * 0.45 * exp(-5.0 * (radius - 1.0)) * (1.0 - smoothstep(1.5, 2.0, radius));
   float light = (shell + halo) * pulse;
-  float cover = 0.85 * light;
+  float cover = min(1.5 * light, 1.0);
 
   if (kind == FULCRUM_MARKER_DWELLING) {
     float turn = fract(atan(at.x, at.y) / kTau + 1.0);  // 0 at the top, clockwise

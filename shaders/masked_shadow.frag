@@ -1,4 +1,4 @@
-// Where a surface has holes it throws no shadow.
+// Where a surface has holes it throws no shadow and hides no light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/material.h"

@@ -123,6 +123,24 @@ void DetailedSurfaces::record(VkCommandBuffer commands, const Pipelines& pipelin
   }
 }
 
+void DetailedSurfaces::record_occluders(VkCommandBuffer commands, const Pipelines& pipelines,
+                                        const SceneGeometry& geometry, VkDescriptorSet scene_set,
+                                        std::uint32_t layers) const {
+  geometry.bind(commands);
+  for (const SceneGeometry::Piece& piece : geometry.detailed(layers)) {
+    const bool masked = is_masked(piece.look);
+    const VkPipelineLayout layout = masked ? pipelines.detailed_layout.get() : pipelines.scene_layout.get();
+    render::bind(commands, masked ? pipelines.masked_occluders.get() : pipelines.occluders.get(), layout,
+                 scene_set);
+    if (masked) {
+      const VkDescriptorSet set = materials_[piece.material]->set.get();
+      vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
+    }
+    vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+    geometry.draw(commands, piece);
+  }
+}
+
 void DetailedSurfaces::record_shadows(VkCommandBuffer commands, const Pipelines& pipelines,
                                       const SceneGeometry& geometry, VkDescriptorSet scene_set,
                                       SceneGeometry::Casters which) const {

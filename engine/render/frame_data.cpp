@@ -5,6 +5,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <utility>
 
+#include "engine/render/occlusion_pass.h"
+
 namespace fulcrum::render {
 namespace {
 
@@ -45,7 +47,7 @@ glm::mat4 clip_from_world(const Camera& camera, Extent picture) {
   return projection * view_of(camera);
 }
 
-gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent picture,
+gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent picture, Extent scene,
                           const LightFit& light, int shadow_size) {
   const glm::mat4 world_from_view = glm::transpose(view_of(state.camera));  // its rotation
   gpu::FrameData data{};
@@ -59,10 +61,19 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
     write_light(data, *setting.key_light);
   else
     data.key_direction = {0.0F, -1.0F, 0.0F, 0.0F};  // of a light without colour
-  data.sky = with(setting.ambient.sky * setting.ambient.intensity, setting.ambient.mirrored ? -1.0F : 1.0F);
-  data.ground = with(setting.ambient.ground * setting.ambient.intensity);
+  std::ranges::copy(setting.around.linear, data.around_linear);
+  std::ranges::copy(setting.around.quadratic, data.around_quadratic);
+  data.volume_from_world = setting.volume_from_world;
+  data.volume_low = setting.volume_low;
+  data.unhidden = setting.unhidden;
+  data.around_rest = with(setting.around.rest);
   data.background_top = with(setting.background.top);
   data.background_bottom = with(setting.background.bottom);
+  const float tangent = std::tan(0.5F * state.camera.vertical_fov_rad);
+  const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);
+  data.lens = {tangent * aspect, tangent, state.camera.lean.x, state.camera.lean.y};
+  const Extent hidden = occlusion_extent(scene);
+  data.occlusion = {static_cast<float>(hidden.width), static_cast<float>(hidden.height), kNear_m, 0.0F};
   data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel_m, 0.0F, 0.0F};
   return data;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // From camera, light and time to what shaders read.
 
+#include "engine/render/environment.h"
 #include "engine/render/frame_state.h"
 #include "engine/render/light_fit.h"
 #include "engine/render/plan.h"
@@ -12,8 +13,9 @@ namespace fulcrum::render {
 // The parts of a VisualDesc that every frame needs.
 struct Setting {
   std::optional<KeyLight> key_light;
-  Ambient ambient;
+  Irradiance around;
   Background background;
+  glm::vec4 volume_from_world{0.0F}, volume_low{0.0F}, unhidden{0.0F};  // as in gpu::FrameData
 };
 
 // The camera's frame: x to the right, y up, z to the back.
@@ -22,7 +24,8 @@ glm::mat4 view_of(const Camera& camera);
 // Clip space with the depth reversed (1 near, 0 infinitely far), Y up.
 glm::mat4 clip_from_world(const Camera& camera, Extent picture);
 
-gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent picture,
+// scene: what the picture is drawn as.
+gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent picture, Extent scene,
                           const LightFit& light, int shadow_size);
 
 // The markers that are to be seen, written to `to` one after another; returns how many.

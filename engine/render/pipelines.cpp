@@ -40,11 +40,17 @@ void read_vertices(PipelineDesc& desc, bool shaded) {
   }
 }
 
+// The name of the fragment shader that knows what the plan has.
+std::string lit_as_planned(std::string name, const RenderPlan& plan) {
+  if (plan.shadow_size > 0) name += "_shadowed";
+  if (plan.occlusion) name += "_occluded";
+  return name += ".frag";
+}
+
 PipelineHandle make_surfaces(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                              VkPipelineLayout layout) {
   PipelineDesc desc = scene_desc(plan, layout);
-  desc.stages =
-      stages(shaders, "surface.vert", plan.shadow_size > 0 ? "surface_shadowed.frag" : "surface.frag");
+  desc.stages = stages(shaders, "surface.vert", lit_as_planned("surface", plan).c_str());
   read_vertices(desc, true);
   desc.cull = VK_CULL_MODE_BACK_BIT;
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, true, false};
@@ -60,8 +66,7 @@ void read_uv(PipelineDesc& desc) {
 PipelineHandle make_detailed(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                              VkPipelineLayout layout, std::uint32_t look) {
   PipelineDesc desc = scene_desc(plan, layout);
-  desc.stages =
-      stages(shaders, "detailed.vert", plan.shadow_size > 0 ? "detailed_shadowed.frag" : "detailed.frag");
+  desc.stages = stages(shaders, "detailed.vert", lit_as_planned("detailed", plan).c_str());
   desc.stages.back().constant = look;
   read_vertices(desc, true);
   read_uv(desc);
@@ -94,6 +99,35 @@ PipelineHandle make_masked_shadow(vulkan::Device& device, const ShaderLibrary& s
   desc.stages = stages(shaders, "masked_shadow.vert", "masked_shadow.frag");
   read_uv(desc);
   return make_pipeline(device, desc);
+}
+
+PipelineHandle make_occluders(vulkan::Device& device, const ShaderLibrary& shaders, VkPipelineLayout layout,
+                              bool masked) {
+  PipelineDesc desc;
+  desc.layout = layout;
+  read_vertices(desc, false);
+  if (masked) read_uv(desc);
+  desc.stages = masked ? stages(shaders, "masked_occluder.vert", "masked_shadow.frag")
+                       : stages(shaders, "occluder.vert", nullptr);
+  desc.depth = kDepthFormat;
+  desc.cull.reset();
+  desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, true, false};
+  return make_pipeline(device, desc);
+}
+
+void add_occlusion(Pipelines& made, vulkan::Device& device, const RenderPlan& plan,
+                   const ShaderLibrary& shaders, VkDescriptorSetLayout set) {
+  made.occluders = make_occluders(device, shaders, made.scene_layout.get(), false);
+  if (std::ranges::any_of(plan.looks, is_masked))
+    made.masked_occluders = make_occluders(device, shaders, made.detailed_layout.get(), true);
+  made.occlusion_layout = vulkan::make_pipeline_layout(device, {&set, 1}, {});
+  PipelineDesc found;
+  found.layout = made.occlusion_layout.get();
+  found.stages = stages(shaders, "screen.vert", "occlusion.frag");
+  found.colour = kOcclusionFormat;
+  made.occlusion = make_pipeline(device, found);
+  found.stages = stages(shaders, "screen.vert", "occlusion_smooth.frag");
+  made.occlusion_smooth = make_pipeline(device, found);
 }
 
 // Behind everything: it passes where nothing has been drawn, so hidden parts of it cost nothing.
@@ -176,6 +210,7 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
     if (plan.shadow_size > 0 && std::ranges::any_of(plan.looks, is_masked))
       made.masked_shadow = make_masked_shadow(device, shaders, made.detailed_layout.get());
   }
+  if (plan.occlusion) add_occlusion(made, device, plan, shaders, sets.occlusion);
   if (plan.markers) made.markers = make_markers(device, plan, shaders, layout);
   if (plan.ghosts) add_ghosts(made, device, plan, shaders, sets.ghost);
   if (plan.stereo) add_stereo(made, device, *plan.stereo, shaders, sets.stereo);

@@ -14,6 +14,11 @@ constexpr std::uint32_t kFrameBinding = 0;
 constexpr std::uint32_t kInstancesBinding = 1;
 constexpr std::uint32_t kMarkersBinding = 2;
 constexpr std::uint32_t kShadowBinding = 3;
+constexpr std::uint32_t kEnvironmentBinding = 4;
+constexpr std::uint32_t kOcclusionBinding = 5;
+constexpr std::uint32_t kOpenBinding = 6;
+constexpr std::uint32_t kReceivedBinding = 7;
+constexpr std::uint32_t kSentOnBinding = 8;
 
 // Bindings of the ghost's descriptor set.
 constexpr std::uint32_t kGhostChosenBinding = 0;
@@ -33,6 +38,11 @@ struct Pipelines {
   std::map<std::uint32_t, vulkan::PipelineHandle> detailed;  // by look (look.h)
   vulkan::PipelineHandle masked_shadow;
   vulkan::PipelineHandle shadow;
+  vulkan::PipelineLayoutHandle occlusion_layout;
+  vulkan::PipelineHandle occluders;
+  vulkan::PipelineHandle masked_occluders;
+  vulkan::PipelineHandle occlusion;
+  vulkan::PipelineHandle occlusion_smooth;
   vulkan::PipelineHandle markers;
   vulkan::PipelineLayoutHandle ghost_layout;
   vulkan::PipelineHandle ghost_depth;
@@ -46,8 +56,9 @@ struct SetLayouts {
   VkDescriptorSetLayout scene = VK_NULL_HANDLE;
   VkDescriptorSetLayout material = VK_NULL_HANDLE;  // read only if the plan has detailed surfaces
   VkDescriptorSetLayout tone = VK_NULL_HANDLE;
-  VkDescriptorSetLayout ghost = VK_NULL_HANDLE;   // read only if the plan has a ghost
-  VkDescriptorSetLayout stereo = VK_NULL_HANDLE;  // read only if the plan is for two eyes
+  VkDescriptorSetLayout occlusion = VK_NULL_HANDLE;  // read only if the plan has ambient occlusion
+  VkDescriptorSetLayout ghost = VK_NULL_HANDLE;      // read only if the plan has a ghost
+  VkDescriptorSetLayout stereo = VK_NULL_HANDLE;     // read only if the plan is for two eyes
 };
 
 // Throws vulkan::Failure.

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <set>
 
+#include "engine/render/environment.h"
 #include "engine/render/ghost_edges.h"
+#include "engine/render/light_volume.h"
 #include "engine/render/look.h"
 #include "engine/render/mip_chain.h"
+#include "engine/render/occlusion_pass.h"
 #include "engine/render/validate.h"
 #include "engine/render/vertex.h"
 #include "shaders/shared/frame.h"
@@ -17,10 +20,11 @@
 namespace fulcrum::render {
 namespace {
 
-constexpr std::uint64_t kSceneTexel = 8;    // R16G16B16A16_SFLOAT
-constexpr std::uint64_t kDepthTexel = 4;    // D32_SFLOAT
-constexpr std::uint64_t kPictureTexel = 4;  // R8G8B8A8_UNORM
-constexpr std::uint64_t kGhostTexel = 2;    // R8G8_UNORM
+constexpr std::uint64_t kSceneTexel = 8;      // R16G16B16A16_SFLOAT
+constexpr std::uint64_t kDepthTexel = 4;      // D32_SFLOAT
+constexpr std::uint64_t kPictureTexel = 4;    // R8G8B8A8_UNORM
+constexpr std::uint64_t kGhostTexel = 2;      // R8G8_UNORM
+constexpr std::uint64_t kOcclusionTexel = 4;  // R16G16_SFLOAT
 
 std::uint64_t texels(Extent extent) {
   return std::uint64_t{extent.width} * extent.height;
@@ -69,6 +73,8 @@ std::string no_shadow_because(const SceneFacts& facts, const Quality& quality) {
 void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
   if (!plan.surfaces) {
     plan.left_out.push_back({"surfaces", "pipeline", 0, "the scene has no instances"});
+    plan.left_out.push_back({"surroundings", "image", 0, "the scene has no instances"});
+    plan.left_out.push_back({"light volume", "image", 0, "the scene has no instances"});
     return;
   }
   plan.built.push_back(
@@ -77,8 +83,17 @@ void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
                         std::to_string(facts.indices / 3) + " triangles"});
   plan.built.push_back({"instances", "buffer", facts.instances * sizeof(gpu::InstanceData),
                         std::to_string(facts.instances) + " of them"});
+  plan.built.push_back(
+      {"surroundings", "image", environment_bytes(), "the studio as mirrors of five roughnesses show it"});
+  const std::uint64_t voxels = std::uint64_t{facts.volume.x} * facts.volume.y * facts.volume.z;
+  if (voxels > 1)
+    plan.built.push_back(
+        {"light volume", "image", 3 * voxels * kSceneTexel,
+         std::to_string(voxels) + " voxels: what standing things hide of the surroundings, and send on"});
+  else
+    plan.left_out.push_back({"light volume", "image", 0, "nothing in the scene stands"});
   if (plan.plain_surfaces)
-    plan.built.push_back({"surfaces", "pipeline", 0, "metal-rough, a studio to mirror"});
+    plan.built.push_back({"surfaces", "pipeline", 0, "metal-rough, lit from all around"});
   else
     plan.left_out.push_back({"surfaces", "pipeline", 0, "no material is of one colour alone"});
 }
@@ -129,6 +144,22 @@ void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& pla
   plan.built.push_back({"shadows", "pipeline", 0, "depth as the key light sees it"});
 }
 
+void add_occlusion(const Quality& quality, RenderPlan& plan) {
+  plan.occlusion = plan.surfaces && quality.occlusion;
+  if (!plan.occlusion) {
+    const std::string why =
+        plan.surfaces ? "the quality setting switches it off" : "the scene has no instances";
+    plan.left_out.push_back({"ambient occlusion", "image", 0, why});
+    plan.left_out.push_back({"ambient occlusion", "pipeline", 0, why});
+    return;
+  }
+  const Extent half = occlusion_extent(plan.scene);
+  plan.built.push_back({"ambient occlusion", "image", texels(half) * (kDepthTexel + 2 * kOcclusionTexel),
+                        size_of(half) + ": depth, what it hides, and that made smooth"});
+  plan.built.push_back(
+      {"ambient occlusion", "pipeline", 0, "what near things hide of the light from all around"});
+}
+
 void add_markers(const SceneFacts& facts, RenderPlan& plan) {
   if (!plan.markers) {
     plan.left_out.push_back({"markers", "buffer", 0, "the scene has no checkpoints"});
@@ -159,10 +190,12 @@ void add_ghosts(const SceneFacts& facts, RenderPlan& plan) {
 }
 
 // Of one more view.
-std::uint64_t view_bytes(const SceneFacts& facts, Extent scene, Extent picture, int samples) {
-  const auto each = static_cast<std::uint64_t>(samples);
+std::uint64_t view_bytes(const SceneFacts& facts, const RenderPlan& plan, Extent scene, Extent picture) {
+  const auto each = static_cast<std::uint64_t>(plan.samples);
   const std::uint64_t colour = kSceneTexel * (each > 1 ? each + 1 : 1), depth = kDepthTexel * each;
-  return texels(scene) * (colour + depth) +
+  const std::uint64_t hidden =
+      plan.occlusion ? texels(occlusion_extent(scene)) * (kDepthTexel + 2 * kOcclusionTexel) : 0;
+  return texels(scene) * (colour + depth) + hidden +
          texels(picture) * facts.ghost_edges.size() * (kDepthTexel + kGhostTexel);
 }
 
@@ -171,7 +204,7 @@ void add_inset(const SceneFacts& facts, RenderPlan& plan) {
     plan.left_out.push_back({"second view", "image", 0, "it is switched on in a window"});
     return;
   }
-  plan.built.push_back({"second view", "image", view_bytes(facts, *plan.inset, *plan.inset, plan.samples),
+  plan.built.push_back({"second view", "image", view_bytes(facts, plan, *plan.inset, *plan.inset),
                         size_of(*plan.inset) + ", the same passes once more"});
 }
 
@@ -182,7 +215,7 @@ void add_stereo(const SceneFacts& facts, RenderPlan& plan) {
     return;
   }
   const std::string size = size_of(plan.eye);
-  plan.built.push_back({"second eye", "image", view_bytes(facts, plan.scene, plan.picture, plan.samples),
+  plan.built.push_back({"second eye", "image", view_bytes(facts, plan, plan.scene, plan.picture),
                         size_of(plan.scene) + ", the same passes once more; the shadow map is for both"});
   plan.built.push_back(
       {"eyes", "image", 2 * texels(plan.eye) * kPictureTexel, size + ", twice: tone mapped"});
@@ -226,6 +259,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
     facts.indices += mesh.indices.size();
   }
   facts.instances = desc.instances.size();
+  facts.volume = light_volume_counts(desc);
   std::set<std::size_t> meshes, textures;  // of detailed instances
   std::set<std::uint32_t> looks;
   for (const Instance& instance : desc.instances) {
@@ -279,6 +313,7 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   add_geometry(facts, plan);
   add_shadow(facts, options.quality, plan);
   add_detail(facts, plan);
+  add_occlusion(options.quality, plan);
   add_markers(facts, plan);
   add_ghosts(facts, plan);
   add_targets(plan);

@@ -52,6 +52,7 @@ struct RenderPlan {
   int samples = 4;                // per pixel
   int shadow_size = 0;            // pixels on a side; 0: nothing is built for shadows
   bool standing_shadows = false;  // those of what never moves have a map of their own
+  bool occlusion = false;         // ambient
   bool surfaces = false;
   bool plain_surfaces = false;            // of one colour, one metallic and one roughness
   std::vector<std::uint32_t> looks = {};  // of the others (look.h), each once
@@ -75,6 +76,7 @@ struct SceneFacts {
   std::uint64_t detailed_vertices = 0;    // of their meshes
   std::uint64_t textures = 0;             // that they show
   std::uint64_t texture_bytes = 0;        // of those, in all their sizes
+  glm::uvec3 volume{1U};                  // voxels of the light volume
   std::uint64_t markers = 0;
   std::vector<std::uint64_t> ghost_edges;  // of each ghost that has some
   bool key_light = false;

@@ -10,17 +10,18 @@ struct Quality {
   int samples = 4;                // per pixel: 1 or 4
   int shadow_size = 2048;         // pixels on a side of the shadow map; 0: no shadows
   float resolution_scale = 1.0F;  // 0.25..1: the scene is drawn smaller and enlarged; text stays sharp
+  bool occlusion = true;          // near things hide light from all around from each other
 
   bool operator==(const Quality&) const = default;
 };
 
 // From the best to the cheapest; each is about half the work of the one before.
 inline constexpr std::array<Quality, 5> kQualityLevels = {{
-    {4, 2048, 1.0F},
-    {1, 2048, 1.0F},
-    {1, 1024, 0.75F},
-    {1, 1024, 0.5F},
-    {1, 0, 0.5F},
+    {4, 2048, 1.0F, true},
+    {1, 2048, 1.0F, true},
+    {1, 1024, 0.75F, true},
+    {1, 1024, 0.5F, true},
+    {1, 0, 0.5F, false},
 }};
 
 // Picks one of those levels so that a frame takes less than its budget. A step down that gains little is

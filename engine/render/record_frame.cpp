@@ -37,6 +37,9 @@ void Renderer::record_view(VkCommandBuffer commands, View& view) {
   namespace use = vulkan::use;
   const bool ghosts =
       std::any_of(view.ghosts.begin(), view.ghosts.end(), [](const auto& each) { return each->shown(); });
+  if (view.occlusion)
+    view.occlusion->record(commands, pipelines_, *geometry_, detailed_.get(), view.scene_set.get(),
+                           view.layers);
   record_scene(commands, view, ghosts);
   if (ghosts) vulkan::barrier(commands, view.targets.depth.get(), kDepth, use::kDepthTarget, use::kSampled);
   for (const auto& ghost : view.ghosts)

@@ -1,10 +1,16 @@
 #include "engine/render/renderer.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <glm/gtc/packing.hpp>
+
+#include "engine/render/studio.h"
 
 namespace fulcrum::render {
 namespace {
+
+constexpr float kBeforeSurface = 1.25F;  // voxels: a surface fills the one that it lies in
 
 // No two of any renderers are alike: an overlay may be shown by one and then by another.
 std::uint64_t next_generation() {
@@ -19,6 +25,19 @@ vulkan::SamplerHandle make_scene_sampler(vulkan::Device& device) {
   info.minFilter = VK_FILTER_LINEAR;
   info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  return vulkan::make_sampler(device, info);
+}
+
+vulkan::SamplerHandle make_environment_sampler(vulkan::Device& device) {
+  VkSamplerCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+  info.magFilter = VK_FILTER_LINEAR;
+  info.minFilter = VK_FILTER_LINEAR;
+  info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;  // between two roughnesses
+  info.maxLod = VK_LOD_CLAMP_NONE;
+  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   return vulkan::make_sampler(device, info);
 }
 
@@ -56,14 +75,17 @@ Renderer::Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderO
     : device_(device),
       options_(options),
       facts_(facts_of(desc)),
-      setting_{desc.key_light, desc.ambient, desc.background},
+      setting_{desc.key_light, {}, desc.background},
       markers_(desc.markers),
       shaders_(std::move(shaders)),
       commands_(device),
       scene_sampler_(make_scene_sampler(device)) {
   shared_.scene_sampler = scene_sampler_.get();
-  if (!desc.instances.empty()) geometry_ = std::make_unique<SceneGeometry>(device, desc);
-  if (geometry_) shared_.instances = geometry_->instances();
+  if (!desc.instances.empty()) {
+    geometry_ = std::make_unique<SceneGeometry>(device, desc);
+    shared_.instances = geometry_->instances();
+    build_environment(desc);
+  }
   if (!facts_.looks.empty()) detailed_ = std::make_unique<DetailedSurfaces>(device, desc);
   take_ghosts(desc);
   if (!markers_.empty()) {
@@ -77,6 +99,39 @@ Renderer::~Renderer() {
   vkDeviceWaitIdle(device_.get());
 }
 
+void Renderer::build_environment(const VisualDesc& desc) {
+  const Surroundings radiance = [&](const glm::vec3& from) { return studio_radiance(desc.ambient, from); };
+  const Environment made = make_environment(radiance);
+  setting_.around = made.irradiance;
+  build_volume(make_light_volume(desc, radiance, made.irradiance));
+  environment_ = vulkan::upload_texture(device_, VK_FORMAT_R16G16B16A16_SFLOAT,
+                                        {kEnvironmentSize, kEnvironmentSize}, made.levels);
+  environment_sampler_ = make_environment_sampler(device_);
+  shared_.environment = environment_.view();
+  shared_.environment_sampler = environment_sampler_.get();
+}
+
+void Renderer::build_volume(const LightVolume& made) {
+  const glm::vec3 scale = 1.0F / (made.voxel * glm::vec3(made.counts));
+  setting_.volume_from_world = glm::vec4(scale, kBeforeSurface * made.voxel);
+  setting_.volume_low = glm::vec4(-made.low * scale, 4.0F * std::min({scale.x, scale.y, scale.z}));
+  setting_.unhidden = made.unhidden;
+  const auto on_device = [&](const std::vector<glm::vec4>& voxels) {
+    std::vector<std::uint64_t> halves;
+    halves.reserve(voxels.size());
+    for (const glm::vec4& voxel : voxels) halves.push_back(glm::packHalf4x16(voxel));
+    return vulkan::upload_volume(device_, VK_FORMAT_R16G16B16A16_SFLOAT,
+                                 {made.counts.x, made.counts.y, made.counts.z},
+                                 std::as_bytes(std::span(halves)));
+  };
+  open_ = on_device(made.open);
+  received_ = on_device(made.received);
+  sent_on_ = on_device(made.sent_on);
+  shared_.open = open_.view();
+  shared_.received = received_.view();
+  shared_.sent_on = sent_on_.view();
+}
+
 void Renderer::take_ghosts(const VisualDesc& desc) {
   shared_.ghosts.clear();
   if (facts_.ghost_edges.empty()) return;
@@ -88,7 +143,7 @@ void Renderer::build(const RenderPlan& plan) {
   const bool first = generation_ == 0;
   const bool other_shadow = first || !ready_ || plan.shadow_size != plan_.shadow_size;
   const bool other_pipelines = first || !ready_ || plan.samples != plan_.samples ||
-                               plan.ghosts != plan_.ghosts ||
+                               plan.ghosts != plan_.ghosts || plan.occlusion != plan_.occlusion ||
                                (plan.shadow_size > 0) != (plan_.shadow_size > 0);
   ready_ = false;
   drawn_ = false;
@@ -111,10 +166,11 @@ void Renderer::build(const RenderPlan& plan) {
 void Renderer::build_pipelines() {
   // Of all ghosts alike.
   const VkDescriptorSetLayout ghost = main_.ghosts.empty() ? VK_NULL_HANDLE : main_.ghosts.front()->layout();
+  const VkDescriptorSetLayout occlusion = main_.occlusion ? main_.occlusion->layout() : VK_NULL_HANDLE;
   const VkDescriptorSetLayout stereo = stereo_ ? stereo_->set.layout() : VK_NULL_HANDLE;
   pipelines_ = make_pipelines(device_, plan_, shaders_,
                               {main_.scene_set.layout(), detailed_ ? detailed_->layout() : VK_NULL_HANDLE,
-                               main_.tone_set.layout(), ghost, stereo});
+                               main_.tone_set.layout(), occlusion, ghost, stereo});
 }
 
 void Renderer::build_shadow_map() {
@@ -219,7 +275,8 @@ std::optional<Error> Renderer::update(const FrameState& state) {
   const auto show = [&](View& view, const Camera& camera) {
     FrameState seen = state;
     seen.camera = camera;
-    view.update(frame_data(setting_, seen, view.plan.picture, light_, plan_.shadow_size), seen);
+    view.update(frame_data(setting_, seen, view.plan.picture, view.plan.scene, light_, plan_.shadow_size),
+                seen);
   };
   if (stereo_) {
     show(main_, seen_by(Eye::left, *options_.stereo, state.camera));

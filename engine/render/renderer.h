@@ -7,6 +7,7 @@
 
 #include "engine/render/detailed_surfaces.h"
 #include "engine/render/frame_data.h"
+#include "engine/render/light_volume.h"
 #include "engine/render/overlay_pass.h"
 #include "engine/render/picture.h"
 #include "engine/render/pipelines.h"
@@ -53,6 +54,8 @@ private:
 
   std::optional<Error> rebuild(const RenderOptions& options);
   void build(const RenderPlan& plan);
+  void build_environment(const VisualDesc& desc);
+  void build_volume(const LightVolume& made);
   void take_ghosts(const VisualDesc& desc);
   void build_shadow_map();
   void build_pipelines();
@@ -87,6 +90,11 @@ private:
   std::unique_ptr<SceneGeometry> geometry_;     // null without instances
   std::unique_ptr<DetailedSurfaces> detailed_;  // null without detailed materials
   vulkan::Buffer marker_buffer_;                // empty without markers
+  vulkan::Image environment_;                   // this and the volumes: empty without instances
+  vulkan::Image open_;
+  vulkan::Image received_;
+  vulkan::Image sent_on_;
+  vulkan::SamplerHandle environment_sampler_;
   vulkan::SamplerHandle shadow_sampler_;
   vulkan::SamplerHandle scene_sampler_;
 

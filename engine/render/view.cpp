@@ -1,19 +1,34 @@
 #include "engine/render/view.h"
 
 #include <cstring>
+#include <utility>
 
 #include "engine/render/pipelines.h"
 
 namespace fulcrum::render {
 namespace {
 
+std::optional<OcclusionPass> make_occlusion(vulkan::Device& device, const RenderPlan& plan, VkBuffer frame) {
+  if (!plan.occlusion) return {};
+  return std::optional<OcclusionPass>(std::in_place, device, plan.scene, frame);
+}
+
 vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& plan,
-                                     const SharedParts& shared, VkBuffer frame) {
+                                     const SharedParts& shared, VkBuffer frame,
+                                     const std::optional<OcclusionPass>& occlusion) {
   constexpr VkShaderStageFlags both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
   std::vector<vulkan::Binding> bindings = {{kFrameBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, both, frame}};
   if (plan.surfaces) {
     bindings.push_back(
         {kInstancesBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT, shared.instances});
+    const auto sampled = [&](std::uint32_t number, VkImageView view) {
+      bindings.push_back({number, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT,
+                          VK_NULL_HANDLE, view, shared.environment_sampler});
+    };
+    sampled(kEnvironmentBinding, shared.environment);
+    sampled(kOpenBinding, shared.open);
+    sampled(kReceivedBinding, shared.received);
+    sampled(kSentOnBinding, shared.sent_on);
   }
   if (plan.markers) {
     bindings.push_back(
@@ -24,6 +39,11 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
                         VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, shared.shadow_map,
                         shared.shadow_sampler});
   }
+  if (occlusion) {
+    bindings.push_back({kOcclusionBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                        VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, occlusion->view(),
+                        occlusion->sampler()});
+  }
   return {device, bindings};
 }
 
@@ -33,7 +53,8 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
     : plan(view_plan),
       targets(make_targets(device, plan)),
       frame_buffer(device, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload),
-      scene_set(make_scene_set(device, plan, shared, frame_buffer.get())),
+      occlusion(make_occlusion(device, plan, frame_buffer.get())),
+      scene_set(make_scene_set(device, plan, shared, frame_buffer.get(), occlusion)),
       tone_set(device, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT,
                          VK_NULL_HANDLE, targets.scene.view(), shared.scene_sampler}}) {
   for (const SharedGhost& ghost : shared.ghosts)

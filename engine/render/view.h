@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/render/ghost_pass.h"
+#include "engine/render/occlusion_pass.h"
 #include "engine/render/targets.h"
 #include "engine/vulkan/buffer.h"
 #include "engine/vulkan/descriptors.h"
@@ -24,6 +25,11 @@ struct SharedParts {
   VkBuffer markers = VK_NULL_HANDLE;
   VkImageView shadow_map = VK_NULL_HANDLE;
   VkSampler shadow_sampler = VK_NULL_HANDLE;
+  VkImageView environment = VK_NULL_HANDLE;
+  VkSampler environment_sampler = VK_NULL_HANDLE;  // and of the three volumes
+  VkImageView open = VK_NULL_HANDLE;
+  VkImageView received = VK_NULL_HANDLE;
+  VkImageView sent_on = VK_NULL_HANDLE;
   VkSampler scene_sampler = VK_NULL_HANDLE;
   std::vector<SharedGhost> ghosts;
 };
@@ -39,6 +45,7 @@ struct View {
   RenderPlan plan;  // its picture is the part of the picture that the view fills
   Targets targets;
   vulkan::Buffer frame_buffer;
+  std::optional<OcclusionPass> occlusion;  // where the plan has it
   vulkan::DescriptorSet scene_set;
   vulkan::DescriptorSet tone_set;
   std::vector<std::unique_ptr<GhostPass>> ghosts;

@@ -15,9 +15,9 @@ VkImageAspectFlags aspect_of(VkFormat format) {
 Image::Image(Device& device, const ImageDesc& desc) : extent_(desc.extent) {
   VkImageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-  info.imageType = VK_IMAGE_TYPE_2D;
+  info.imageType = desc.depth > 0 ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
   info.format = desc.format;
-  info.extent = {desc.extent.width, desc.extent.height, 1};
+  info.extent = {desc.extent.width, desc.extent.height, std::max(desc.depth, 1U)};
   info.mipLevels = desc.levels;
   info.arrayLayers = 1;
   info.samples = desc.samples;
@@ -35,7 +35,7 @@ Image::Image(Device& device, const ImageDesc& desc) : extent_(desc.extent) {
   VkImageViewCreateInfo view{};
   view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
   view.image = image;
-  view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+  view.viewType = desc.depth > 0 ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
   view.format = desc.format;
   view.subresourceRange = {aspect_of(desc.format), 0, desc.levels, 0, 1};
   VkImageView object = VK_NULL_HANDLE;
@@ -49,7 +49,7 @@ Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
   for (const auto& level : levels) bytes += level.size();
   const Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Place::upload);
   Image made(device, {format, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                      VK_SAMPLE_COUNT_1_BIT, static_cast<std::uint32_t>(levels.size())});
+                      VK_SAMPLE_COUNT_1_BIT, 0, static_cast<std::uint32_t>(levels.size())});
   std::vector<VkBufferImageCopy> copies;
   std::size_t at = 0;
   for (std::uint32_t i = 0; i < levels.size(); ++i) {
@@ -65,6 +65,26 @@ Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
     barrier(commands, made.get(), VK_IMAGE_ASPECT_COLOR_BIT, {}, use::kCopyTarget);
     vkCmdCopyBufferToImage(commands, staging.get(), made.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                            static_cast<std::uint32_t>(copies.size()), copies.data());
+    barrier(commands, made.get(), VK_IMAGE_ASPECT_COLOR_BIT, use::kCopyTarget, use::kSampled);
+  });
+  return made;
+}
+
+Image upload_volume(Device& device, VkFormat format, VkExtent3D extent, std::span<const std::byte> texels) {
+  const Buffer staging(device, texels.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Place::upload);
+  std::memcpy(staging.mapped(), texels.data(), texels.size());
+  Image made(device, {format,
+                      {extent.width, extent.height},
+                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                      VK_SAMPLE_COUNT_1_BIT,
+                      extent.depth});
+  VkBufferImageCopy copy{};
+  copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  copy.imageExtent = extent;
+  Commands(device).run([&](VkCommandBuffer commands) {
+    barrier(commands, made.get(), VK_IMAGE_ASPECT_COLOR_BIT, {}, use::kCopyTarget);
+    vkCmdCopyBufferToImage(commands, staging.get(), made.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                           &copy);
     barrier(commands, made.get(), VK_IMAGE_ASPECT_COLOR_BIT, use::kCopyTarget, use::kSampled);
   });
   return made;

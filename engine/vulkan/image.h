@@ -1,5 +1,5 @@
 #pragma once
-// A two-dimensional image, its memory and its view.
+// A two- or three-dimensional image, its memory and its view.
 
 #include <cstddef>
 #include <span>
@@ -15,6 +15,7 @@ struct ImageDesc {
   VkExtent2D extent{};  // pixels
   VkImageUsageFlags usage = 0;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  std::uint32_t depth = 0;   // voxels, of a volume; 0: it is flat
   std::uint32_t levels = 1;  // each half as large as the one before, down to one pixel
 };
 
@@ -37,9 +38,12 @@ private:
 };
 
 // An image on the device that shaders may sample, with these levels; returns when they have arrived. Texels
-// of four bytes. Throws Failure.
+// of four or eight bytes. Throws Failure.
 Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
                      std::span<const std::vector<std::uint8_t>> levels);
+
+// The same of a volume, x fastest, then y; one level.
+Image upload_volume(Device& device, VkFormat format, VkExtent3D extent, std::span<const std::byte> texels);
 
 VkImageAspectFlags aspect_of(VkFormat format);
 

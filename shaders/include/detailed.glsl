@@ -120,12 +120,13 @@ void main() {
     open = 1.0 + material.amounts.y * (found - 1.0);
   }
 
-  vec3 mirrored = reflect(-v, n);
-  vec3 around = studio_diffuse(in_studio(n), frame.sky.rgb, frame.ground.rgb) * open;
+  vec3 mirrored = mirrored_from(n, v, roughness);
+  Reached reached = what_reaches(n, mirrored, n_dot_v, roughness);
+  vec3 around = mix(reached.sent_on, light_around(n), reached.facing) * open;
   vec2 scale_bias = environment_scale_bias(roughness, n_dot_v);
   vec3 radiance = diffuse * around;
   radiance += (f0 * scale_bias.x + f90 * scale_bias.y) *
-              studio(in_studio(mirrored), roughness, frame.sky.rgb, frame.ground.rgb) * open;
+              mix(reached.sent_on, light_mirrored(mirrored, roughness), reached.mirrored) * open;
   float below_sheen = 1.0;
   if (has(FULCRUM_LOOK_SHEEN)) {
     float albedo = sheen_albedo(n_dot_v, max(material.coat.w, kLeastSheen));
@@ -166,7 +167,7 @@ void main() {
     vec2 coat = environment_scale_bias(rough, g_dot_v);
     vec3 on_top = vec3(0.0);
     on_top += (0.04 * coat.x + coat.y) *
-              studio(in_studio(reflect(-v, geometric)), rough, frame.sky.rgb, frame.ground.rgb) * open;
+              mix(reached.sent_on, light_mirrored(mirrored_from(geometric, v, rough), rough), reached.mirrored) * open;
     if (lit > 0.0) {
       float fresnel = 0.04 + 0.96 * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
       float g_dot_h = max(dot(geometric, h), 0.0);

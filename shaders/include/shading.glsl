@@ -1,4 +1,4 @@
-// Metal-rough shading: a key light and a studio. Included by surface.glsl and detailed.glsl.
+// Metal-rough shading: a key light and what is all around. Included by surface.glsl and detailed.glsl.
 //
 // GGX: B. Walter et al., "Microfacet Models for Refraction", EGSR 2007. Joint Smith visibility, fast form, and
 // Schlick's Fresnel: glTF 2.0 specification, appendix B; S. Lagarde, "Moving Frostbite to PBR", 2014.
@@ -6,9 +6,15 @@
 
 #include "../shared/frame.h"
 #include "range.glsl"
-#include "studio.glsl"
 
 layout(std140, set = 0, binding = 0) uniform Frame { FrameData frame; };
+layout(set = 0, binding = 4) uniform sampler2D surroundings;  // engine/render/environment.h
+layout(set = 0, binding = 6) uniform sampler3D standing_open;      // engine/render/light_volume.h
+layout(set = 0, binding = 7) uniform sampler3D standing_received;
+layout(set = 0, binding = 8) uniform sampler3D standing_sent_on;
+#ifdef FULCRUM_OCCLUDED
+layout(set = 0, binding = 5) uniform sampler2D occlusion;
+#endif
 #ifdef FULCRUM_SHADOWED
 layout(set = 0, binding = 3) uniform sampler2DShadow shadow_map;
 #endif
@@ -59,8 +65,75 @@ float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
 }
 #endif
 
-vec3 in_studio(vec3 d) {
-  return vec3(frame.sky.w * d.x, d.yz);
+// Irradiance / pi from all around, of a surface that faces n.
+vec3 light_around(vec3 n) {
+  vec4 first = vec4(n, 1.0);
+  vec4 second = n.xyzz * n.yzzx;
+  vec3 sum = vec3(dot(frame.around_linear[0], first), dot(frame.around_linear[1], first), dot(frame.around_linear[2], first));
+  sum += vec3(dot(frame.around_quadratic[0], second), dot(frame.around_quadratic[1], second), dot(frame.around_quadratic[2], second));
+  return max(sum + frame.around_rest.rgb * (n.x * n.x - n.y * n.y), vec3(0.0));
+}
+
+// Radiance that a mirror of this roughness shows, where nothing hides it. The rougher it is, the nearer to the normal is where most of its light comes from (Lagarde 2014, 4.9.3).
+vec3 mirrored_from(vec3 n, vec3 v, float roughness) {
+  float smoothness = 1.0 - roughness;
+  return normalize(mix(n, reflect(-v, n), smoothness * (sqrt(smoothness) + roughness)));
+}
+
+vec3 light_mirrored(vec3 d, float roughness) {
+  d /= abs(d.x) + abs(d.y) + abs(d.z);
+  vec2 folded = (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
+  vec2 at = d.y < 0.0 ? folded : d.xz;
+  float level = max(roughness - 0.08, 0.0) * (4.0 / 0.92);
+  return textureLod(surroundings, 0.5 + 0.375 * at, level).rgb;
+}
+
+// The part of the light from all around that near things let through, from the four nearest pixels of an image of half
+// the size, of those that lie on this surface; 1 where none does.
+float open_part() {
+#ifdef FULCRUM_OCCLUDED
+  float z = 1.0 / gl_FragCoord.w;
+  float near_enough = 0.01 * z + 3.0 * fwidth(z);
+  vec2 clip = (frame.clip_from_world * vec4(world_position, 1.0)).xy * gl_FragCoord.w;
+  vec2 at = (vec2(0.5) + vec2(0.5, -0.5) * clip) * frame.occlusion.xy - 0.5;
+  vec2 low = floor(at);
+  vec2 part = at - low;
+  vec2 corner = (low + 1.0) / frame.occlusion.xy;
+  // A gather's order: lower left, lower right, upper right, upper left, where lower is the greater v.
+  vec4 open = textureGather(occlusion, corner, 0);
+  vec4 far = textureGather(occlusion, corner, 1);
+  vec4 weights = vec4(1.0 - part.x, part.x, part.x, 1.0 - part.x) * vec4(part.y, part.y, 1.0 - part.y, 1.0 - part.y);
+  weights *= max(1.0 - abs(far - z) / near_enough, 0.0);
+  return (dot(weights, open) + 1e-3) / (dot(weights, vec4(1.0)) + 1e-3);
+#else
+  return 1.0;
+#endif
+}
+
+// The parts of the light from all around that reach a surface, and what its mirror shows.
+struct Reached {
+  float facing;
+  float mirrored;
+  vec3 sent_on;  // radiance from where the rest is hidden
+};
+
+// What stands hides by the volume, what is near and seen by the image; most of it is in both. The image's part of what a
+// mirror shows: S. Lagarde, 2014.
+Reached what_reaches(vec3 n, vec3 d, float n_dot_v, float roughness) {
+  vec3 at = frame.volume_from_world.xyz * (world_position + n * frame.volume_from_world.w) + frame.volume_low.xyz;
+  // Beyond the volume, what is in it hides less and less.
+  float away = length(max(abs(at - 0.5) - 0.5, vec3(0.0)) / frame.volume_from_world.xyz) * frame.volume_low.w;
+  float held = 1.0 / (1.0 + away * away);
+  vec4 received = mix(frame.unhidden, texture(standing_received, at), held);
+  vec4 open = mix(vec4(0.0, 0.0, 0.0, 1.0), texture(standing_open, at), held);
+  float nothing_hidden = max(dot(frame.unhidden.xyz, n) + frame.unhidden.w, 1e-4);
+  float near = open_part();
+  float near_mirrored = clamp(pow(n_dot_v + near, exp2(-16.0 * roughness - 1.0)) - 1.0 + near, 0.0, 1.0);
+  Reached reached;
+  reached.sent_on = texture(standing_sent_on, at).rgb;
+  reached.facing = min(clamp((dot(received.xyz, n) + received.w) / nothing_hidden, 0.0, 1.0), near);
+  reached.mirrored = min(clamp(dot(open.xyz, d) + open.w, 0.0, 1.0), near_mirrored);
+  return reached;
 }
 
 float ggx(float n_dot_h, float alpha) {

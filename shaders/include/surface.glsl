@@ -13,9 +13,10 @@ void main() {
   vec3 f0 = mix(vec3(0.04), base, metallic);
   vec3 diffuse = base * (1.0 - metallic);
 
-  vec3 mirrored = reflect(-v, n);
-  vec3 radiance = diffuse * studio_diffuse(in_studio(n), frame.sky.rgb, frame.ground.rgb);
-  radiance += environment_brdf(f0, roughness, n_dot_v) * studio(in_studio(mirrored), roughness, frame.sky.rgb, frame.ground.rgb);
+  vec3 mirrored = mirrored_from(n, v, roughness);
+  Reached reached = what_reaches(n, mirrored, n_dot_v, roughness);
+  vec3 radiance = diffuse * mix(reached.sent_on, light_around(n), reached.facing);
+  radiance += environment_brdf(f0, roughness, n_dot_v) * mix(reached.sent_on, light_mirrored(mirrored, roughness), reached.mirrored);
 
   vec3 l;
   vec3 arriving = key_light(world_position, l);

@@ -36,15 +36,18 @@ TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   full.materials[1].detail.emplace().alpha = Alpha::mask;
   full.materials[1].detail->layers[SurfaceDetail::base_colour].emplace();
   const RenderPlan all = planned(full, everything);
-  for (const char* pipeline : {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers",
-                               "ghost depth", "ghost lines", "ghost", "background", "tone mapping"})
+  for (const char* pipeline :
+       {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers", "ghost depth",
+        "ghost lines", "ghost", "background", "tone mapping", "ambient occlusion"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);
   EXPECT_EQ(find(all.built, "standing shadow map", "image")->bytes, 2048U * 2048U * 4U);
   EXPECT_EQ(find(all.built, "textures", "image")->bytes, 4U * (2 * 2 + 1));
-  // Four samples of colour and depth, the scene, and the ghost's depth and lines.
-  EXPECT_EQ(find(all.built, "second view", "image")->bytes, 320U * 200U * (4U * 8U + 8U + 4U * 4U + 4U + 2U));
+  // Four samples of colour and depth, the scene, the ghost's depth and lines, and at half the size depth and
+  // what it hides, twice.
+  EXPECT_EQ(find(all.built, "second view", "image")->bytes,
+            320U * 200U * (4U * 8U + 8U + 4U * 4U + 4U + 2U) + 160U * 100U * (4U + 2U * 4U));
   EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 1280U * 720U * 8U * 4U);
 }
 
@@ -52,6 +55,33 @@ TEST(Plan, BuildsNothingForASecondViewThatNobodyAskedFor) {
   const RenderPlan plan = planned(test::make_scene());
   EXPECT_EQ(find(plan.built, "second view", "image"), nullptr);
   EXPECT_NE(find(plan.left_out, "second view", "image"), nullptr);
+}
+
+TEST(Plan, LeavesOutOcclusionWhereTheQualityDoes) {
+  RenderOptions options;
+  options.quality.occlusion = false;
+  const RenderPlan plan = planned(test::make_scene(), options);
+  EXPECT_FALSE(plan.occlusion);
+  EXPECT_EQ(find(plan.built, "ambient occlusion", "image"), nullptr);
+  EXPECT_EQ(find(plan.left_out, "ambient occlusion", "pipeline")->note,
+            "the quality setting switches it off");
+}
+
+TEST(Plan, LeavesOutTheLightVolumeWhereNothingStands) {
+  VisualDesc desc = test::make_scene();
+  const RenderPlan standing = planned(desc);
+  ASSERT_NE(find(standing.built, "light volume", "image"), nullptr);
+  const glm::uvec3 counts = facts_of(desc).volume;
+  EXPECT_EQ(find(standing.built, "light volume", "image")->bytes, 3U * 8U * counts.x * counts.y * counts.z);
+  for (Instance& instance : desc.instances) instance.movable = true;
+  const RenderPlan moving = planned(desc);
+  EXPECT_EQ(find(moving.built, "light volume", "image"), nullptr);
+  EXPECT_EQ(find(moving.left_out, "light volume", "image")->note, "nothing in the scene stands");
+  desc.instances.clear();
+  desc.ghosts.clear();
+  const RenderPlan empty = planned(desc);
+  for (const char* image : {"light volume", "surroundings", "ambient occlusion"})
+    EXPECT_EQ(find(empty.left_out, image, "image")->note, "the scene has no instances") << image;
 }
 
 TEST(Plan, LeavesOutMarkersWithoutCheckpoints) {

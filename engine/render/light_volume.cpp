@@ -1,0 +1,322 @@
+#include "engine/render/light_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "engine/render/light_fit.h"
+#include "engine/render/look.h"
+
+namespace fulcrum::render {
+namespace {
+
+constexpr float kMostVoxels = 64.0F;  // along the longest side
+constexpr std::size_t kDirections = 64;
+constexpr std::size_t kFineDirections = 4096;  // that those stand for
+constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F};
+
+struct Grid {
+  glm::vec3 low{0.0F};
+  float voxel = 1.0F;
+  glm::uvec3 counts{1U};
+
+  std::size_t size() const { return std::size_t{counts.x} * counts.y * counts.z; }
+  // Of the voxel around a point; none: it lies outside.
+  std::optional<std::size_t> index(const glm::vec3& at) const {
+    const glm::vec3 in = (at - low) / voxel;
+    for (int i = 0; i < 3; ++i)
+      if (!(in[i] >= 0.0F && in[i] < static_cast<float>(counts[i]))) return {};
+    const glm::uvec3 cell(in);
+    return (std::size_t{cell.z} * counts.y + cell.y) * counts.x + cell.x;
+  }
+};
+
+bool hides_light(const VisualDesc& desc, const Instance& instance) {
+  const auto look = look_of(desc.materials[instance.material]);
+  return !look || !is_blended(*look);
+}
+
+// Around what stands and throws a shadow; a floor or wall near it belongs to it as far as it is near.
+std::optional<Grid> grid_over(const VisualDesc& desc) {
+  std::vector<Bounds> casters, others;
+  for (const Instance& instance : desc.instances) {
+    if (instance.movable || !hides_light(desc, instance)) continue;
+    const Bounds box = transformed(bounds_of(desc.meshes[instance.mesh]), instance.X_WM);
+    (instance.casts_shadow ? casters : others).push_back(box);
+  }
+  if (casters.empty()) casters.swap(others);
+  if (casters.empty()) return {};
+  Bounds all = casters.front();
+  for (const Bounds& box : casters) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+  const glm::vec3 reach(0.25F *
+                        std::max({all.high.x - all.low.x, all.high.y - all.low.y, all.high.z - all.low.z}));
+  const Bounds around{all.low - reach, all.high + reach};
+  for (const Bounds& box : others) {
+    const glm::vec3 low = glm::max(box.low, around.low), high = glm::min(box.high, around.high);
+    if (glm::all(glm::lessThanEqual(low, high))) all = {glm::min(all.low, low), glm::max(all.high, high)};
+  }
+  const glm::vec3 size = all.high - all.low;
+  Grid grid;
+  grid.voxel = std::max({size.x, size.y, size.z, 1e-6F}) / (kMostVoxels - 6.0F);
+  grid.counts = glm::uvec3(glm::ceil(size / grid.voxel)) + 6U;  // an open rim of three all round
+  grid.low = 0.5F * (all.low + all.high) - 0.5F * grid.voxel * glm::vec3(grid.counts);
+  return grid;
+}
+
+// What the triangles in a voxel amount to.
+struct Matter {
+  float area = 0.0F;       // m^2
+  glm::vec3 normal{0.0F};  // times area
+  glm::vec3 colour{0.0F};  // what they send on of what they receive, times area
+};
+
+struct Corner {
+  glm::vec3 at, colour;
+};
+
+// A triangle no larger than a voxel belongs to the one that its middle lies in.
+void add(std::vector<Matter>& matter, const Grid& grid, const Corner& a, const Corner& b, const Corner& c,
+         int depth) {
+  const float longest =
+      std::max({glm::distance(a.at, b.at), glm::distance(b.at, c.at), glm::distance(c.at, a.at)});
+  if (longest > grid.voxel && depth < 16) {
+    // Halved across its longest edge.
+    const auto halve = [&](const Corner& from, const Corner& to, const Corner& rest) {
+      const Corner middle{0.5F * (from.at + to.at), 0.5F * (from.colour + to.colour)};
+      add(matter, grid, from, middle, rest, depth + 1);
+      add(matter, grid, middle, to, rest, depth + 1);
+    };
+    if (glm::distance(a.at, b.at) == longest) return halve(a, b, c);
+    if (glm::distance(b.at, c.at) == longest) return halve(b, c, a);
+    return halve(c, a, b);
+  }
+  const auto where = grid.index((a.at + b.at + c.at) / 3.0F);
+  if (!where) return;
+  const glm::vec3 normal = 0.5F * glm::cross(b.at - a.at, c.at - a.at);
+  const float area = glm::length(normal);
+  Matter& voxel = matter[*where];
+  voxel.area += area;
+  voxel.normal += normal;
+  voxel.colour += area / 3.0F * (a.colour + b.colour + c.colour);
+}
+
+std::vector<Matter> matter_of(const VisualDesc& desc, const Grid& grid) {
+  std::vector<Matter> matter(grid.size());
+  for (const Instance& instance : desc.instances) {
+    if (instance.movable || !hides_light(desc, instance)) continue;
+    const Mesh& mesh = desc.meshes[instance.mesh];
+    const Material& material = desc.materials[instance.material];
+    std::vector<Corner> corners;
+    corners.reserve(mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+      corners.push_back({glm::vec3(instance.X_WM * glm::vec4(mesh.positions[i], 1.0F)),
+                         material.base_colour * (mesh.colours.empty() ? glm::vec3(1.0F) : mesh.colours[i])});
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+      add(matter, grid, corners[mesh.indices[i]], corners[mesh.indices[i + 1]], corners[mesh.indices[i + 2]],
+          0);
+  }
+  return matter;
+}
+
+// Unit; none: as much of it faces one way as the other.
+std::optional<glm::vec3> facing(const Matter& matter) {
+  const float net = glm::length(matter.normal);
+  if (net < 0.1F * matter.area || net == 0.0F) return {};
+  return matter.normal / net;
+}
+
+// Unit, spread evenly.
+template <std::size_t n>
+std::array<glm::vec3, n> directions() {
+  std::array<glm::vec3, n> made;
+  for (std::size_t i = 0; i < n; ++i) {
+    const float y = 1.0F - 2.0F * (static_cast<float>(i) + 0.5F) / static_cast<float>(n);
+    const float turn = 2.39996323F * static_cast<float>(i), across = std::sqrt(1.0F - y * y);
+    made[i] = {across * std::cos(turn), y, across * std::sin(turn)};
+  }
+  return made;
+}
+
+struct Ray {
+  glm::vec3 from;   // unit: where the light comes from
+  float luminance;  // in the mean of all directions that this one stands for, times their share of all
+};
+
+std::vector<Ray> rays_of(const Surroundings& radiance) {
+  std::vector<Ray> rays;
+  for (const glm::vec3& d : directions<kDirections>()) rays.push_back({d, 0.0F});
+  for (const glm::vec3& d : directions<kFineDirections>()) {
+    const auto nearest =
+        std::ranges::max_element(rays, {}, [&](const Ray& ray) { return glm::dot(ray.from, d); });
+    nearest->luminance += glm::dot(radiance(d), kLuminance) / static_cast<float>(kFineDirections);
+  }
+  return rays;
+}
+
+// Light of one direction on its way through the grid, slice by slice across the axis that it mostly follows.
+template <typename Light>
+class Sweep {
+public:
+  // outside: what arrives at the grid.
+  Sweep(const Grid& grid, const glm::vec3& from, const Light& outside) {
+    const glm::vec3 size = glm::abs(from);
+    along_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    u_ = (along_ + 1) % 3;
+    v_ = (along_ + 2) % 3;
+    counts_ = glm::ivec3(grid.counts);
+    strides_ = {1, counts_.x, counts_.x * counts_.y};
+    upwards_ = from[along_] > 0.0F;
+    du_ = from[u_] / size[along_];
+    dv_ = from[v_] / size[along_];
+    const auto slice = static_cast<std::size_t>((counts_[u_] + 3) * (counts_[v_] + 3));
+    before_.assign(slice, outside);  // with a rim of open voxels
+    after_.assign(slice, outside);
+  }
+
+  // leaves(voxel, light): of each voxel once, what leaves it of the light that arrives.
+  template <typename Leaves>
+  void run(const Leaves& leaves) {
+    for (int step = 0; step < counts_[along_]; ++step) {
+      const int at = upwards_ ? counts_[along_] - 1 - step : step;
+      for (int v = 0; v < counts_[v_]; ++v)
+        for (int u = 0; u < counts_[u_]; ++u) {
+          const auto voxel =
+              static_cast<std::size_t>(at * strides_[along_] + u * strides_[u_] + v * strides_[v_]);
+          after_[place(u, v)] =
+              leaves(voxel, upstream(static_cast<float>(u) + du_, static_cast<float>(v) + dv_));
+        }
+      before_.swap(after_);
+    }
+  }
+
+private:
+  std::size_t place(int u, int v) const {
+    return static_cast<std::size_t>((v + 1) * (counts_[u_] + 3) + u + 1);
+  }
+
+  Light upstream(float u, float v) const {
+    const float low_u = std::floor(u), low_v = std::floor(v);
+    const Light* first = before_.data() + place(static_cast<int>(low_u), static_cast<int>(low_v));
+    const Light* second = first + counts_[u_] + 3;
+    const float part_u = u - low_u, part_v = v - low_v;
+    const Light near = first[0] + part_u * (first[1] - first[0]);
+    const Light far = second[0] + part_u * (second[1] - second[0]);
+    return near + part_v * (far - near);
+  }
+
+  int along_ = 0, u_ = 1, v_ = 2;
+  glm::ivec3 counts_{1}, strides_{1};
+  bool upwards_ = false;
+  float du_ = 0.0F, dv_ = 0.0F;
+  std::vector<Light> before_, after_;
+};
+
+std::vector<float> passing(const Grid& grid, const std::vector<Matter>& matter) {
+  const float face = grid.voxel * grid.voxel;
+  std::vector<float> passes(matter.size());
+  for (std::size_t i = 0; i < matter.size(); ++i) passes[i] = 1.0F - std::min(matter[i].area / face, 1.0F);
+  return passes;
+}
+
+void let_in(LightVolume& made, const Grid& grid, const std::vector<float>& passes,
+            const std::vector<Ray>& rays) {
+  made.open.assign(grid.size(), glm::vec4(0.0F));
+  made.received.assign(grid.size(), glm::vec4(0.0F));
+  for (const Ray& ray : rays) {
+    const glm::vec4 open = glm::vec4(3.0F * ray.from, 1.0F) / static_cast<float>(rays.size());
+    const glm::vec4 received = glm::vec4(2.0F * ray.from, 1.0F) * ray.luminance;
+    Sweep<float> sweep(grid, ray.from, 1.0F);
+    sweep.run([&](std::size_t voxel, float part) {
+      made.open[voxel] += part * open;
+      made.received[voxel] += part * received;
+      return part * passes[voxel];
+    });
+  }
+}
+
+float in(const glm::vec4& harmonics, const glm::vec3& d) {
+  return std::max(glm::dot(glm::vec3(harmonics), d) + harmonics.w, 0.0F);
+}
+
+glm::vec3 key_irradiance(const KeyLight& key, const glm::vec3& at, const glm::vec3& n,
+                         const glm::vec4& open) {
+  glm::vec3 towards = -glm::normalize(key.direction);
+  float strength = key.intensity;
+  if (key.kind == KeyLight::Kind::spot) {
+    const glm::vec3 way = key.position - at;
+    towards = glm::normalize(way);
+    strength /= std::max(glm::dot(way, way), 1e-4F);
+    if (glm::dot(-towards, glm::normalize(key.direction)) < std::cos(0.5F * key.cone_rad)) strength = 0.0F;
+  }
+  return key.colour * (strength * std::max(glm::dot(n, towards), 0.0F) * std::min(in(open, towards), 1.0F));
+}
+
+// Radiance that a voxel's surfaces send on, lit as the place two voxels before them is.
+std::vector<glm::vec3> radiance_of(const LightVolume& made, const Grid& grid,
+                                   const std::vector<Matter>& matter, const VisualDesc& desc,
+                                   const Irradiance& around) {
+  std::vector<glm::vec3> sent(matter.size(), glm::vec3(0.0F));
+  for (std::size_t i = 0; i < matter.size(); ++i) {
+    if (matter[i].area == 0.0F) continue;
+    const glm::vec3 n = facing(matter[i]).value_or(glm::vec3(0, 1, 0));
+    const glm::uvec3 cell(i % grid.counts.x, i / grid.counts.x % grid.counts.y,
+                          i / (grid.counts.x * grid.counts.y));
+    const glm::vec3 at = grid.low + grid.voxel * (glm::vec3(cell) + 0.5F + 1.5F * n);
+    const std::size_t seen = grid.index(at).value_or(i);
+    const float lit = std::min(in(made.received[seen], n) / std::max(in(made.unhidden, n), 1e-6F), 1.0F);
+    glm::vec3 arrives = irradiance(around, n) * lit;
+    if (desc.key_light) arrives += key_irradiance(*desc.key_light, at, n, made.open[seen]);
+    sent[i] = matter[i].colour / matter[i].area * arrives;
+  }
+  return sent;
+}
+
+// Nothing arrives from outside; what leaves a voxel is what it lets through and, to the side that it faces,
+// what it sends.
+void send_on(LightVolume& made, const Grid& grid, const std::vector<Matter>& matter,
+             const std::vector<float>& passes, const std::vector<Ray>& rays,
+             const std::vector<glm::vec3>& sent) {
+  std::vector<std::optional<glm::vec3>> normals;
+  normals.reserve(matter.size());
+  for (const Matter& each : matter) normals.push_back(facing(each));
+  made.sent_on.assign(grid.size(), glm::vec4(0.0F));
+  for (const Ray& ray : rays) {
+    Sweep<glm::vec4> sweep(grid, ray.from, glm::vec4(0.0F));  // w: the part that is hidden
+    sweep.run([&](std::size_t voxel, const glm::vec4& light) {
+      made.sent_on[voxel] += light;
+      if (passes[voxel] == 1.0F) return light;
+      const bool seen = !normals[voxel] || glm::dot(*normals[voxel], ray.from) < 0.2F;
+      const glm::vec4 own(seen ? sent[voxel] : glm::vec3(0.0F), 1.0F);
+      return glm::mix(own, light, passes[voxel]);
+    });
+  }
+  for (glm::vec4& voxel : made.sent_on) voxel /= std::max(voxel.w, 1e-3F);
+}
+
+}  // namespace
+
+glm::uvec3 light_volume_counts(const VisualDesc& desc) {
+  const std::optional<Grid> grid = grid_over(desc);
+  return grid ? grid->counts : glm::uvec3(1U);
+}
+
+LightVolume make_light_volume(const VisualDesc& desc, const Surroundings& radiance,
+                              const Irradiance& around) {
+  LightVolume made;
+  const std::vector<Ray> rays = rays_of(radiance);
+  for (const Ray& ray : rays) made.unhidden += glm::vec4(2.0F * ray.from, 1.0F) * ray.luminance;
+  made.received = {made.unhidden};
+  const std::optional<Grid> grid = grid_over(desc);
+  if (!grid) return made;
+  made.low = grid->low;
+  made.voxel = grid->voxel;
+  made.counts = grid->counts;
+  const std::vector<Matter> matter = matter_of(desc, *grid);
+  const std::vector<float> passes = passing(*grid, matter);
+  let_in(made, *grid, passes, rays);
+  send_on(made, *grid, matter, passes, rays, radiance_of(made, *grid, matter, desc, around));
+  return made;
+}
+
+}  // namespace fulcrum::render

@@ -1,0 +1,37 @@
+#pragma once
+// What a scene's standing parts hide of the light from all around, in a grid of voxels over them: things too
+// large or too far away for a depth image, and a tool that goes into a hole gets dark.
+//
+// Light is swept through the grid from 64 directions, from slice to slice; a voxel lets through what its
+// triangles leave open. What arrives is kept in spherical harmonics of bands 0 and 1 (R. Green, "Spherical
+// Harmonic Lighting: The Gritty Details", 2003).
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "engine/render/environment.h"
+#include "engine/render/visual_desc.h"
+
+namespace fulcrum::render {
+
+struct LightVolume {
+  glm::vec3 low{0.0F};    // m, world: its first corner
+  float voxel = 1.0F;     // m, its edge
+  glm::uvec3 counts{1U};  // of voxels; x runs fastest
+  // In a unit direction d, dot(xyz, d) + w: the part that is open; and irradiance / pi (luminance) facing d.
+  std::vector<glm::vec4> open{{0.0F, 0.0F, 0.0F, 1.0F}};
+  std::vector<glm::vec4> received{glm::vec4(0.0F)};
+  std::vector<glm::vec4> sent_on{
+      glm::vec4(0.0F)};      // rgb: radiance in the mean of all directions that are not open
+  glm::vec4 unhidden{0.0F};  // received, where nothing hides anything
+};
+
+// Without standing instances one voxel, which is open.
+// around: of the same radiance.
+LightVolume make_light_volume(const VisualDesc& desc, const Surroundings& radiance, const Irradiance& around);
+
+// The grid's counts alone; voxel by voxel what make_light_volume() takes, before it is made.
+glm::uvec3 light_volume_counts(const VisualDesc& desc);
+
+}  // namespace fulcrum::render

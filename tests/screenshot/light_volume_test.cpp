@@ -1,0 +1,172 @@
+// Light in a grid of voxels against what a place can see of an even sky.
+
+#include "engine/render/light_volume.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <numbers>
+
+#include "engine/render/studio.h"
+#include "test_scene.h"
+
+namespace fulcrum::render {
+namespace {
+
+glm::vec3 even(const glm::vec3&) {
+  return glm::vec3(1.0F);
+}
+
+// Faces of one colour, two triangles each: corner, and the edges that leave it; their cross product is
+// outwards.
+struct Face {
+  glm::vec3 corner, along, across;
+};
+
+void add(VisualDesc& desc, const std::vector<Face>& faces, const glm::vec3& colour) {
+  Mesh mesh;
+  for (const Face& face : faces) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const glm::vec3 n = glm::normalize(glm::cross(face.along, face.across));
+    for (const glm::vec3& p : {face.corner, face.corner + face.along, face.corner + face.along + face.across,
+                               face.corner + face.across}) {
+      mesh.positions.push_back(p);
+      mesh.normals.push_back(n);
+    }
+    for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + i);
+  }
+  desc.meshes.push_back(mesh);
+  desc.materials.push_back({"paint", colour, 0.0F, 1.0F});
+  Instance instance;
+  instance.mesh = desc.meshes.size() - 1;
+  instance.material = desc.materials.size() - 1;
+  desc.instances.push_back(instance);
+}
+
+// A shaft of that width around the y axis, open above y = 0, with a floor at -depth and a rim around its
+// mouth.
+VisualDesc shaft(float width, float depth) {
+  const float h = 0.5F * width, r = 0.1F;
+  VisualDesc desc;
+  desc.key_light.reset();
+  add(desc,
+      {{{-h, -depth, h}, {width, 0, 0}, {0, 0, -width}},
+       {{-h, -depth, -h}, {width, 0, 0}, {0, depth, 0}},
+       {{h, -depth, h}, {-width, 0, 0}, {0, depth, 0}},
+       {{-h, -depth, h}, {0, 0, -width}, {0, depth, 0}},
+       {{h, -depth, -h}, {0, 0, width}, {0, depth, 0}},
+       {{-r, 0, r}, {2 * r, 0, 0}, {0, 0, h - r}},
+       {{-r, 0, -h}, {2 * r, 0, 0}, {0, 0, h - r}},
+       {{-r, 0, h}, {r - h, 0, 0}, {0, 0, -width}},
+       {{h, 0, h}, {r - h, 0, 0}, {0, 0, -width}}},
+      glm::vec3(0.5F));
+  return desc;
+}
+
+LightVolume volume_of(const VisualDesc& desc, const Surroundings& radiance = even) {
+  return make_light_volume(desc, radiance, make_environment(radiance).irradiance);
+}
+
+std::size_t voxel_at(const LightVolume& volume, const glm::vec3& at) {
+  const glm::uvec3 cell((at - volume.low) / volume.voxel);
+  return (std::size_t{cell.z} * volume.counts.y + cell.y) * volume.counts.x + cell.x;
+}
+
+float facing(const glm::vec4& harmonics, const glm::vec3& d) {
+  return glm::dot(glm::vec3(harmonics), d) + harmonics.w;
+}
+
+// What a small surface sees of a square of that half width, straight above it at that height, weighed by the
+// cosine (J. R. Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3, four times).
+float share_of_square(float half_width, float height) {
+  const float a = half_width / height, root = std::sqrt(1.0F + a * a);
+  return 4.0F / std::numbers::pi_v<float> * a / root * std::atan(a / root);
+}
+
+TEST(LightVolume, WhereNothingStandsAllIsOpen) {
+  VisualDesc desc = test::make_scene();
+  for (Instance& instance : desc.instances) instance.movable = true;
+  const LightVolume volume = volume_of(desc);
+  EXPECT_EQ(volume.counts, glm::uvec3(1U));
+  EXPECT_EQ(volume.counts, light_volume_counts(desc));
+  EXPECT_EQ(volume.open[0], glm::vec4(0, 0, 0, 1));
+  EXPECT_EQ(volume.received[0], volume.unhidden);
+  EXPECT_NEAR(facing(volume.unhidden, {0, 1, 0}), 1.0F, 0.01F);
+}
+
+// Two bands hold the light of half a sphere exactly and that of a narrow hole up to a quarter too low.
+TEST(LightVolume, AShaftIsAsDarkAsItIsDeep) {
+  for (const float depth : {0.02F, 0.04F, 0.08F, 0.12F}) {
+    const LightVolume volume = volume_of(shaft(0.06F, depth));
+    const float height = depth - 1.5F * volume.voxel;
+    const std::size_t bottom = voxel_at(volume, {0.001F, -height, 0.001F});
+    const float wanted = share_of_square(0.03F, height);
+    EXPECT_NEAR(facing(volume.received[bottom], {0, 1, 0}), wanted, 0.04F + 0.25F * wanted) << depth;
+    EXPECT_LT(facing(volume.open[bottom], {0, -1, 0}), 0.05F) << depth;
+    const std::size_t above = voxel_at(volume, {0.09F, 1.5F * volume.voxel, 0.09F});
+    EXPECT_NEAR(facing(volume.received[above], {0, 1, 0}), 1.0F, 0.08F) << depth;
+  }
+}
+
+TEST(LightVolume, DeeperIsDarker) {
+  float before = 1.0F;
+  for (const float depth : {0.02F, 0.04F, 0.08F, 0.12F}) {
+    const LightVolume volume = volume_of(shaft(0.06F, depth));
+    const float now =
+        facing(volume.received[voxel_at(volume, {0, 1.5F * volume.voxel - depth, 0})], {0, 1, 0});
+    EXPECT_LT(now, before);
+    before = now;
+  }
+}
+
+TEST(LightVolume, AWallSendsItsColourOn) {
+  VisualDesc desc;
+  desc.key_light.reset();
+  add(desc, {{{0, 0, 0}, {0.2F, 0, 0}, {0, 0.2F, 0}}}, {0.8F, 0.1F, 0.1F});
+  const LightVolume volume = volume_of(desc);
+  const glm::vec4 near = volume.sent_on[voxel_at(volume, {0.1F, 0.1F, 1.4F * volume.voxel})];
+  EXPECT_NEAR(near.r, 0.8F, 0.15F) << "an open wall in even light is as bright as its colour";
+  EXPECT_GT(near.r, 5.0F * near.g);
+}
+
+TEST(LightVolume, WhatMovesOrIsSeenThroughHidesNothing) {
+  VisualDesc desc;
+  desc.key_light.reset();
+  add(desc, {{{0, 0, 0}, {0, 0, 0.2F}, {0.2F, 0, 0}}}, glm::vec3(0.5F));
+  const LightVolume alone = volume_of(desc);
+  add(desc, {{{0, 0.03F, 0}, {0.2F, 0, 0}, {0, 0, 0.2F}}}, glm::vec3(0.5F));
+  const LightVolume covered = volume_of(desc);
+  desc.materials[1].detail.emplace().alpha = Alpha::blend;
+  const LightVolume through_glass = volume_of(desc);
+  desc.materials[1].detail.reset();
+  desc.instances[1].movable = true;
+  const LightVolume below_a_tool = volume_of(desc);
+  const auto upwards = [](const LightVolume& volume) {
+    return facing(volume.received[voxel_at(volume, {0.1F, 1.5F * volume.voxel, 0.1F})], {0, 1, 0});
+  };
+  EXPECT_LT(upwards(covered), 0.7F * upwards(alone));
+  EXPECT_EQ(upwards(through_glass), upwards(alone));
+  EXPECT_EQ(upwards(below_a_tool), upwards(alone));
+}
+
+TEST(LightVolume, StaysFiniteForSheetsSpecksAndLandscapes) {
+  for (const float size : {1e-6F, 1.0F, 1e4F})
+    for (const glm::vec3& shape :
+         {glm::vec3(1, 1, 1), glm::vec3(1, 0, 1), glm::vec3(1, 0, 0), glm::vec3(0, 0, 0)}) {
+      VisualDesc desc;
+      add(desc, {{glm::vec3(0.0F), size * shape * glm::vec3(1, 0, 0), size * shape * glm::vec3(0, 1, 1)}},
+          glm::vec3(1.0F));
+      const LightVolume volume =
+          volume_of(desc, [](const glm::vec3& from) { return studio_radiance({}, from); });
+      EXPECT_EQ(volume.counts, light_volume_counts(desc));
+      EXPECT_EQ(volume.open.size(), std::size_t{volume.counts.x} * volume.counts.y * volume.counts.z);
+      EXPECT_LE(volume.counts.x, 64U);
+      for (const auto* voxels : {&volume.open, &volume.received, &volume.sent_on})
+        for (const glm::vec4& voxel : *voxels)
+          ASSERT_TRUE(std::isfinite(voxel.x + voxel.y + voxel.z + voxel.w)) << size;
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::render
