@@ -72,6 +72,10 @@ bool write_checked(const fs::path& path, std::span<const std::byte> content) {
   return put_file(path, {std::as_bytes(std::span(sum)), content});
 }
 
+std::vector<std::byte> to_bytes(const std::vector<std::byte>& bytes) {
+  return bytes;
+}
+
 template <class T, class Parse, class Bake>
 Result<Baked<T>> load_or_bake(const fs::path& folder, const std::string& name, const Parse& parse,
                               const Bake& bake) {
@@ -127,6 +131,17 @@ Result<Baked<Pointshell>> BakeCache::edges(const Solid& solid, const PointshellD
   return load_or_bake<Pointshell>(
       folder_, shell_name(solid, "edges", desc), pointshell_from_bytes,
       [&] { return bake_edges(solid, desc); });
+}
+
+Baked<std::vector<std::byte>> BakeCache::bytes(
+    const std::string& name, const std::function<bool(std::span<const std::byte>)>& is_whole,
+    const std::function<std::vector<std::byte>()>& make) const {
+  using Bytes = std::vector<std::byte>;
+  const auto parse = [&](std::span<const std::byte> content) {
+    return is_whole(content) ? std::optional<Bytes>(std::in_place, content.begin(), content.end())
+                             : std::nullopt;
+  };
+  return *load_or_bake<Bytes>(folder_, name, parse, [&] { return Result<Bytes>(make()); });
 }
 
 }  // namespace fulcrum

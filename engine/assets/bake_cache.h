@@ -2,8 +2,12 @@
 // Bakes kept between runs, found by what they were made from: SHA-256 of the mesh, the parameters and the
 // format.
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "haptics/bake/field_bake.h"
 #include "haptics/bake/pointshell_bake.h"
@@ -31,6 +35,12 @@ public:
                                      const Progress& progress = {}) const;
   Result<Baked<Pointshell>> pointshell(const Solid& solid, const PointshellDesc& desc) const;
   Result<Baked<Pointshell>> edges(const Solid& solid, const PointshellDesc& desc) const;
+
+  // What another room makes from something else. name: a SHA-256 of all of that, and an ending. is_whole:
+  // the bytes are of one piece.
+  Baked<std::vector<std::byte>> bytes(const std::string& name,
+                                      const std::function<bool(std::span<const std::byte>)>& is_whole,
+                                      const std::function<std::vector<std::byte>()>& make) const;
 
   const std::filesystem::path& folder() const { return folder_; }
 

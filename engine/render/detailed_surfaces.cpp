@@ -100,8 +100,9 @@ DetailedSurfaces::OnDevice DetailedSurfaces::make(vulkan::Device& device, const 
 
 void DetailedSurfaces::record(VkCommandBuffer commands, const Pipelines& pipelines,
                               const SceneGeometry& geometry, VkDescriptorSet scene_set, Which which,
-                              const glm::vec3& eye, std::uint32_t layers) const {
-  const auto pieces = which == Which::blended ? geometry.blended(eye, layers) : geometry.detailed(layers);
+                              const Sight& sight) const {
+  const auto pieces =
+      which == Which::blended ? geometry.blended(sight.eye, sight.layers) : geometry.detailed(sight.layers);
   if (pieces.empty()) return;
   geometry.bind(commands);
   const VkPipelineLayout layout = pipelines.detailed_layout.get();
@@ -115,19 +116,19 @@ void DetailedSurfaces::record(VkCommandBuffer commands, const Pipelines& pipelin
     const bool two_sided = is_two_sided(piece.look);
     if (which == Which::blended && two_sided) {
       vkCmdSetCullMode(commands, VK_CULL_MODE_FRONT_BIT);
-      geometry.draw(commands, piece);
+      geometry.draw(commands, piece, sight);
     }
     vkCmdSetCullMode(commands,
                      two_sided && which == Which::opaque ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-    geometry.draw(commands, piece);
+    geometry.draw(commands, piece, sight);
   }
 }
 
 void DetailedSurfaces::record_occluders(VkCommandBuffer commands, const Pipelines& pipelines,
                                         const SceneGeometry& geometry, VkDescriptorSet scene_set,
-                                        std::uint32_t layers) const {
+                                        const Sight& sight) const {
   geometry.bind(commands);
-  for (const SceneGeometry::Piece& piece : geometry.detailed(layers)) {
+  for (const SceneGeometry::Piece& piece : geometry.detailed(sight.layers)) {
     const bool masked = is_masked(piece.look);
     const VkPipelineLayout layout = masked ? pipelines.detailed_layout.get() : pipelines.scene_layout.get();
     render::bind(commands, masked ? pipelines.masked_occluders.get() : pipelines.occluders.get(), layout,
@@ -137,13 +138,13 @@ void DetailedSurfaces::record_occluders(VkCommandBuffer commands, const Pipeline
       vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
     }
     vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-    geometry.draw(commands, piece);
+    geometry.draw(commands, piece, sight);
   }
 }
 
 void DetailedSurfaces::record_shadows(VkCommandBuffer commands, const Pipelines& pipelines,
                                       const SceneGeometry& geometry, VkDescriptorSet scene_set,
-                                      SceneGeometry::Casters which) const {
+                                      SceneGeometry::Casters which, const Sight& light) const {
   const std::vector<SceneGeometry::Piece> pieces = geometry.masked_casters(which);
   if (pieces.empty()) return;
   geometry.bind(commands);
@@ -153,7 +154,7 @@ void DetailedSurfaces::record_shadows(VkCommandBuffer commands, const Pipelines&
     const VkDescriptorSet set = materials_[piece.material]->set.get();
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
     vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-    geometry.draw(commands, piece);
+    geometry.draw(commands, piece, light);
   }
 }
 

@@ -23,15 +23,15 @@ public:
   VkDescriptorSetLayout layout() const { return layout_; }
 
   enum class Which { opaque, blended };
-  // Draws them as a camera of these layers sees them: blended ones the farthest first.
+  // Draws them as they are seen: blended ones the farthest first.
   void record(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
-              VkDescriptorSet scene_set, Which which, const glm::vec3& eye, std::uint32_t layers) const;
+              VkDescriptorSet scene_set, Which which, const Sight& sight) const;
   // In depth alone, with their holes, those that are not blended.
   void record_occluders(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
-                        VkDescriptorSet scene_set, std::uint32_t layers) const;
+                        VkDescriptorSet scene_set, const Sight& sight) const;
   // The shadows of those that have holes.
   void record_shadows(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
-                      VkDescriptorSet scene_set, SceneGeometry::Casters which) const;
+                      VkDescriptorSet scene_set, SceneGeometry::Casters which, const Sight& light) const;
 
 private:
   struct OnDevice {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "engine/render/light_fit.h"
+#include "engine/render/bounds.h"
 
 namespace fulcrum::render {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 // One number for all vertices in one place: a mesh has several where its normals or colours jump, and where
 // a program that wrote it rounded, they lie a little apart.
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
-  const Bounds bounds = bounds_of(mesh);
+  const Bounds bounds = bounds_of(mesh.positions);
   const float width_m = 1e-5F * glm::distance(bounds.low, bounds.high);
   // Swept along a direction that no face of an aligned model is perpendicular to, so that few are level.
   constexpr glm::vec3 kSweep{0.53F, 0.67F, 0.52F};

@@ -85,7 +85,7 @@ void GhostPass::record_lines(VkCommandBuffer commands, const Pipelines& pipeline
   depth.clearValue.depthStencil.depth = 0.0F;  // reversed: infinitely far
   begin(commands, depth_.extent(), nullptr, &depth);
   use(commands, pipelines, pipelines.ghost_depth.get());
-  geometry.draw(commands, SceneGeometry::Which::tool, layers_);
+  geometry.draw_tool(commands, layers_);
   vkCmdEndRendering(commands);
   vulkan::barrier(commands, depth_.get(), kDepth, to::kDepthTarget, to::kSampled);
 

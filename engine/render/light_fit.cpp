@@ -2,27 +2,12 @@
 
 #define GLM_FORCE_DEPTH_ZERO_TO_ONE
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 
 namespace fulcrum::render {
 namespace {
-
-void grow(Bounds& bounds, const glm::vec3& point) {
-  bounds.low = glm::min(bounds.low, point);
-  bounds.high = glm::max(bounds.high, point);
-}
-
-std::array<glm::vec3, 8> corners(const Bounds& b) {
-  std::array<glm::vec3, 8> points;
-  for (std::size_t i = 0; i < 8; ++i) {
-    points[i] = {(i & 1) != 0 ? b.high.x : b.low.x, (i & 2) != 0 ? b.high.y : b.low.y,
-                 (i & 4) != 0 ? b.high.z : b.low.z};
-  }
-  return points;
-}
 
 // A size that only changes in steps of an eighth of its power of two.
 float rounded_up(float size) {
@@ -39,11 +24,7 @@ glm::mat4 look_along(const glm::vec3& eye, const glm::vec3& direction) {
 LightFit fit_directional(const glm::vec3& direction, std::span<const Bounds> casters, int map_size) {
   const glm::mat4 view = look_along(glm::vec3(0.0F), direction);
   Bounds seen = transformed(casters.front(), view);
-  for (const Bounds& caster : casters.subspan(1)) {
-    const Bounds box = transformed(caster, view);
-    grow(seen, box.low);
-    grow(seen, box.high);
-  }
+  for (const Bounds& caster : casters.subspan(1)) seen = united(seen, transformed(caster, view));
   const glm::vec3 size = seen.high - seen.low;
   // A rim of texels for the filter, and room for the centre to be rounded.
   const float side = rounded_up(std::max(size.x, size.y) * (1.0F + 16.0F / static_cast<float>(map_size)));
@@ -77,20 +58,6 @@ LightFit fit_spot(const KeyLight& light, const glm::vec3& direction, std::span<c
 }
 
 }  // namespace
-
-Bounds bounds_of(const Mesh& mesh) {
-  Bounds bounds{mesh.positions.front(), mesh.positions.front()};
-  for (const glm::vec3& position : mesh.positions) grow(bounds, position);
-  return bounds;
-}
-
-Bounds transformed(const Bounds& bounds, const glm::mat4& X) {
-  const std::array<glm::vec3, 8> points = corners(bounds);
-  const auto placed = [&](const glm::vec3& point) { return glm::vec3(X * glm::vec4(point, 1.0F)); };
-  Bounds result{placed(points[0]), placed(points[0])};
-  for (const glm::vec3& point : points) grow(result, placed(point));
-  return result;
-}
 
 LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int map_size) {
   const glm::vec3 direction = glm::normalize(light.direction);

@@ -4,20 +4,10 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "engine/render/bounds.h"
 #include "engine/render/visual_desc.h"
 
 namespace fulcrum::render {
-
-// An axis-aligned box.
-struct Bounds {
-  glm::vec3 low{0.0F};   // m
-  glm::vec3 high{0.0F};  // m
-};
-
-Bounds bounds_of(const Mesh& mesh);
-
-// The box around a transformed box.
-Bounds transformed(const Bounds& bounds, const glm::mat4& X);
 
 struct LightFit {
   glm::mat4 clip_from_world{1.0F};  // depth 0 near the light, 1 far

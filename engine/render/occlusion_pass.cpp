@@ -46,15 +46,15 @@ OcclusionPass::OcclusionPass(vulkan::Device& device, Extent scene, VkBuffer fram
 
 void OcclusionPass::record(VkCommandBuffer commands, const Pipelines& pipelines,
                            const SceneGeometry& geometry, const DetailedSurfaces* detailed,
-                           VkDescriptorSet scene_set, std::uint32_t layers) const {
-  record_depth(commands, pipelines, geometry, detailed, scene_set, layers);
+                           VkDescriptorSet scene_set, const Sight& sight) const {
+  record_depth(commands, pipelines, geometry, detailed, scene_set, sight);
   record_fullscreen(commands, pipelines, pipelines.occlusion.get(), rough_);
   record_fullscreen(commands, pipelines, pipelines.occlusion_smooth.get(), smooth_);
 }
 
 void OcclusionPass::record_depth(VkCommandBuffer commands, const Pipelines& pipelines,
                                  const SceneGeometry& geometry, const DetailedSurfaces* detailed,
-                                 VkDescriptorSet scene_set, std::uint32_t layers) const {
+                                 VkDescriptorSet scene_set, const Sight& sight) const {
   namespace use = vulkan::use;
   vulkan::barrier(commands, depth_.get(), kDepth, discarded_after(use::kSampled), use::kDepthTarget);
   VkRenderingAttachmentInfo depth = attachment(depth_.view(), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
@@ -63,8 +63,10 @@ void OcclusionPass::record_depth(VkCommandBuffer commands, const Pipelines& pipe
   begin(commands, depth_.extent(), nullptr, &depth);
   bind(commands, pipelines.occluders.get(), pipelines.scene_layout.get(), scene_set);
   vkCmdSetCullMode(commands, VK_CULL_MODE_BACK_BIT);
-  geometry.draw(commands, SceneGeometry::Which::plain, layers);
-  if (detailed != nullptr) detailed->record_occluders(commands, pipelines, geometry, scene_set, layers);
+  Sight coarse = sight;
+  coarse.per_metre *= 2.0F;  // pixels here are twice as wide
+  geometry.draw_plain(commands, coarse);
+  if (detailed != nullptr) detailed->record_occluders(commands, pipelines, geometry, scene_set, coarse);
   vkCmdEndRendering(commands);
   vulkan::barrier(commands, depth_.get(), kDepth, use::kDepthTarget, use::kSampled);
 }

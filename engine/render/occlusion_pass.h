@@ -24,11 +24,11 @@ public:
 
   // Outside any rendering; scene_set: the view's. detailed: null without detailed surfaces.
   void record(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
-              const DetailedSurfaces* detailed, VkDescriptorSet scene_set, std::uint32_t layers) const;
+              const DetailedSurfaces* detailed, VkDescriptorSet scene_set, const Sight& sight) const;
 
 private:
   void record_depth(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
-                    const DetailedSurfaces* detailed, VkDescriptorSet scene_set, std::uint32_t layers) const;
+                    const DetailedSurfaces* detailed, VkDescriptorSet scene_set, const Sight& sight) const;
   void record_fullscreen(VkCommandBuffer commands, const Pipelines& pipelines, VkPipeline pipeline,
                          const vulkan::Image& to) const;
 

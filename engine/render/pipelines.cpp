@@ -219,6 +219,13 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
   tone.stages = stages(shaders, "screen.vert", "tone.frag");
   tone.colour = kPictureFormat;
   made.tone = make_pipeline(device, tone);
+  if (plan.enlarged()) {
+    tone.stages = stages(shaders, "screen.vert", "enlarge.frag");
+    tone.stages.back().constant = 0;
+    made.widen = make_pipeline(device, tone);
+    tone.stages.back().constant = 1;
+    made.heighten = make_pipeline(device, tone);
+  }
   return made;
 }
 

@@ -51,6 +51,9 @@ std::optional<Error> check_options(const RenderOptions& options) {
   }
   if (!(quality.resolution_scale >= 0.25F && quality.resolution_scale <= 1.0F))
     return Error{"The resolution scale is " + std::to_string(quality.resolution_scale) + "; use 0.25 to 1."};
+  if (!(quality.coarseness >= 0.0F && quality.coarseness <= 16.0F))
+    return Error{"Triangles may be off by " + std::to_string(quality.coarseness) +
+                 " pixels; use 0 (none are coarser) to 16."};
   if (options.stereo && options.stereo->screen &&
       !(options.stereo->screen->height > 0.0F && options.stereo->screen->head.z > 0.0F))
     return Error{"A screen has a height, and a head is before it; give both more than 0."};
@@ -68,6 +71,21 @@ std::string no_shadow_because(const SceneFacts& facts, const Quality& quality) {
   if (!facts.key_light_casts) return "the scene's key light throws no shadow";
   if (facts.casters == 0) return "nothing in the scene throws a shadow";
   return quality.shadow_size == 0 ? "the quality setting switches shadows off" : "";
+}
+
+void add_levels(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {
+  if (facts.levelled == 0 || quality.coarseness == 0.0F) {
+    plan.left_out.push_back({"levels of detail", "buffer", 0,
+                             facts.levelled == 0
+                                 ? "no mesh has " + std::to_string(kTrianglesWorthLevels) + " triangles"
+                                 : "the quality setting asks for the finest"});
+    return;
+  }
+  plan.coarseness = quality.coarseness;
+  plan.built.push_back({"levels of detail", "buffer", facts.coarser * sizeof(std::uint32_t),
+                        std::to_string(facts.levelled) + " triangles down to " +
+                            std::to_string(facts.coarsest) + ", in " + std::to_string(facts.pieces) +
+                            " pieces that are chosen by their size in the picture"});
 }
 
 void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
@@ -238,6 +256,17 @@ void add_targets(RenderPlan& plan) {
   plan.built.push_back({"scene depth", "image", texels(plan.scene) * kDepthTexel * samples, size});
   plan.built.push_back(
       {"picture", "image", texels(plan.picture) * kPictureTexel, size_of(plan.picture) + ", sRGB"});
+  if (plan.enlarged()) {
+    const Extent wide{plan.eye.width, plan.scene.height};
+    plan.built.push_back({"finished scene", "image", (texels(plan.scene) + texels(wide)) * kPictureTexel,
+                          size + ", sRGB, before it is enlarged to " + size_of(plan.eye)});
+    plan.built.push_back({"enlargement", "pipeline", 0, "Catmull-Rom along rows, without ringing"});
+    plan.built.push_back({"enlargement", "pipeline", 0, "the same along columns"});
+  } else {
+    const char* whole = "the scene is drawn as large as it is shown";
+    plan.left_out.push_back({"finished scene", "image", 0, whole});
+    plan.left_out.push_back({"enlargement", "pipeline", 0, whole});
+  }
   plan.built.push_back({"background", "pipeline", 0, "a gradient"});
   plan.built.push_back({"tone mapping", "pipeline", 0, "AgX, with a little contrast"});
   plan.built.push_back({"frame", "buffer", sizeof(gpu::FrameData), "camera and lights"});
@@ -257,6 +286,12 @@ SceneFacts facts_of(const VisualDesc& desc) {
   for (const Mesh& mesh : desc.meshes) {
     facts.vertices += mesh.positions.size();
     facts.indices += mesh.indices.size();
+    if (!mesh.levels) continue;
+    facts.levelled += mesh.indices.size() / 3;
+    facts.coarser += mesh.levels->indices.size() - mesh.indices.size();
+    facts.pieces += mesh.levels->pieces.size();
+    for (const LevelsOfDetail::Piece& piece : mesh.levels->pieces)
+      facts.coarsest += piece.levels.back().count / 3;
   }
   facts.instances = desc.instances.size();
   facts.volume = light_volume_counts(desc);
@@ -311,6 +346,7 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   plan.inset = options.inset;
   if (options.stereo) plan.stereo = options.stereo->mode;
   add_geometry(facts, plan);
+  add_levels(facts, options.quality, plan);
   add_shadow(facts, options.quality, plan);
   add_detail(facts, plan);
   add_occlusion(options.quality, plan);

@@ -50,6 +50,7 @@ struct RenderPlan {
   Extent eye;                     // what one eye sees of it: the picture, or in stereo its squeezed part
   Extent scene;                   // eye times resolution_scale
   int samples = 4;                // per pixel
+  float coarseness = 0.0F;        // pixels of the scene that coarser triangles may be off by
   int shadow_size = 0;            // pixels on a side; 0: nothing is built for shadows
   bool standing_shadows = false;  // those of what never moves have a map of their own
   bool occlusion = false;         // ambient
@@ -62,12 +63,19 @@ struct RenderPlan {
   std::optional<StereoMode> stereo{};  // none: nothing is built for a second eye
   std::vector<BuildItem> built;
   std::vector<BuildItem> left_out;
+
+  // The scene is drawn smaller than it is shown.
+  bool enlarged() const { return !(scene == eye); }
 };
 
 // What a plan depends on, so that a renderer need not keep the meshes to plan again at another size.
 struct SceneFacts {
   std::uint64_t vertices = 0;
   std::uint64_t indices = 0;
+  std::uint64_t levelled = 0;  // triangles that have coarser ones
+  std::uint64_t coarser = 0;   // indices of these
+  std::uint64_t coarsest = 0;  // triangles, where all of it is as coarse as it gets
+  std::uint64_t pieces = 0;    // of the meshes that have coarser ones
   std::uint64_t instances = 0;
   std::uint64_t casters = 0;              // instances that throw a shadow
   std::uint64_t moving_casters = 0;       // of those, the ones that may move

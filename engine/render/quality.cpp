@@ -6,22 +6,49 @@
 namespace fulcrum::render {
 namespace {
 
-constexpr double kWorthwhile = 0.8;  // of the time before: a step down that leaves more is taken back
+constexpr double kLittle = 0.8;  // of the time before: a step that leaves more changes little
+constexpr double kOver = 1.2;    // of the budget: what takes longer is left, so that nothing swings about it
+constexpr double kFar = 3.0;     // budgets: twice as far down, and no better level is tried
 
 // Where frames take very long, whoever waits for them is helped after a few: that many, once they have taken
-// so long together. Whether a step down was worth it is looked at for longer: a machine that is busy with
-// something else for a moment would have it taken back for good.
+// so long together. Whether a step was worth it is looked at for longer: a machine that is busy with
+// something else for a moment would have it taken back.
 constexpr std::size_t kFew = 3;
-constexpr double kLong = 1.0, kLongForJudging = 3.0;  // s
+constexpr double kLong = 0.5, kLongForJudging = 2.0;  // s
 
 }  // namespace
 
 bool AutoQuality::has_seen_enough() const {
   if (count_ == kWindow) return true;
-  return count_ >= kFew && seen_s_ >= (before_s_ > 0.0 ? kLongForJudging : kLong);
+  return count_ >= kFew && seen_s_ >= (judged_ == Step::none ? kLong : kLongForJudging);
+}
+
+double AutoQuality::take_median() {
+  const auto middle = times_.begin() + static_cast<std::ptrdiff_t>(count_ / 2);
+  std::nth_element(times_.begin(), middle, times_.begin() + static_cast<std::ptrdiff_t>(count_));
+  count_ = 0;
+  seen_s_ = 0.0;
+  return *middle;
+}
+
+bool AutoQuality::keeps_step(double median) {
+  const Step step = std::exchange(judged_, Step::none);
+  if (step == Step::up && median > budget_s_ && kLittle * median > before_s_) {
+    best_allowed_ = came_from_;
+    go_to(came_from_, Step::none, median);
+    return false;
+  }
+  if (step == Step::down && median > kLittle * before_s_) {
+    worst_allowed_ = best_allowed_ = came_from_;
+    go_to(came_from_, Step::none, median);
+    return false;
+  }
+  if (step == Step::up && median > budget_s_) worst_allowed_ = level_;
+  return true;
 }
 
 bool AutoQuality::add(double frame_s) {
+  since_s_ += frame_s;
   if (skip_ > 0) {
     --skip_;
     return false;
@@ -29,36 +56,32 @@ bool AutoQuality::add(double frame_s) {
   times_[count_++] = frame_s;
   seen_s_ += frame_s;
   if (!has_seen_enough()) return false;
-  std::array<double, kWindow> sorted = times_;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count_ / 2);
-  std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(count_));
-  const double median = *middle;
-  count_ = 0;
-  seen_s_ = 0;
-  const double before = std::exchange(before_s_, 0.0);
-  if (before > 0.0 && median > kWorthwhile * before) {
-    worst_allowed_ = best_allowed_ = came_from_;
-    go_to(came_from_);
-    return true;
+  const double median = take_median();
+  if (!keeps_step(median)) return true;
+  if (since_s_ > pause_s_ && (best_allowed_ > 0 || worst_allowed_ < kLowest)) {
+    best_allowed_ = 0;
+    worst_allowed_ = kLowest;
+    since_s_ = 0.0;
+    pause_s_ *= 2.0;
   }
-  if (median > budget_s_ && level_ < worst_allowed_) {
+  if (median > kOver * budget_s_ && level_ < worst_allowed_) {
     best_allowed_ = level_ + 1;
-    came_from_ = level_;
-    before_s_ = median;
-    // Each level roughly halves the work: far over the budget, go down by two.
-    go_to(std::min(level_ + (median > 3.0 * budget_s_ ? 2 : 1), worst_allowed_));
+    go_to(std::min(level_ + (median > kFar * budget_s_ ? 2 : 1), worst_allowed_), Step::down, median);
     return true;
   }
-  if (median < 0.4 * budget_s_ && level_ > best_allowed_) {
-    go_to(level_ - 1);
+  if (median < kFar * budget_s_ && level_ > best_allowed_) {
+    go_to(level_ - 1, Step::up, median);
     return true;
   }
   return false;
 }
 
-void AutoQuality::go_to(std::size_t level) {
-  level_ = level;
-  skip_ = 3;
+void AutoQuality::go_to(std::size_t level, Step step, double median) {
+  if (step != Step::up) since_s_ = 0.0;
+  came_from_ = std::exchange(level_, level);
+  before_s_ = median;
+  judged_ = step;
+  skip_ = kUncounted;
 }
 
 }  // namespace fulcrum::render

@@ -12,6 +12,12 @@ vulkan::ImageUse either(const vulkan::ImageUse& a, const vulkan::ImageUse& b) {
   return {a.stage | b.stage, a.access | b.access, VK_IMAGE_LAYOUT_UNDEFINED};
 }
 
+// Of the shadow map: half of one of its texels is seen no more than half a pixel is.
+Sight sight_of(const LightFit& light, float coarseness) {
+  constexpr float kTexels = 0.5F;
+  return {light.clip_from_world, glm::vec3(0.0F), 0.0F, coarseness > 0.0F ? kTexels * light.texel_m : 0.0F};
+}
+
 }  // namespace
 
 void Renderer::record(VkCommandBuffer commands, OverlayPass* overlay) {
@@ -39,12 +45,31 @@ void Renderer::record_view(VkCommandBuffer commands, View& view) {
       std::any_of(view.ghosts.begin(), view.ghosts.end(), [](const auto& each) { return each->shown(); });
   if (view.occlusion)
     view.occlusion->record(commands, pipelines_, *geometry_, detailed_.get(), view.scene_set.get(),
-                           view.layers);
+                           view.sight);
   record_scene(commands, view, ghosts);
   if (ghosts) vulkan::barrier(commands, view.targets.depth.get(), kDepth, use::kDepthTarget, use::kSampled);
   for (const auto& ghost : view.ghosts)
     if (ghost->shown()) ghost->record_lines(commands, pipelines_, *geometry_);
   vulkan::barrier(commands, view.targets.scene.get(), kColour, use::kColourTarget, use::kSampled);
+  if (view.plan.enlarged()) record_finished(commands, view);
+}
+
+// Tone mapped while it has few pixels, and as wide as it is shown.
+void Renderer::record_finished(VkCommandBuffer commands, const View& view) {
+  namespace use = vulkan::use;
+  const auto draw = [&](const vulkan::Image& to, VkPipeline pipeline, VkDescriptorSet set) {
+    vulkan::barrier(commands, to.get(), kColour, discarded_after(use::kSampled), use::kColourTarget);
+    const VkRenderingAttachmentInfo colour =
+        attachment(to.view(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                   VK_ATTACHMENT_STORE_OP_STORE);
+    begin(commands, to.extent(), &colour, nullptr);
+    bind(commands, pipeline, pipelines_.tone_layout.get(), set);
+    vkCmdDraw(commands, 3, 1, 0, 0);
+    vkCmdEndRendering(commands);
+    vulkan::barrier(commands, to.get(), kColour, use::kColourTarget, use::kSampled);
+  };
+  draw(view.targets.finished, pipelines_.tone.get(), view.tone_set.get());
+  draw(view.targets.widened, pipelines_.widen.get(), view.widen_set.get());
 }
 
 // Where something stands and something else moves, the map begins as a copy of what stands.
@@ -87,8 +112,10 @@ void Renderer::draw_shadows(VkCommandBuffer commands, const vulkan::Image& map,
   depth.clearValue.depthStencil.depth = 1.0F;
   begin(commands, map.extent(), nullptr, &depth);
   bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), main_.scene_set.get());
-  geometry_->draw_casters(commands, which);
-  if (detailed_) detailed_->record_shadows(commands, pipelines_, *geometry_, main_.scene_set.get(), which);
+  const Sight light = sight_of(light_, plan_.coarseness);
+  geometry_->draw_casters(commands, which, light);
+  if (detailed_)
+    detailed_->record_shadows(commands, pipelines_, *geometry_, main_.scene_set.get(), which, light);
   vkCmdEndRendering(commands);
 }
 
@@ -119,11 +146,11 @@ void Renderer::record_scene(VkCommandBuffer commands, const View& view, bool gho
   begin(commands, targets.scene.extent(), &colour, &depth);
   const auto draw_detailed = [&](DetailedSurfaces::Which which) {
     if (detailed_)
-      detailed_->record(commands, pipelines_, *geometry_, view.scene_set.get(), which, view.eye, view.layers);
+      detailed_->record(commands, pipelines_, *geometry_, view.scene_set.get(), which, view.sight);
   };
   if (plan_.plain_surfaces) {
     bind(commands, pipelines_.surfaces.get(), pipelines_.scene_layout.get(), view.scene_set.get());
-    geometry_->draw(commands, SceneGeometry::Which::plain, view.layers);
+    geometry_->draw_plain(commands, view.sight);
   }
   draw_detailed(DetailedSurfaces::Which::opaque);
   bind(commands, pipelines_.background.get(), pipelines_.scene_layout.get(), view.scene_set.get());
@@ -164,7 +191,9 @@ void Renderer::record_inset(VkCommandBuffer commands) {
 
 // Into the part of the picture that the view fills.
 void Renderer::record_tone(VkCommandBuffer commands, const View& view) {
-  bind(commands, pipelines_.tone.get(), pipelines_.tone_layout.get(), view.tone_set.get());
+  const bool enlarged = view.plan.enlarged();
+  bind(commands, enlarged ? pipelines_.heighten.get() : pipelines_.tone.get(), pipelines_.tone_layout.get(),
+       enlarged ? view.heighten_set.get() : view.tone_set.get());
   vkCmdDraw(commands, 3, 1, 0, 0);
   for (const auto& ghost : view.ghosts)
     if (ghost->shown()) ghost->record_over(commands, pipelines_);

@@ -144,6 +144,7 @@ void Renderer::build(const RenderPlan& plan) {
   const bool other_shadow = first || !ready_ || plan.shadow_size != plan_.shadow_size;
   const bool other_pipelines = first || !ready_ || plan.samples != plan_.samples ||
                                plan.ghosts != plan_.ghosts || plan.occlusion != plan_.occlusion ||
+                               (plan.enlarged() && !plan_.enlarged()) ||
                                (plan.shadow_size > 0) != (plan_.shadow_size > 0);
   ready_ = false;
   drawn_ = false;

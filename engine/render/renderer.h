@@ -40,6 +40,9 @@ public:
   // How long the last frame took to record and draw, without waiting for the screen (s).
   double last_frame_s() const { return last_frame_s_; }
 
+  // How many the last frame's camera has seen, of each instance at the level that it was drawn at.
+  std::uint64_t triangles() const { return geometry_ ? geometry_->triangles(main_.sight) : 0; }
+
   // The picture of the last frame.
   Result<Picture> read_back();
 
@@ -73,6 +76,7 @@ private:
   void record_markers(VkCommandBuffer commands);
   void record_picture(VkCommandBuffer commands);
   void record_inset(VkCommandBuffer commands);
+  void record_finished(VkCommandBuffer commands, const View& view);
   void record_tone(VkCommandBuffer commands, const View& view);
   void record_stereo(VkCommandBuffer commands, OverlayPass* overlay);
   void record_eye(VkCommandBuffer commands, const View& view, const vulkan::Image& finished);

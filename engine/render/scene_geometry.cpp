@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -35,22 +38,40 @@ gpu::InstanceData to_gpu(const Instance& instance, const Material& material) {
   return made;
 }
 
+// What a length in it becomes, at the most, where its axes stay at right angles.
+float largest_scale(const glm::mat4& X) {
+  return std::sqrt(std::max({glm::dot(X[0], X[0]), glm::dot(X[1], X[1]), glm::dot(X[2], X[2])}));
+}
+
 }  // namespace
 
 SceneGeometry::SceneGeometry(vulkan::Device& device, const VisualDesc& desc)
     : instances_(device, desc.instances.size() * sizeof(gpu::InstanceData),
                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Place::upload) {
-  sort_instances(desc, upload_meshes(device, desc));
+  upload_meshes(device, desc);
+  sort_instances(desc);
+}
+
+SceneGeometry::Place SceneGeometry::place_of(const Mesh& mesh, std::size_t first_index,
+                                             std::size_t first_vertex) {
+  const auto first = static_cast<std::uint32_t>(first_index);
+  Place place;
+  place.whole = {first, static_cast<std::uint32_t>(mesh.indices.size()), 0.0F};
+  place.first_vertex = static_cast<std::int32_t>(first_vertex);
+  if (mesh.levels) place.pieces = mesh.levels->pieces;
+  for (LevelsOfDetail::Piece& piece : place.pieces)
+    for (LevelsOfDetail::Level& level : piece.levels) level.first += first;
+  if (place.pieces.empty()) place.pieces.push_back({bounds_of(mesh.positions), {place.whole}});
+  return place;
 }
 
 // Meshes that a detailed material is laid on come first: their vertices have places in textures, and a vertex
 // has one number in both buffers.
-std::vector<SceneGeometry::Place> SceneGeometry::upload_meshes(vulkan::Device& device,
-                                                               const VisualDesc& desc) {
+void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc) {
   std::vector<bool> is_detailed(desc.meshes.size(), false);
   for (const Instance& instance : desc.instances)
     if (desc.materials[instance.material].detail) is_detailed[instance.mesh] = true;
-  std::vector<Place> places(desc.meshes.size());
+  places_.resize(desc.meshes.size());
   std::vector<Vertex> vertices;
   std::vector<glm::vec4> uv;
   std::vector<std::uint32_t> indices;
@@ -58,7 +79,7 @@ std::vector<SceneGeometry::Place> SceneGeometry::upload_meshes(vulkan::Device& d
     for (std::size_t m = 0; m < desc.meshes.size(); ++m) {
       if (is_detailed[m] != detailed) continue;
       const Mesh& mesh = desc.meshes[m];
-      places[m] = {static_cast<std::uint32_t>(indices.size()), static_cast<std::int32_t>(vertices.size())};
+      places_[m] = place_of(mesh, indices.size(), vertices.size());
       for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         Vertex vertex{.position = mesh.positions[i], .normal = mesh.normals[i]};
         if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
@@ -66,17 +87,17 @@ std::vector<SceneGeometry::Place> SceneGeometry::upload_meshes(vulkan::Device& d
       }
       if (detailed && !mesh.uv.empty()) uv.insert(uv.end(), mesh.uv.begin(), mesh.uv.end());
       if (detailed) uv.resize(vertices.size(), glm::vec4(0.0F));
-      indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+      const std::vector<std::uint32_t>& triangles = mesh.levels ? mesh.levels->indices : mesh.indices;
+      indices.insert(indices.end(), triangles.begin(), triangles.end());
     }
   }
   vertices_ = vulkan::upload(device, std::as_bytes(std::span(vertices)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   if (!uv.empty())
     uv_ = vulkan::upload(device, std::as_bytes(std::span(uv)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   indices_ = vulkan::upload(device, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-  return places;
 }
 
-void SceneGeometry::sort_instances(const VisualDesc& desc, const std::vector<Place>& places) {
+void SceneGeometry::sort_instances(const VisualDesc& desc) {
   const auto kind_of = [&](const Instance& instance) {
     return desc.materials[instance.material].detail ? std::optional(instance.material) : std::nullopt;
   };
@@ -88,7 +109,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc, const std::vector<Pla
            std::tuple(right.mesh, kind_of(right), right.movable, !right.casts_shadow);
   });
   std::vector<Bounds> mesh_bounds;
-  for (const Mesh& mesh : desc.meshes) mesh_bounds.push_back(bounds_of(mesh));
+  for (const Mesh& mesh : desc.meshes) mesh_bounds.push_back(bounds_of(mesh.positions));
   std::vector<std::uint32_t> slot_of(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto slot = static_cast<std::uint32_t>(i);
@@ -97,11 +118,8 @@ void SceneGeometry::sort_instances(const VisualDesc& desc, const std::vector<Pla
     const std::optional<std::size_t> kind = kind_of(instance);
     if (batches_.empty() || batches_.back().mesh != instance.mesh || batches_.back().material != kind ||
         batches_.back().movable != instance.movable) {
-      const Place& place = places[instance.mesh];
-      batches_.push_back({instance.mesh, kind, look_of(material).value_or(0), instance.movable,
-                          place.first_index,
-                          static_cast<std::uint32_t>(desc.meshes[instance.mesh].indices.size()),
-                          place.first_vertex, slot, 0, 0, false, instance.layers});
+      batches_.push_back({instance.mesh, kind, look_of(material).value_or(0), instance.movable, slot, 0, 0,
+                          false, instance.layers});
     }
     Batch& batch = batches_.back();
     const bool casts = instance.casts_shadow && !is_blended(batch.look);
@@ -140,26 +158,17 @@ std::vector<Bounds> SceneGeometry::casters() const {
   return boxes;
 }
 
-std::uint32_t SceneGeometry::count_of(const Batch& batch, Which which) {
-  switch (which) {
-    case Which::tool:
-      return batch.tool ? 1 : 0;
-    default:
-      return batch.material ? 0 : batch.count;
-  }
-}
-
 bool SceneGeometry::is_among(const Batch& batch, Casters which) {
   return batch.casters > 0 && (which == Casters::all || batch.movable == (which == Casters::moving));
 }
 
-void SceneGeometry::draw_casters(VkCommandBuffer commands, Casters which) const {
+void SceneGeometry::draw_casters(VkCommandBuffer commands, Casters which, const Sight& light) const {
   bind(commands);
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const Batch& batch = batches_[i];
     if ((batch.layers & seen_) == 0 || !is_among(batch, which) || is_masked(batch.look)) continue;
     vkCmdSetCullMode(commands, is_two_sided(batch.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-    draw(commands, Piece{0, 0, i, batch.first_slot, batch.casters});
+    draw(commands, Piece{0, 0, i, batch.first_slot, batch.casters}, light);
   }
 }
 
@@ -170,20 +179,66 @@ void SceneGeometry::bind(VkCommandBuffer commands) const {
   vkCmdBindIndexBuffer(commands, indices_.get(), 0, VK_INDEX_TYPE_UINT32);
 }
 
-void SceneGeometry::draw(VkCommandBuffer commands, Which which, std::uint32_t layers) const {
-  bind(commands);
-  for (std::size_t i = 0; i < batches_.size(); ++i) {
-    const Batch& batch = batches_[i];
-    if ((batch.layers & layers) == 0) continue;
-    if (const std::uint32_t count = count_of(batch, which); count > 0)
-      draw(commands, Piece{0, 0, i, batch.first_slot, count});
+void SceneGeometry::add_draws(const Piece& piece, const Sight& sight, std::vector<Draw>& draws) const {
+  const auto slots = std::span(slots_).subspan(piece.first_slot, piece.count);
+  for (const LevelsOfDetail::Piece& part : places_[batches_[piece.batch].mesh].pieces) {
+    bool seen = false;
+    Draw draw{std::numeric_limits<float>::infinity(), part.levels.front(), piece};
+    float tolerance = draw.distance;
+    for (const Slot& slot : slots) {
+      const Bounds box = transformed(part.bounds, slot.X_WM);
+      if (!sight.sees(box)) continue;
+      seen = true;
+      draw.distance = std::min(draw.distance, sight.distance(box));
+      tolerance = std::min(tolerance, sight.tolerance(box) / largest_scale(slot.X_WM));
+    }
+    if (!seen) continue;
+    for (const LevelsOfDetail::Level& level : part.levels)
+      if (level.error <= tolerance) draw.level = level;
+    draws.push_back(draw);
   }
 }
 
-void SceneGeometry::draw(VkCommandBuffer commands, const Piece& piece) const {
-  const Batch& batch = batches_[piece.batch];
-  vkCmdDrawIndexed(commands, batch.index_count, piece.count, batch.first_index, batch.first_vertex,
-                   piece.first_slot);
+std::uint64_t SceneGeometry::triangles(const Sight& sight) const {
+  std::vector<Draw> draws;
+  for (std::size_t i = 0; i < batches_.size(); ++i)
+    if (const Batch& batch = batches_[i]; (batch.layers & sight.layers) != 0)
+      add_draws({0, 0, i, batch.first_slot, batch.count}, sight, draws);
+  std::uint64_t triangles = 0;
+  for (const Draw& draw : draws) triangles += std::uint64_t{draw.level.count / 3} * draw.of.count;
+  return triangles;
+}
+
+void SceneGeometry::record(VkCommandBuffer commands, const Draw& draw) const {
+  vkCmdDrawIndexed(commands, draw.level.count, draw.of.count, draw.level.first,
+                   places_[batches_[draw.of.batch].mesh].first_vertex, draw.of.first_slot);
+}
+
+void SceneGeometry::draw_plain(VkCommandBuffer commands, const Sight& sight) const {
+  std::vector<Draw> draws;
+  for (std::size_t i = 0; i < batches_.size(); ++i) {
+    const Batch& batch = batches_[i];
+    if (!batch.material && (batch.layers & sight.layers) != 0)
+      add_draws({0, 0, i, batch.first_slot, batch.count}, sight, draws);
+  }
+  std::ranges::stable_sort(draws, {}, &Draw::distance);
+  bind(commands);
+  for (const Draw& draw : draws) record(commands, draw);
+}
+
+void SceneGeometry::draw_tool(VkCommandBuffer commands, std::uint32_t layers) const {
+  bind(commands);
+  for (std::size_t i = 0; i < batches_.size(); ++i) {
+    const Batch& batch = batches_[i];
+    if (batch.tool && (batch.layers & layers) != 0)
+      record(commands, {0.0F, places_[batch.mesh].whole, {0, 0, i, batch.first_slot, 1}});
+  }
+}
+
+void SceneGeometry::draw(VkCommandBuffer commands, const Piece& piece, const Sight& sight) const {
+  std::vector<Draw> draws;
+  add_draws(piece, sight, draws);
+  for (const Draw& draw : draws) record(commands, draw);
 }
 
 std::vector<SceneGeometry::Piece> SceneGeometry::detailed(std::uint32_t layers) const {

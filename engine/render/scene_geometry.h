@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/render/light_fit.h"
+#include "engine/render/sight.h"
 #include "engine/vulkan/buffer.h"
 #include "shaders/shared/instance.h"
 
@@ -26,23 +27,24 @@ public:
   // before.
   bool see(std::uint32_t layers);
 
+  // That are drawn for it.
+  std::uint64_t triangles(const Sight& sight) const;
+
   // Boxes around what is seen and throws a shadow, in the world, as placed.
   std::vector<Bounds> casters() const;
 
   VkBuffer instances() const { return instances_.get(); }
 
-  enum class Which {
-    plain,  // without detailed materials
-    tool    // each mesh that follows the tool, once: for a pipeline that brings its own pose
-  };
-  // Binds the buffers and draws what a camera of these layers sees; pipeline and descriptor sets are bound by
-  // the caller.
-  void draw(VkCommandBuffer commands, Which which, std::uint32_t layers) const;
+  // Both bind the buffers; pipeline and descriptor sets are bound by the caller. What has no detailed
+  // material, the nearest first: what it hides need not be shaded.
+  void draw_plain(VkCommandBuffer commands, const Sight& sight) const;
+  // Each mesh that follows the tool, once and whole: for a pipeline that brings its own pose.
+  void draw_tool(VkCommandBuffer commands, std::uint32_t layers) const;
 
   // What throws a shadow: all of it, what never moves, or what may.
   enum class Casters { all, standing, moving };
-  // Without those that have holes.
-  void draw_casters(VkCommandBuffer commands, Casters which) const;
+  // Without those that have holes. light: which sees all that it throws the shadows of.
+  void draw_casters(VkCommandBuffer commands, Casters which, const Sight& light) const;
 
   // Instances of one mesh and one detailed material.
   struct Piece {
@@ -58,7 +60,7 @@ public:
   std::vector<Piece> blended(const glm::vec3& eye, std::uint32_t layers) const;
   std::vector<Piece> masked_casters(Casters which) const;
   void bind(VkCommandBuffer commands) const;
-  void draw(VkCommandBuffer commands, const Piece& piece) const;
+  void draw(VkCommandBuffer commands, const Piece& piece, const Sight& sight) const;
 
 private:
   // All instances of one mesh that are plain, or of one detailed material, and that all stand or may all
@@ -68,9 +70,6 @@ private:
     std::optional<std::size_t> material;  // none: plain ones, each with its own
     std::uint32_t look = 0;               // of the material
     bool movable = false;
-    std::uint32_t first_index = 0;
-    std::uint32_t index_count = 0;
-    std::int32_t first_vertex = 0;
     std::uint32_t first_slot = 0;
     std::uint32_t count = 0;
     std::uint32_t casters = 0;
@@ -86,21 +85,34 @@ private:
     std::uint32_t layers = 0;
   };
 
+  // Where a mesh is in the buffers.
   struct Place {
-    std::uint32_t first_index = 0;
+    LevelsOfDetail::Level whole;
+    std::vector<LevelsOfDetail::Piece> pieces;  // at least one
     std::int32_t first_vertex = 0;
   };
 
-  static std::uint32_t count_of(const Batch& batch, Which which);
+  // Triangles of all instances of a batch's part.
+  struct Draw {
+    float distance = 0.0F;  // m, to the nearest instance
+    LevelsOfDetail::Level level;
+    Piece of;
+  };
+
+  static Place place_of(const Mesh& mesh, std::size_t first_index, std::size_t first_vertex);
   static bool is_among(const Batch& batch, Casters which);
-  std::vector<Place> upload_meshes(vulkan::Device& device, const VisualDesc& desc);
-  void sort_instances(const VisualDesc& desc, const std::vector<Place>& places);
+  void upload_meshes(vulkan::Device& device, const VisualDesc& desc);
+  void sort_instances(const VisualDesc& desc);
+  // What is seen of it, each part as coarse as may be.
+  void add_draws(const Piece& piece, const Sight& sight, std::vector<Draw>& draws) const;
+  void record(VkCommandBuffer commands, const Draw& draw) const;
   gpu::InstanceData* data() { return reinterpret_cast<gpu::InstanceData*>(instances_.mapped()); }
 
   vulkan::Buffer vertices_;
   vulkan::Buffer uv_;  // of the meshes that come first; empty where no material is detailed
   vulkan::Buffer indices_;
   vulkan::Buffer instances_;
+  std::vector<Place> places_;  // by mesh
   std::vector<Batch> batches_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> movable_slots_;

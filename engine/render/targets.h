@@ -16,6 +16,8 @@ struct Targets {
   vulkan::Image samples;  // empty with one sample a pixel
   vulkan::Image scene;
   vulkan::Image depth;
+  vulkan::Image finished;  // the scene, tone mapped before it is enlarged; empty where it need not be
+  vulkan::Image widened;   // the same, as wide as it is shown
 };
 
 inline VkSampleCountFlagBits sample_count(const RenderPlan& plan) {

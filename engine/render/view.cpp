@@ -1,5 +1,6 @@
 #include "engine/render/view.h"
 
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -21,14 +22,14 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
   if (plan.surfaces) {
     bindings.push_back(
         {kInstancesBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT, shared.instances});
-    const auto sampled = [&](std::uint32_t number, VkImageView view) {
+    const auto lit_by = [&](std::uint32_t number, VkImageView view) {
       bindings.push_back({number, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT,
                           VK_NULL_HANDLE, view, shared.environment_sampler});
     };
-    sampled(kEnvironmentBinding, shared.environment);
-    sampled(kOpenBinding, shared.open);
-    sampled(kReceivedBinding, shared.received);
-    sampled(kSentOnBinding, shared.sent_on);
+    lit_by(kEnvironmentBinding, shared.environment);
+    lit_by(kOpenBinding, shared.open);
+    lit_by(kReceivedBinding, shared.received);
+    lit_by(kSentOnBinding, shared.sent_on);
   }
   if (plan.markers) {
     bindings.push_back(
@@ -47,6 +48,15 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
   return {device, bindings};
 }
 
+vulkan::Binding sampled(const vulkan::Image& image, VkSampler sampler) {
+  return {0,
+          VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+          VK_SHADER_STAGE_FRAGMENT_BIT,
+          VK_NULL_HANDLE,
+          image.view(),
+          sampler};
+}
+
 }  // namespace
 
 View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedParts& shared)
@@ -55,8 +65,11 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
       frame_buffer(device, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload),
       occlusion(make_occlusion(device, plan, frame_buffer.get())),
       scene_set(make_scene_set(device, plan, shared, frame_buffer.get(), occlusion)),
-      tone_set(device, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT,
-                         VK_NULL_HANDLE, targets.scene.view(), shared.scene_sampler}}) {
+      tone_set(device, {sampled(targets.scene, shared.scene_sampler)}) {
+  if (plan.enlarged()) {
+    widen_set = vulkan::DescriptorSet(device, {sampled(targets.finished, shared.scene_sampler)});
+    heighten_set = vulkan::DescriptorSet(device, {sampled(targets.widened, shared.scene_sampler)});
+  }
   for (const SharedGhost& ghost : shared.ghosts)
     ghosts.push_back(std::make_unique<GhostPass>(device, ghost.look, ghost.edges, plan, targets.depth.view(),
                                                  shared.scene_sampler));
@@ -64,8 +77,9 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
 
 void View::update(const gpu::FrameData& data, const FrameState& state) {
   std::memcpy(frame_buffer.mapped(), &data, sizeof(data));
-  layers = state.camera.layers;
-  eye = state.camera.eye;
+  const float pixel =  // m, its width at a distance of 1 m
+      2.0F * std::tan(0.5F * state.camera.vertical_fov_rad) / static_cast<float>(plan.scene.height);
+  sight = {data.clip_from_world, state.camera.eye, plan.coarseness * pixel, 0.0F, state.camera.layers};
   for (std::size_t i = 0; i < ghosts.size(); ++i)
     ghosts[i]->update(state.ghosts.empty() ? GhostState() : state.ghosts[i], state.camera, plan);
 }

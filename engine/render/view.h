@@ -7,6 +7,7 @@
 
 #include "engine/render/ghost_pass.h"
 #include "engine/render/occlusion_pass.h"
+#include "engine/render/sight.h"
 #include "engine/render/targets.h"
 #include "engine/vulkan/buffer.h"
 #include "engine/vulkan/descriptors.h"
@@ -48,9 +49,9 @@ struct View {
   std::optional<OcclusionPass> occlusion;  // where the plan has it
   vulkan::DescriptorSet scene_set;
   vulkan::DescriptorSet tone_set;
+  vulkan::DescriptorSet widen_set, heighten_set;  // where the plan enlarges
   std::vector<std::unique_ptr<GhostPass>> ghosts;
-  std::uint32_t layers = 1;  // that its camera sees
-  glm::vec3 eye{0.0F};       // of that camera, in the world
+  Sight sight;  // of its camera
 };
 
 // The plan of the second view that a plan has.

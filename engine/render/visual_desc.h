@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/render/levels_of_detail.h"
 #include "engine/render/surface_detail.h"
 
 namespace fulcrum::render {
@@ -18,11 +19,12 @@ namespace fulcrum::render {
 // Triangles in the mesh frame M. Counter-clockwise seen from outside; back faces are not drawn.
 struct Mesh {
   std::string name;
-  std::vector<glm::vec3> positions;    // (n) m
-  std::vector<glm::vec3> normals;      // (n) unit, one for each position
-  std::vector<glm::vec3> colours;      // (n) linear, times the material's; or none
-  std::vector<glm::vec4> uv;           // (n) two places in textures, xy and zw; or none
-  std::vector<std::uint32_t> indices;  // (3 x triangles) into positions
+  std::vector<glm::vec3> positions;        // (n) m
+  std::vector<glm::vec3> normals;          // (n) unit, one for each position
+  std::vector<glm::vec3> colours;          // (n) linear, times the material's; or none
+  std::vector<glm::vec4> uv;               // (n) two places in textures, xy and zw; or none
+  std::vector<std::uint32_t> indices;      // (3 x triangles) into positions
+  std::optional<LevelsOfDetail> levels{};  // of it as it is; none: it is drawn whole, however far away
 };
 
 // Metal-rough material, as in glTF 2.0.

@@ -12,6 +12,7 @@
 #include "engine/scenario/load.h"
 #include "engine/studies/commands.h"
 #include "engine/studies/picture_study.h"
+#include "engine/studies/speed_study.h"
 
 namespace fulcrum::app {
 namespace {
@@ -95,11 +96,14 @@ void add_workprecision(Program& program) {
   program.add(
       kWorkPrecisionStudy.name, kWorkPrecisionStudy.about,
       [options](Arguments& arguments) {
-        arguments.choice("what", "Contact, ticks and integrators, or the picture's quality levels",
-                         options->what, {"contact", "picture"});
-        arguments.text({"--scene", "NAME", "With picture: of this scene alone"}, options->picture.scene);
-        arguments.text({"--gpu", "GPU", "With picture: which GPU draws, its number or a part of its name"},
-                       options->picture.run.gpu);
+        arguments.choice("what",
+                         "Contact, ticks and integrators, the picture's quality levels, or their speed",
+                         options->what, {"contact", "picture", "speed"});
+        arguments.text({"--scene", "NAME", "With picture or speed: of this scene alone"},
+                       options->picture.scene);
+        arguments.text(
+            {"--gpu", "GPU", "With picture or speed: which GPU draws, its number or a part of its name"},
+            options->picture.run.gpu);
         arguments.text({"--describe", "FOLDER",
                         "With picture: describe the scenes there for a path tracer, and draw nothing "
                         "(tools/references)"},
@@ -108,8 +112,9 @@ void add_workprecision(Program& program) {
         arguments.json("Print the figures as JSON", options->picture.run.json);
       },
       [options] {
-        return options->what == "picture" ? picture_study(options->picture)
-                                          : workprecision_command(options->picture.run);
+        if (options->what == "picture") return picture_study(options->picture);
+        if (options->what == "speed") return speed_study(options->picture);
+        return workprecision_command(options->picture.run);
       });
 }
 

@@ -6,7 +6,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 
-expect_each 0 '4 samples, shadows of 2048' '1 sample, no shadows, 50 % of the resolution' 'stick +overview' 'stick +ball' -- \
+expect_each 0 '4 samples, shadows of 2048, triangles to 0.25 px' '1 sample, shadows of 512, 40 % of the resolution' 'stick +overview' 'stick +ball' -- \
   "$FULCRUM" workprecision picture --scene stick --out P
 [ "$(head -1 P/picture.csv)" = scene,view,level,flip_mean,flip_p99,luminance_error,frame_ms ] ||
   fail "picture.csv has other columns: $(head -1 P/picture.csv)"
@@ -34,6 +34,16 @@ expect 1 "no scene 'stik' to describe" "$FULCRUM" workprecision picture --scene 
 expect 2 'picture' "$FULCRUM" workprecision pictures --out Q
 expect 0 'stick_ball' "$FULCRUM" workprecision picture --scene stick --describe D
 for file in stick_overview stick_ball; do [ -s D/$file.json ] && [ -s D/$file.bin ] || fail "D lacks $file"; done
+
+# --- speed: every level at three sizes, and the cheapest is faster than the best
+expect_each 0 'scene +view +size +level 0' 'stick +overview +1920 x 1080' -- "$FULCRUM" workprecision speed --scene stick --out S
+[ "$(head -1 S/speed.csv)" = scene,view,width,height,level,triangles,frame_ms ] ||
+  fail "speed.csv has other columns: $(head -1 S/speed.csv)"
+awk -F, 'NR > 1 { ms[$3, $5] = $7; size[$3] = 1; ++lines; if (!($6 > 0 && $7 > 0)) { print; bad = 1 } }
+  END { for (s in size) if (!(ms[s, 4] < ms[s, 0])) { print s; bad = 1 }
+    exit bad || lines != 15 }' S/speed.csv || fail "figures out of order: $(cat S/speed.csv)"
+grep -q '</html>' S/speed.html || fail "no whole speed.html"
+expect 1 "no scene 'stik' to draw" "$FULCRUM" workprecision speed --scene stik --out T
 
 # --- the scene alone: no panel, no marker, the same trial
 run() { "$FULCRUM" run stick --headless --seconds 0.1 --size 320x180 --out "$@" >/dev/null; }

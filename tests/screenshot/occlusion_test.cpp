@@ -34,7 +34,7 @@ protected:
   }
 
   Picture drawn(const VisualDesc& desc, bool occlusion) {
-    const auto renderer = Renderer::create(*gpu_.device, desc, {kSize, {1, 0, 1.0F, occlusion}, {}});
+    const auto renderer = Renderer::create(*gpu_.device, desc, {kSize, {1, 0, 1.0F, 0.0F, occlusion}, {}});
     if (!renderer) throw std::runtime_error(renderer.error().sentence);
     FrameState state;
     state.camera = desc.camera;

@@ -35,10 +35,13 @@ TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   full.textures = {{"grain", 2, 2, std::vector<std::uint8_t>(16, 255), true}};
   full.materials[1].detail.emplace().alpha = Alpha::mask;
   full.materials[1].detail->layers[SurfaceDetail::base_colour].emplace();
+  full.meshes.front().levels.emplace();
+  full.meshes.front().levels->indices = full.meshes.front().indices;
+  everything.quality.resolution_scale = 0.75F;
   const RenderPlan all = planned(full, everything);
   for (const char* pipeline :
        {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers", "ghost depth",
-        "ghost lines", "ghost", "background", "tone mapping", "ambient occlusion"})
+        "ghost lines", "ghost", "background", "tone mapping", "ambient occlusion", "enlargement"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);
@@ -48,7 +51,25 @@ TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   // what it hides, twice.
   EXPECT_EQ(find(all.built, "second view", "image")->bytes,
             320U * 200U * (4U * 8U + 8U + 4U * 4U + 4U + 2U) + 160U * 100U * (4U + 2U * 4U));
-  EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 1280U * 720U * 8U * 4U);
+  EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 960U * 540U * 8U * 4U);
+  EXPECT_NE(find(all.built, "levels of detail", "buffer"), nullptr);
+  EXPECT_EQ(find(all.built, "finished scene", "image")->bytes, (960U + 1280U) * 540U * 4U);
+}
+
+TEST(Plan, LeavesOutLevelsAndEnlargementWhereNothingAsksForThem) {
+  VisualDesc desc = test::make_scene();
+  const RenderPlan plan = planned(desc);
+  EXPECT_EQ(plan.coarseness, 0.0F);
+  EXPECT_NE(find(plan.left_out, "levels of detail", "buffer"), nullptr);
+  EXPECT_NE(find(plan.left_out, "enlargement", "pipeline"), nullptr);
+  desc.meshes.front().levels.emplace();
+  desc.meshes.front().levels->indices = desc.meshes.front().indices;
+  RenderOptions finest;
+  finest.quality.coarseness = 0.0F;
+  EXPECT_EQ(planned(desc, finest).coarseness, 0.0F);
+  EXPECT_EQ(find(planned(desc, finest).left_out, "levels of detail", "buffer")->note,
+            "the quality setting asks for the finest");
+  EXPECT_GT(planned(desc).coarseness, 0.0F);
 }
 
 TEST(Plan, BuildsNothingForASecondViewThatNobodyAskedFor) {

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <glm/ext/matrix_transform.hpp>
+#include <utility>
 
 #include "image_compare.h"
 #include "test_scene.h"
@@ -206,6 +210,29 @@ TEST_F(RendererTest, ResizesAndChangesQualityInPlace) {
   draw(*renderer, desc);
   EXPECT_TRUE(renderer->set_quality({3, 256, 1.0F}));
   EXPECT_EQ(renderer->quality().samples, 4);
+}
+
+// Drawn at half the resolution it is like one that is drawn whole, and has no value beyond what that has: an
+// edge is followed by no brighter or darker line.
+TEST_F(RendererTest, ASceneThatIsEnlargedIsLikeAWholeOne) {
+  const VisualDesc desc = test::make_scene();
+  RenderOptions half = small_;
+  half.quality.resolution_scale = 0.5F;
+  const Picture whole = draw(*make(desc, small_), desc);
+  const Picture enlarged = draw(*make(desc, half), desc);
+  ASSERT_EQ(enlarged.rgba.size(), whole.rgba.size());
+  std::size_t sum = 0;
+  std::array<std::pair<int, int>, 2> range{{{255, 0}, {255, 0}}};
+  for (std::size_t i = 0; i < whole.rgba.size(); i += 4) {
+    sum += static_cast<std::size_t>(std::abs(whole.rgba[i + 1] - enlarged.rgba[i + 1]));
+    for (const auto& [picture, of] : {std::pair(&whole, &range[0]), std::pair(&enlarged, &range[1])}) {
+      of->first = std::min<int>(of->first, picture->rgba[i + 1]);
+      of->second = std::max<int>(of->second, picture->rgba[i + 1]);
+    }
+  }
+  EXPECT_LT(sum, 3 * whole.rgba.size() / 4);  // of 255, on average
+  EXPECT_GE(range[1].first + 4, range[0].first);
+  EXPECT_LE(range[1].second, range[0].second + 4);
 }
 
 TEST_F(RendererTest, AStateThatDoesNotFitIsRefusedWithASentence) {

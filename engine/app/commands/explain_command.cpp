@@ -10,6 +10,7 @@
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
 #include "engine/app/prepare/capabilities.h"
+#include "engine/app/prepare/chosen_view.h"
 #include "engine/app/prepare/device_choice.h"
 #include "engine/app/prepare/inventory.h"
 #include "engine/app/prepare/stage_costs.h"
@@ -130,8 +131,7 @@ int explain_command(const ExplainOptions& options) {
     complain(world.error().sentence);
     return kError;
   }
-  const Result<scenario::VisualAssembly> visual =
-      scenario::assemble_visual(prepared->scenario, prepared->models, prepared->haptic.scene);
+  const Result<scenario::VisualAssembly> visual = assemble_view(*prepared, prepared->haptic.scene, "");
   if (!visual) {
     complain(visual.error().sentence);
     return kError;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/app/cli/terminal.h"
+#include "engine/scenario/kept_levels.h"
 #include "engine/scenario/words.h"
 
 namespace fulcrum::app {
@@ -21,6 +23,7 @@ Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const S
   Result<scenario::VisualAssembly> visual =
       scenario::assemble_visual(prepared.scenario, prepared.models, scene);
   if (!visual) return visual;
+  for (const std::string& note : scenario::add_levels_of_detail(visual->desc, BakeCache())) complain(note);
   const auto named = std::ranges::find(visual->views, name, &scenario::View::name);
   if (named != visual->views.end()) visual->desc.camera = named->camera;
   return visual;

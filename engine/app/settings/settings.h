@@ -20,8 +20,10 @@ struct Settings {
   std::optional<std::size_t> picture;  // of render::kQualityLevels; none: as measured frame times allow
   float volume = 1.0F;                 // one of kVolumes: what is heard, times this
 
-  // Of the picture when a scene begins.
-  render::Quality first_quality() const { return render::kQualityLevels[picture.value_or(0)]; }
+  // Of the picture when a scene begins: where nothing is set, what AutoQuality begins with.
+  render::Quality first_quality() const {
+    return picture ? render::kQualityLevels[*picture] : render::AutoQuality().quality();
+  }
 };
 
 // What is not there is as at the first start. What is wrong is, too, each with a sentence on stderr.

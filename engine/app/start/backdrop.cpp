@@ -5,6 +5,7 @@
 
 #include "engine/render/orbit_camera.h"
 #include "engine/scenario/content.h"
+#include "engine/scenario/kept_levels.h"
 #include "engine/scenario/load.h"
 #include "haptics/math/functions.h"
 
@@ -34,6 +35,8 @@ Backdrop::Read Backdrop::read(const Wanted& wanted) {
   Result<scenario::VisualAssembly> visual = scenario::assemble_visual(*loaded, *models, SceneDesc());
   if (!visual) return read;
   visual->desc.markers.clear();
+  // A cache that is damaged or cannot be written is told of when the scene is begun.
+  scenario::add_levels_of_detail(visual->desc, BakeCache());
   read.X_WT = loaded->tool.X_WM_start * Pose{Quat::Identity(), models->p_MT};
   read.scenario = std::move(*loaded);
   read.visual = std::move(*visual);

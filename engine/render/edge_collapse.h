@@ -1,0 +1,29 @@
+#pragma once
+// Fewer and fewer triangles for the same surface.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/quadric.h"
+
+namespace fulcrum::render {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+struct Patch {
+  std::vector<glm::dvec3> positions;  // (n) m
+  std::vector<SeenAt> seen;           // (n) in units of a large difference
+  std::vector<Corners> triangles;     // into these
+};
+
+struct CoarserPatch {
+  std::vector<Corners> triangles;
+  double error = 0.0;  // m, see LevelsOfDetail::Level
+};
+
+// Each has about half the triangles of the one before. Vertices at a rim, at a seam, or where more than two
+// triangles share an edge stay: the last is as coarse as these allow.
+std::vector<CoarserPatch> collapse_edges(Patch patch);
+
+}  // namespace fulcrum::render

@@ -1,0 +1,41 @@
+#include "engine/studies/moving_shot.h"
+
+#include <algorithm>
+
+namespace fulcrum::app {
+namespace {
+
+constexpr float kStep = 1e-5F;  // m, that the tool moves between frames
+
+}  // namespace
+
+MovingShot::MovingShot(const Shot& shot) : shot_(shot), moved_(shot.X_WM) {
+  for (glm::mat4& X : moved_) X[3].y += kStep;
+}
+
+render::FrameState MovingShot::next() {
+  is_moved_ = !is_moved_;
+  render::FrameState state;
+  state.camera = shot_.camera;
+  state.X_WM = is_moved_ ? moved_ : shot_.X_WM;
+  return state;
+}
+
+void FrameTimes::add(double frame_s) {
+  times_[count_++] = frame_s;
+}
+
+double FrameTimes::median_ms() const {
+  std::array<double, kFrames> counted{};
+  std::copy_n(times_.begin() + kUncounted, kFrames, counted.begin());
+  std::ranges::nth_element(counted, counted.begin() + kFrames / 2);
+  return 1e3 * counted[kFrames / 2];
+}
+
+void without_marks(render::VisualDesc& desc, const Shot& shot) {
+  desc.markers.clear();
+  desc.ghosts.clear();
+  desc.camera = shot.camera;
+}
+
+}  // namespace fulcrum::app

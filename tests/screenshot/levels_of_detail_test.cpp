@@ -1,0 +1,239 @@
+// Coarser triangles: how far they are off, that they have no gaps, and that a picture does not show them.
+
+#include "engine/render/levels_of_detail.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "engine/render/renderer.h"
+#include "test_scene.h"
+
+namespace fulcrum::render {
+namespace {
+
+constexpr float kRadius = 0.08F;  // m
+
+// A ball of 2 x 192 x 192 triangles, its halves of two colours.
+Mesh fine_ball() {
+  constexpr std::uint32_t kAround = 192, kDown = 193;
+  Mesh mesh;
+  mesh.name = "fine ball";
+  mesh.positions.push_back({0.0F, kRadius, 0.0F});
+  for (std::uint32_t i = 1; i < kDown; ++i)
+    for (std::uint32_t j = 0; j < kAround; ++j) {
+      const float polar = std::numbers::pi_v<float> * static_cast<float>(i) / kDown;
+      const float azimuth = 2.0F * std::numbers::pi_v<float> * static_cast<float>(j) / kAround;
+      mesh.positions.push_back(kRadius * glm::vec3(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                                                   std::sin(polar) * std::sin(azimuth)));
+    }
+  mesh.positions.push_back({0.0F, -kRadius, 0.0F});
+  for (const glm::vec3& p : mesh.positions) {
+    mesh.normals.push_back(glm::normalize(p));
+    mesh.colours.push_back(p.x < 0.0F ? glm::vec3(0.8F, 0.1F, 0.1F) : glm::vec3(0.1F, 0.2F, 0.8F));
+  }
+  const auto last = static_cast<std::uint32_t>(mesh.positions.size() - 1);
+  const auto at = [](std::uint32_t i, std::uint32_t j) { return 1 + (i - 1) * kAround + j % kAround; };
+  for (std::uint32_t j = 0; j < kAround; ++j) {
+    for (const std::uint32_t v : {0U, at(1, j + 1), at(1, j)}) mesh.indices.push_back(v);
+    for (const std::uint32_t v : {last, at(kDown - 1, j), at(kDown - 1, j + 1)}) mesh.indices.push_back(v);
+    for (std::uint32_t i = 1; i + 1 < kDown; ++i)
+      for (const std::uint32_t v :
+           {at(i, j), at(i, j + 1), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)})
+        mesh.indices.push_back(v);
+  }
+  return mesh;
+}
+
+// Triangles of each piece at the level that `choose` gives for it.
+template <class Choose>
+std::vector<std::uint32_t> chosen(const LevelsOfDetail& all, Choose choose) {
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < all.pieces.size(); ++i) {
+    const LevelsOfDetail::Level& level = all.pieces[i].levels[choose(i, all.pieces[i].levels.size())];
+    indices.insert(indices.end(), all.indices.begin() + level.first,
+                   all.indices.begin() + level.first + level.count);
+  }
+  return indices;
+}
+
+// Every edge of a surface without a rim is run along once each way.
+bool is_closed(const std::vector<std::uint32_t>& indices) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (std::size_t t = 0; t + 2 < indices.size(); t += 3)
+    for (std::size_t i = 0; i < 3; ++i) ++edges[{indices[t + i], indices[t + (i + 1) % 3]}];
+  return std::ranges::all_of(edges, [&edges](const auto& edge) {
+    const auto back = edges.find({edge.first.second, edge.first.first});
+    return edge.second == 1 && back != edges.end() && back->second == 1;
+  });
+}
+
+TEST(LevelsOfDetail, TheFinestOfAllPiecesAreTheMesh) {
+  const Mesh mesh = fine_ball();
+  const LevelsOfDetail all = levels_of_detail(mesh);
+  ASSERT_GT(all.pieces.size(), 1U);
+  std::multiset<std::array<std::uint32_t, 3>> expected, found;
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+    expected.insert({mesh.indices[t], mesh.indices[t + 1], mesh.indices[t + 2]});
+    found.insert({all.indices[t], all.indices[t + 1], all.indices[t + 2]});
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(chosen(all, [](std::size_t, std::size_t) { return 0; }),
+            std::vector<std::uint32_t>(
+                all.indices.begin(), all.indices.begin() + static_cast<std::ptrdiff_t>(mesh.indices.size())));
+}
+
+TEST(LevelsOfDetail, AreFewerAndOffByMore) {
+  const LevelsOfDetail all = levels_of_detail(fine_ball());
+  for (const LevelsOfDetail::Piece& piece : all.pieces) {
+    ASSERT_GE(piece.levels.size(), 4U);
+    EXPECT_EQ(piece.levels.front().error, 0.0F);
+    for (std::size_t i = 1; i < piece.levels.size(); ++i) {
+      EXPECT_LT(4 * piece.levels[i].count, 3 * piece.levels[i - 1].count);
+      EXPECT_GE(piece.levels[i].error, piece.levels[i - 1].error);
+    }
+    EXPECT_LT(8 * piece.levels.back().count, piece.levels.front().count);
+  }
+}
+
+// Of a ball one knows where its surface is. What they say is a mean over the triangles round a vertex: in the
+// worst place it is less than twice as much.
+TEST(LevelsOfDetail, AreOffByLittleMoreThanTheySay) {
+  const Mesh mesh = fine_ball();
+  const LevelsOfDetail all = levels_of_detail(mesh);
+  for (const LevelsOfDetail::Piece& piece : all.pieces)
+    for (const LevelsOfDetail::Level& level : piece.levels) {
+      float most = 0.0F;
+      for (std::size_t t = level.first; t < level.first + level.count; t += 3) {
+        const glm::vec3 a = mesh.positions[all.indices[t]], b = mesh.positions[all.indices[t + 1]],
+                        c = mesh.positions[all.indices[t + 2]];
+        EXPECT_GT(glm::dot(glm::cross(b - a, c - a), a), 0.0F) << "turned inside out";
+        most = std::max(most, kRadius - glm::length((a + b + c) / 3.0F));
+      }
+      EXPECT_LT(most, 2.0F * level.error + 2e-4F * kRadius);
+    }
+}
+
+TEST(LevelsOfDetail, PiecesMeetWithoutAGapWhateverTheirLevels) {
+  const LevelsOfDetail all = levels_of_detail(fine_ball());
+  EXPECT_TRUE(is_closed(chosen(
+      all, [](std::size_t, std::size_t levels) { return levels - 1; })));
+  EXPECT_TRUE(is_closed(chosen(all, [](std::size_t piece, std::size_t levels) { return piece % levels; })));
+}
+
+// m, how wide the widest triangle is across the line where two colours meet.
+float widest_mixture(const Mesh& mesh, const LevelsOfDetail& all) {
+  const std::vector<std::uint32_t> indices = chosen(all, [&all](std::size_t piece, std::size_t levels) {
+    std::size_t level = 0;
+    while (level + 1 < levels && all.pieces[piece].levels[level + 1].error < 0.01F * kRadius) ++level;
+    return level;
+  });
+  float widest = 0.0F;
+  for (std::size_t t = 0; t < indices.size(); t += 3) {
+    const auto [low, high] = std::minmax(
+        {mesh.positions[indices[t]].x, mesh.positions[indices[t + 1]].x, mesh.positions[indices[t + 2]].x});
+    if (low < 0.0F && high >= 0.0F) widest = std::max(widest, high - low);
+  }
+  return widest;
+}
+
+// A triangle across would blur them.
+TEST(LevelsOfDetail, ColoursStayWhereTheyAre) {
+  Mesh mesh = fine_ball();
+  const float coloured = widest_mixture(mesh, levels_of_detail(mesh));
+  mesh.colours.clear();
+  EXPECT_LT(2.0F * coloured, widest_mixture(mesh, levels_of_detail(mesh)));
+}
+
+TEST(LevelsOfDetail, AreTheSameEachTime) {
+  const Mesh mesh = fine_ball();
+  EXPECT_EQ(levels_of_detail(mesh).indices, levels_of_detail(mesh).indices);
+}
+
+class DrawnLevels : public testing::Test {
+protected:
+  void TearDown() override {
+    for (const std::string& message : gpu_.instance.messages()) ADD_FAILURE() << message;
+  }
+
+  Picture draw(const VisualDesc& desc, float coarseness) {
+    auto made = Renderer::create(*gpu_.device, desc, {{320, 180}, {1, 512, 1.0F, coarseness}, {}});
+    if (!made) throw std::runtime_error(made.error().sentence);
+    FrameState state;
+    state.camera = desc.camera;
+    const std::optional<Error> error = (*made)->frame(state);
+    EXPECT_FALSE(error) << error->sentence;
+    triangles_ = (*made)->triangles();
+    return *(*made)->read_back();
+  }
+
+  static VisualDesc scene() {
+    VisualDesc desc;
+    desc.meshes.push_back(fine_ball());
+    desc.meshes.front().levels = levels_of_detail(desc.meshes.front());
+    desc.materials.push_back({});
+    desc.instances.push_back({});
+    desc.camera = {{0.1F, 0.15F, 0.5F}, {0.0F, 0.0F, 0.0F}, 0.5F};
+    return desc;
+  }
+
+  test::Gpu gpu_ = test::make_gpu();
+  std::uint64_t triangles_ = 0;  // of the last picture
+};
+
+TEST_F(DrawnLevels, HardlyShow) {
+  const VisualDesc desc = scene();
+  const Picture fine = draw(desc, 0.0F);
+  const std::uint64_t all = triangles_;
+  const Picture coarse = draw(desc, 0.5F);
+  EXPECT_LT(4 * triangles_, all);
+  std::size_t clearly = 0, sum = 0;
+  for (std::size_t i = 0; i < fine.rgba.size(); i += 4) {
+    const int off =
+        std::max({std::abs(fine.rgba[i] - coarse.rgba[i]), std::abs(fine.rgba[i + 1] - coarse.rgba[i + 1]),
+                  std::abs(fine.rgba[i + 2] - coarse.rgba[i + 2])});
+    sum += static_cast<std::size_t>(off);
+    clearly += off > 24 ? 1 : 0;
+  }
+  const std::size_t pixels = fine.rgba.size() / 4;
+  EXPECT_LT(2 * sum, pixels);        // half of one of 255 levels, on average
+  EXPECT_LT(100 * clearly, pixels);  // where the colours meet and at the outline, one sample is there or not
+}
+
+TEST_F(DrawnLevels, AreCoarserFarAway) {
+  VisualDesc desc = scene();
+  draw(desc, 0.1F);
+  const std::uint64_t near = triangles_;
+  desc.camera.eye *= 8.0F;
+  draw(desc, 0.1F);
+  EXPECT_LT(2 * triangles_, near);
+}
+
+TEST_F(DrawnLevels, AnInstanceThatIsLargerIsFiner) {
+  VisualDesc desc = scene();
+  desc.camera.eye *= 16.0F;
+  draw(desc, 0.25F);
+  const std::uint64_t small = triangles_;
+  desc.instances.front().X_WM = glm::mat4(glm::mat3(60.0F));
+  draw(desc, 0.25F);
+  EXPECT_GT(triangles_, 2 * small);
+}
+
+TEST_F(DrawnLevels, WhatIsBesideTheViewIsLeftOut) {
+  VisualDesc desc = scene();
+  desc.key_light->casts_shadow = false;
+  draw(desc, 0.0F);
+  EXPECT_EQ(triangles_, desc.meshes.front().indices.size() / 3);
+  desc.camera.target = {2.0F, 0.0F, 0.5F};
+  draw(desc, 0.0F);
+  EXPECT_EQ(triangles_, 0U);
+}
+
+}  // namespace
+}  // namespace fulcrum::render
