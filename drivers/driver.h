@@ -35,6 +35,7 @@ struct Driver {
   bool senses = false;      // where another device is held, beside that one alone
   bool motors = false;      // it pushes back
   bool by_service = false;  // a service on this machine has it
+  bool by_headset = false;  // a headset's runtime has it, while a scene is shown there
   bool simulated = false;
 };
 

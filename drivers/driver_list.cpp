@@ -2,6 +2,7 @@
 #include <iterator>
 #include <utility>
 
+#include "drivers/controller/controller_device.h"
 #include "drivers/driver.h"
 #include "drivers/dualsense/dualsense_protocol.h"
 #include "drivers/dualshock4/dualshock4_protocol.h"
@@ -111,6 +112,12 @@ Result<OpenDevice> open_keyboard(const std::string& /*argument*/, const DeviceOr
   return opened;
 }
 
+Result<OpenDevice> open_controller(const std::string& /*argument*/, const DeviceOrder& order) {
+  auto controllers = std::make_shared<Controllers>(order.signal.value_or(VibrotactileSignal()).carrier_Hz);
+  auto device = std::make_unique<ControllerDevice>(order.desc, controllers, order.X_DH, order.tick_s);
+  return OpenDevice{.device = std::move(device), .controllers = std::move(controllers)};
+}
+
 std::string why_no_gamepad_here(const std::string& no_window_reason) {
   return no_window_reason.empty() ? why_no_gamepad() : no_window_reason;
 }
@@ -120,6 +127,10 @@ Result<OpenDevice> open_gamepad(const std::string& /*argument*/, const DeviceOrd
   OpenDevice opened = by_axes(gamepad, order);
   opened.gamepad = std::move(gamepad);
   return opened;
+}
+
+std::string why_no_controller(const std::string& /*no_window_reason*/) {
+  return "it is there while a headset shows a scene: fulcrum run SCENE --xr (docs/headset.md).";
 }
 
 std::string why_no_omega(const std::string& /*no_window_reason*/) {
@@ -149,6 +160,11 @@ std::string why_no_coils(const std::string& /*no_window_reason*/) {
   return sound::why_no_sound(sound::dualsense_coils());
 }
 
+constexpr DeviceWords kOfController{.move = "squeeze to take the tool, and move your hand",
+                                    .turn = "turn your hand",
+                                    .finely = "move it slowly",
+                                    .stop = "press menu, Y or B",
+                                    .go_on = "squeeze to take the tool"};
 constexpr DeviceWords kOfGrip{.move = "move the grip", .turn = "turn the grip"};
 constexpr DeviceWords kOfFixedGrip{.move = "move the grip", .turn = "this device cannot turn it"};
 constexpr DeviceWords kOfCap{.move = "push the cap", .turn = "turn the cap", .finely = "push it gently"};
@@ -306,6 +322,18 @@ constexpr Driver kDrivers[] = {
      .open = &open_gamepad,
      .in_hand = true,
      .table = true},
+    {.name = "controller",
+     .shown = "controller",
+     .what = "a headset's controllers: six axes by the hand, as they are held; they vibrate, no force",
+     .why_not = &why_no_controller,
+     .open = &open_controller,
+     .stop_buttons = Controllers::kStop,
+     .go_buttons = Controllers::kHold,
+     .words = kOfController,
+     .in_hand = true,
+     .table = true,
+     .vibrates = true,
+     .by_headset = true},
     {.name = "strip",
      .shown = "strip",
      .what = "a strip that knows where a stick is held, beside another device: polhem+strip",

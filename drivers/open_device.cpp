@@ -44,6 +44,19 @@ Result<OpenDevice> open_with_sound(const DeviceName& parts, const DeviceOrder& o
   return opened;
 }
 
+// They have one link to the headset, whichever of the two parts they are.
+Result<OpenDevice> open_with_controllers(const Driver& moves, const std::string& argument,
+                                         const DeviceOrder& order) {
+  Result<OpenDevice> opened = open_alone(moves, argument, order);
+  if (!opened) return opened;
+  if (opened->controllers == nullptr)
+    opened->controllers = std::make_shared<Controllers>(order.signal->carrier_Hz);
+  opened->device = std::make_unique<VibratingDevice>(
+      std::move(opened->device), std::make_unique<RumblingPad>(opened->controllers, *order.desc.vibrotactile,
+                                                               *order.signal, order.tick_s));
+  return opened;
+}
+
 Result<OpenDevice> open_parts(const DeviceName& parts, const DeviceOrder& order) {
   const Driver& moves = *driver_of(parts.moves);
   const std::string argument = argument_of(parts.moves);
@@ -52,8 +65,9 @@ Result<OpenDevice> open_parts(const DeviceName& parts, const DeviceOrder& order)
   const Driver& beside = parts.beside.empty() ? moves : *driver_of(parts.beside);
   const Driver& vibrating = beside.vibrates ? beside : moves;
   const bool vibrates = vibrating.vibrates && order.signal && order.desc.vibrotactile;
-  Result<OpenDevice> opened =
-      vibrates ? open_vibrating(moves, argument, vibrating, order) : open_alone(moves, argument, order);
+  Result<OpenDevice> opened = !vibrates              ? open_alone(moves, argument, order)
+                              : vibrating.by_headset ? open_with_controllers(moves, argument, order)
+                                                     : open_vibrating(moves, argument, vibrating, order);
   if (!opened || !beside.senses) return opened;
   Result<OpenDevice> strip = beside.open("", order);
   if (!strip) return cannot_be_had(parts.beside, strip.error().sentence);

@@ -18,12 +18,12 @@ bool takes_beside(const Driver& moves, const Driver& beside) {
 }
 
 // One that is named is asked for by its name.
-std::string why_not_part(const std::string& part, const std::string& no_window_reason) {
+std::string why_not_part(const std::string& part, const RunsIn& runs) {
   const Driver* const driver = driver_of(part);
-  if (driver == nullptr) return "";
+  if (driver == nullptr || (driver->by_headset && runs.headset)) return "";
   const std::string argument = argument_of(part);
   const bool named_sound = driver->plays != nullptr && !argument.empty();
-  return named_sound ? sound::why_no_sound(driver->plays(argument)) : driver->why_not(no_window_reason);
+  return named_sound ? sound::why_no_sound(driver->plays(argument)) : driver->why_not(runs.no_window_reason);
 }
 
 std::string names_where(bool (*counts)(const Driver&)) {
@@ -124,19 +124,18 @@ Result<DeviceName> read_device_name(const std::string& name) {
   return parts;
 }
 
-std::optional<Error> refuse_device(const std::string& name, const std::string& no_window_reason,
-                                   bool by_clock) {
+std::optional<Error> refuse_device(const std::string& name, const RunsIn& runs) {
   const Result<DeviceName> parts = read_device_name(name);
   if (!parts) return parts.error();
   for (const std::string& part : {parts->moves, parts->beside}) {
-    const std::string reason = why_not_part(part, no_window_reason);
+    const std::string reason = why_not_part(part, runs);
     if (!reason.empty()) return cannot_be_had(part, reason);
   }
-  if (driver_of(parts->moves)->in_hand && !no_window_reason.empty() && !by_clock)
+  if (driver_of(parts->moves)->in_hand && !runs.no_window_reason.empty() && !runs.by_clock)
     return Error{
         "The device '" + name +
         "' is in a hand, which cannot keep up with ticks that come as fast as they can: add --realtime."};
-  if (!parts->beside.empty() && !no_window_reason.empty() && !by_clock)
+  if (!parts->beside.empty() && !runs.no_window_reason.empty() && !runs.by_clock)
     return Error{"'" + parts->beside +
                  "' vibrates by the clock, and cannot keep up with ticks that come as fast as they can: add "
                  "--realtime."};

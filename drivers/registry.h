@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drivers/controller/controllers.h"
 #include "drivers/gamepad/gamepad_axes.h"
 #include "drivers/keyboard/key_axes.h"
 #include "drivers/mouse/mouse_device.h"
@@ -95,10 +96,15 @@ bool is_simulated(const std::string& name);
 // What vibrates beside is played on a sound card.
 bool plays_sound(const std::string& name);
 
-// Why a run cannot have this device now, known before anything is baked. no_window_reason: empty where a
-// window will be there. by_clock: ticks come when they are due, as a hand needs them.
-std::optional<Error> refuse_device(const std::string& name, const std::string& no_window_reason,
-                                   bool by_clock);
+// What a run has for its device.
+struct RunsIn {
+  std::string no_window_reason{};  // empty where a window will be there
+  bool by_clock = false;           // ticks come when they are due, as a hand needs them
+  bool headset = false;            // a headset shows it
+};
+
+// Why a run cannot have this device now, known before anything is baked.
+std::optional<Error> refuse_device(const std::string& name, const RunsIn& runs);
 
 // What a run asks of its device.
 struct DeviceOrder {
@@ -113,11 +119,12 @@ struct DeviceOrder {
 
 struct OpenDevice {
   std::unique_ptr<Device> device;
-  // Parts of it that the window talks to; null where it has none.
+  // Parts of it that the window or the headset talks to; null where it has none.
   MouseDevice* mouse = nullptr;
   RateDevice* rate = nullptr;
   std::shared_ptr<KeyAxes> keys{};
   std::shared_ptr<GamepadAxes> gamepad{};
+  std::shared_ptr<Controllers> controllers{};
   const sound::SoundLink* sound = nullptr;
   // Of DeviceSample::buttons: those that ask for what Esc and Enter ask for.
   std::uint32_t stop_buttons = 0, go_buttons = 0;

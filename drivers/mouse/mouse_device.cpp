@@ -1,19 +1,10 @@
 #include "drivers/mouse/mouse_device.h"
 
-#include "haptics/math/functions.h"
-#include "haptics/math/rotation.h"
-
 namespace fulcrum {
 namespace {
 
-// Twice a first-order lag of 15 ms: no step in speed, and less delay than is seen (45 ms between picture and
-// force).
+// Less delay than is seen (45 ms between picture and force).
 constexpr double kLag = 15e-3;  // s
-
-Pose toward(const Pose& from, const Pose& to, double part) {
-  const Vec3 turn = rotation_vector(to.q * from.q.conjugate());
-  return {(quaternion_exp(part * turn) * from.q).normalized(), from.p + part * (to.p - from.p)};
-}
 
 }  // namespace
 
@@ -27,7 +18,7 @@ DeviceDesc MouseDevice::mouse_desc() {
 }
 
 MouseDevice::MouseDevice(const DeviceDesc& desc, const Pose& X_DH, double tick_s)
-    : desc_(desc), follow_(-math::expm1(-tick_s / kLag)), halfway_(X_DH), X_DH_(X_DH) {
+    : desc_(desc), follower_(X_DH, kLag, tick_s) {
   aim(X_DH);
 }
 
@@ -37,10 +28,8 @@ void MouseDevice::aim(const Pose& X_DH) noexcept {
 }
 
 DeviceSample MouseDevice::read() noexcept {
-  halfway_ = toward(halfway_, aim_.newest(), follow_);
-  X_DH_ = toward(X_DH_, halfway_, follow_);
   DeviceSample sample;
-  sample.X_DH = X_DH_;
+  sample.X_DH = follower_.follow(aim_.newest());
   return sample;
 }
 

@@ -2,6 +2,7 @@
 // A mouse as a device: six axes in, none out. The main thread turns drags and wheel steps into a wanted
 // handle pose; the haptic thread follows it smoothly, since a mouse moves in steps of a screen's refresh.
 
+#include "drivers/follow/pose_follower.h"
 #include "haptics/device/device.h"
 #include "haptics/loop/snapshot.h"
 
@@ -25,9 +26,8 @@ public:
 
 private:
   DeviceDesc desc_;
-  double follow_;  // part of the way to the aim that each of two filters in a row goes in a tick
+  PoseFollower follower_;
   Snapshot<Pose> aim_;
-  Pose halfway_, X_DH_;
 };
 
 }  // namespace fulcrum

@@ -28,15 +28,16 @@ void write_light(gpu::FrameData& data, const KeyLight& light) {
 
 glm::mat4 view_of(const Camera& camera) {
   const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
-  const glm::vec3 up =
-      std::abs(forward.y) > 0.9999F ? glm::vec3(0.0F, 0.0F, -1.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+  const bool along = std::abs(glm::dot(forward, camera.up)) > 0.9999F;
+  const glm::vec3 up = along ? glm::vec3(0.0F, 0.0F, -1.0F) : camera.up;
   return glm::lookAt(camera.eye, camera.target, up);
 }
 
 glm::mat4 clip_from_world(const Camera& camera, Extent picture) {
   // Depth near/z: a float keeps it equally exact at 5 mm and at 50 m, and nothing is ever too far.
   const float f = 1.0F / std::tan(0.5F * camera.vertical_fov_rad);
-  const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);
+  const float aspect =
+      camera.aspect.value_or(static_cast<float>(picture.width) / static_cast<float>(picture.height));
   glm::mat4 projection(0.0F);
   projection[0][0] = f / aspect;
   projection[1][1] = f;

@@ -1,6 +1,7 @@
 #pragma once
 // What changes from frame to frame. Spans are read during Renderer::frame only.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -46,6 +47,9 @@ struct FrameState {
   MarkerColours marker_colours;
   std::span<const GhostState> ghosts;  // one for each VisualDesc::ghosts; empty: none is drawn
   Camera camera;
+  // Left, right: in stereo, in place of what is made of the camera, where somebody knows them, as a headset
+  // does.
+  std::optional<std::array<Camera, 2>> eyes{};
   std::optional<Inset> inset{};    // none: nothing is built for it
   double time_s = 0.0;             // simulated time: markers pulse with it, so that a replay looks the same
   OverlayPass* overlay = nullptr;  // drawn last, over the picture; none: nothing

@@ -280,8 +280,9 @@ std::optional<Error> Renderer::update(const FrameState& state) {
                 seen);
   };
   if (stereo_) {
-    show(main_, seen_by(Eye::left, *options_.stereo, state.camera));
-    show(stereo_->right, seen_by(Eye::right, *options_.stereo, state.camera));
+    show(main_, state.eyes ? state.eyes->front() : seen_by(Eye::left, *options_.stereo, state.camera));
+    show(stereo_->right,
+         state.eyes ? state.eyes->back() : seen_by(Eye::right, *options_.stereo, state.camera));
   } else {
     show(main_, state.camera);
   }
@@ -305,12 +306,15 @@ void Renderer::fit_shadow() {
   standing_stale_ = true;
 }
 
-std::optional<Error> Renderer::frame(const FrameState& state) {
+std::optional<Error> Renderer::frame(const FrameState& state, const TakePicture& take) {
   if (auto error = fit(options_.extent, state.inset)) return *error;
   try {
     reload_shaders();
     if (auto error = update(state)) return *error;
-    commands_.run([&](VkCommandBuffer commands) { record(commands, state.overlay); });
+    commands_.run([&](VkCommandBuffer commands) {
+      record(commands, state.overlay);
+      if (take) take(commands, picture_);
+    });
     last_frame_s_ = commands_.last_run_s();
     drawn_ = true;
     return {};
@@ -333,6 +337,16 @@ Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window,
       drawn_ = true;
     }
     return shown;
+  } catch (const vulkan::Failure& failure) {
+    return Error{failure.what()};
+  }
+}
+
+std::optional<Error> Renderer::show_again(vulkan::Swapchain& window, Extent size, Extent part) {
+  try {
+    window.show(commands_, {size.width, size.height}, picture_.get(), {part.width, part.height},
+                [](VkCommandBuffer) {});
+    return {};
   } catch (const vulkan::Failure& failure) {
     return Error{failure.what()};
   }

@@ -1,6 +1,7 @@
 #pragma once
 // Draws a scene: into a picture that can be read back, and from there into a window.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -19,6 +20,9 @@
 
 namespace fulcrum::render {
 
+// Records what is done with a finished picture, which is in layout TRANSFER_SRC before and after.
+using TakePicture = std::function<void(VkCommandBuffer, const vulkan::Image& picture)>;
+
 class Renderer {
 public:
   // Plans, then builds the plan. The device must outlive the renderer; `desc` is not needed afterwards.
@@ -30,12 +34,16 @@ public:
   const Quality& quality() const { return options_.quality; }
 
   // Draws one frame into the picture and waits for it. Fails where the state does not fit the scene, or the
-  // device is lost.
-  std::optional<Error> frame(const FrameState& state);
+  // device is lost. take: who takes the picture elsewhere with the same submission; none: nobody.
+  std::optional<Error> frame(const FrameState& state, const TakePicture& take = {});
 
   // The same, and shows it. The picture takes the window's size (pixels). False: the window is minimised or
   // changed this very moment, and nothing was drawn.
   Result<bool> frame(const FrameState& state, vulkan::Swapchain& window, Extent size);
+
+  // Shows the upper left part of the last frame's picture in a window as well, enlarged or reduced to it;
+  // part: pixels. Nothing where the window is minimised, or changed this very moment.
+  std::optional<Error> show_again(vulkan::Swapchain& window, Extent size, Extent part);
 
   // How long the last frame took to record and draw, without waiting for the screen (s).
   double last_frame_s() const { return last_frame_s_; }

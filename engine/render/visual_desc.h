@@ -83,6 +83,8 @@ struct Camera {
   std::uint32_t layers = 1;         // bits of the instances that it sees
   EyePair eyes{};
   glm::vec2 lean{0.0F};  // (2) right and up, tangents: where from its way ahead the picture's middle is
+  glm::vec3 up{0.0F, 1.0F, 0.0F};  // unit, world: what is up in the picture
+  std::optional<float> aspect{};   // width by height of what is seen; none: the picture's
 };
 
 // A place that the trainee has to reach, drawn as a glowing sphere.

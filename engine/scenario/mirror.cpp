@@ -71,10 +71,11 @@ void mirror(GuideDesc& guide) {
 
 void mirror(View& view) {
   auto& [name, camera, cut] = view;
-  auto& [eye, target, vertical_fov_rad, layers, eyes, lean] = camera;
+  auto& [eye, target, vertical_fov_rad, layers, eyes, lean, up, aspect] = camera;
   mirror(eye);
   mirror(target);
   lean.x = -lean.x;
+  mirror(up);
 }
 
 void mirror(render::KeyLight& light) {

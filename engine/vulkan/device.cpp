@@ -76,6 +76,13 @@ bool is_number(const std::string& text) {
              text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+// As `--gpu` takes it; empty, and so the best one, where the creator has none.
+std::string number_of_card(const Instance& instance, Creator& creator) {
+  const std::vector<VkPhysicalDevice> all = physical_devices(instance.get());
+  const auto found = std::find(all.begin(), all.end(), creator.card(instance.get()));
+  return found == all.end() ? "" : std::to_string(found - all.begin());
+}
+
 }  // namespace
 
 std::vector<DeviceInfo> list_devices(const Instance& instance) {
@@ -125,8 +132,9 @@ Result<DeviceInfo> choose(const std::vector<DeviceInfo>& devices, const std::str
 }
 
 Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const std::string& wanted,
-                                               VkSurfaceKHR surface) {
-  const Result<DeviceInfo> chosen = choose(list_devices(instance), wanted);
+                                               VkSurfaceKHR surface, Creator* creator) {
+  const Result<DeviceInfo> chosen =
+      choose(list_devices(instance), creator != nullptr ? number_of_card(instance, *creator) : wanted);
   if (!chosen) return chosen.error();
   std::unique_ptr<Device> made(new Device);
   made->info_ = *chosen;
@@ -166,8 +174,9 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const s
   info.pQueueCreateInfos = &queue;
   info.enabledExtensionCount = surface == VK_NULL_HANDLE ? 0 : 1;
   info.ppEnabledExtensionNames = &swapchain;
-  if (const VkResult code = vkCreateDevice(made->physical_, &info, nullptr, &made->device_);
-      code != VK_SUCCESS) {
+  const VkResult code = creator != nullptr ? creator->create_device(made->physical_, info, &made->device_)
+                                           : vkCreateDevice(made->physical_, &info, nullptr, &made->device_);
+  if (code != VK_SUCCESS) {
     made->device_ = VK_NULL_HANDLE;
     return Error{made->info_.name + " did not start (" + name_of(code) +
                  "): update its driver, or choose another device with --gpu."};

@@ -32,9 +32,11 @@ Result<DeviceInfo> choose(const std::vector<DeviceInfo>& devices, const std::str
 class Device {
 public:
   // `wanted` as in choose(). With a surface, the device must be able to show pictures on it.
-  // The instance must outlive the device, and the device all that is made on it.
+  // The instance must outlive the device, and the device all that is made on it. creator: then its card, and
+  // nothing is wanted.
   static Result<std::unique_ptr<Device>> create(const Instance& instance, const std::string& wanted,
-                                                VkSurfaceKHR surface = VK_NULL_HANDLE);
+                                                VkSurfaceKHR surface = VK_NULL_HANDLE,
+                                                Creator* creator = nullptr);
   ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;

@@ -100,7 +100,9 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
 
-  if (const VkResult code = vkCreateInstance(&info, nullptr, &made.instance_); code != VK_SUCCESS) {
+  const VkResult code = options.creator != nullptr ? options.creator->create_instance(info, &made.instance_)
+                                                   : vkCreateInstance(&info, nullptr, &made.instance_);
+  if (code != VK_SUCCESS) {
     made.instance_ = VK_NULL_HANDLE;
     return explain(code);
   }

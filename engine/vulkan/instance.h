@@ -12,9 +12,22 @@
 
 namespace fulcrum::vulkan {
 
+// Another who has a say in what is drawn with: a headset's runtime knows the card that it shows pictures of,
+// and what it has to be able to do.
+class Creator {
+public:
+  virtual ~Creator() = default;
+  // As the functions of Vulkan that are called alike.
+  virtual VkResult create_instance(const VkInstanceCreateInfo& info, VkInstance* instance) = 0;
+  virtual VkResult create_device(VkPhysicalDevice card, const VkDeviceCreateInfo& info, VkDevice* device) = 0;
+  // The one to draw with; null: it has none.
+  virtual VkPhysicalDevice card(VkInstance instance) = 0;
+};
+
 struct InstanceOptions {
   bool validation = false;  // validation and synchronisation validation: slow, finds mistakes in Fulcrum
   std::vector<std::string> extensions;  // what a window system asks for; empty: pictures go to files only
+  Creator* creator = nullptr;           // null: nobody else has a say
 };
 
 // Collects warnings and errors of the validation layers. Any thread may write to it.

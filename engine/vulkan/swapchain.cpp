@@ -15,6 +15,16 @@ SemaphoreHandle make_semaphore(VkDevice device) {
   return {device, semaphore};
 }
 
+VkPresentModeKHR mode_for(Pace pace, const Device& device, VkSurfaceKHR surface) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceSurfacePresentModesKHR(device.physical(), surface, &count, nullptr);
+  std::vector<VkPresentModeKHR> offered(count);
+  vkGetPhysicalDeviceSurfacePresentModesKHR(device.physical(), surface, &count, offered.data());
+  for (const auto mode : {VK_PRESENT_MODE_MAILBOX_KHR, VK_PRESENT_MODE_IMMEDIATE_KHR})
+    if (pace == Pace::free && std::find(offered.begin(), offered.end(), mode) != offered.end()) return mode;
+  return VK_PRESENT_MODE_FIFO_KHR;  // every driver has it
+}
+
 VkCompositeAlphaFlagBitsKHR alpha_mode(VkCompositeAlphaFlagsKHR offered) {
   for (const auto mode : {VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR, VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR})
     if ((offered & mode) != 0) return mode;
@@ -50,7 +60,7 @@ Surface::~Surface() {
   if (surface_ != VK_NULL_HANDLE) vkDestroySurfaceKHR(instance_, surface_, nullptr);
 }
 
-Result<std::unique_ptr<Swapchain>> Swapchain::create(Device& device, VkSurfaceKHR surface) {
+Result<std::unique_ptr<Swapchain>> Swapchain::create(Device& device, VkSurfaceKHR surface, Pace pace) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), surface, &count, nullptr);
   std::vector<VkSurfaceFormatKHR> offered(count);
@@ -66,7 +76,7 @@ Result<std::unique_ptr<Swapchain>> Swapchain::create(Device& device, VkSurfaceKH
         " offers no 8-bit sRGB pictures for this window: choose another device with --gpu, or run without a "
         "window."};
   }
-  return std::unique_ptr<Swapchain>(new Swapchain(device, surface, *fits));
+  return std::unique_ptr<Swapchain>(new Swapchain(device, surface, *fits, mode_for(pace, device, surface)));
 }
 
 bool Swapchain::remake(VkExtent2D wanted) {
@@ -95,7 +105,7 @@ bool Swapchain::remake(VkExtent2D wanted) {
   info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
   info.preTransform = can.currentTransform;
   info.compositeAlpha = alpha_mode(can.supportedCompositeAlpha);
-  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;  // every driver has it
+  info.presentMode = mode_;
   info.clipped = VK_TRUE;
   info.oldSwapchain = swapchain_.get();
   VkSwapchainKHR made = VK_NULL_HANDLE;

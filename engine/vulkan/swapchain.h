@@ -23,11 +23,17 @@ private:
   VkSurfaceKHR surface_ = VK_NULL_HANDLE;
 };
 
+enum class Pace {
+  screen,  // in step with it: showing waits for it
+  free     // showing waits for nothing where the driver has a way to, since something else sets the pace
+};
+
 class Swapchain {
 public:
-  // Shows in step with the screen (FIFO). Fails with a sentence where the window offers no 8-bit colour
+  // Fails with a sentence where the window offers no 8-bit colour
   // format. Nothing is made yet: a window may still be without size.
-  static Result<std::unique_ptr<Swapchain>> create(Device& device, VkSurfaceKHR surface);
+  static Result<std::unique_ptr<Swapchain>> create(Device& device, VkSurfaceKHR surface,
+                                                   Pace pace = Pace::screen);
 
   // Shows `source`, an image in layout TRANSFER_SRC once `record` has run, scaled to the window if it must
   // be. `wanted`: the window's size in pixels; where it is zero (minimised) nothing is drawn and the answer
@@ -36,8 +42,8 @@ public:
             const std::function<void(VkCommandBuffer)>& record);
 
 private:
-  Swapchain(Device& device, VkSurfaceKHR surface, VkSurfaceFormatKHR format)
-      : device_(device), surface_(surface), format_(format) {}
+  Swapchain(Device& device, VkSurfaceKHR surface, VkSurfaceFormatKHR format, VkPresentModeKHR mode)
+      : device_(device), surface_(surface), format_(format), mode_(mode) {}
 
   bool remake(VkExtent2D wanted);
   std::optional<std::uint32_t> acquire();
@@ -45,6 +51,7 @@ private:
   Device& device_;
   VkSurfaceKHR surface_;
   VkSurfaceFormatKHR format_;
+  VkPresentModeKHR mode_;
   VkExtent2D extent_{};
   VkExtent2D asked_{};  // the window size it was made for
   bool stale_ = true;

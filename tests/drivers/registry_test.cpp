@@ -118,13 +118,13 @@ TEST(Registry, WhereNothingVibratesNoCardIsOpened) {
 // A hand cannot keep up with ticks that come as fast as they can.
 TEST(Registry, WhatAHandHoldsNeedsAWindowOrAClock) {
   for (const char* name : {"mouse", "keyboard"}) {
-    const auto refused = refuse_device(name, "There is no display.", true);
+    const auto refused = refuse_device(name, {"There is no display.", true});
     ASSERT_TRUE(refused) << name;
     EXPECT_NE(refused->sentence.find("There is no display."), std::string::npos) << refused->sentence;
-    EXPECT_FALSE(refuse_device(name, "", false)) << name;
+    EXPECT_FALSE(refuse_device(name, {})) << name;
   }
-  EXPECT_FALSE(refuse_device("simulated", "There is no display.", false));
-  EXPECT_FALSE(refuse_device("replay:run.tape", "There is no display.", false));
+  EXPECT_FALSE(refuse_device("simulated", {"There is no display."}));
+  EXPECT_FALSE(refuse_device("replay:run.tape", {"There is no display."}));
 }
 
 TEST(Registry, KeysMoveADeviceThatTheWindowTalksTo) {

@@ -183,6 +183,7 @@ std::string Program::help() const {
 }
 
 int Program::run(int argc, char** argv) {
+  argv_ = argv;
   if (argc < 2) {
     if (without_arguments_) return without_arguments_();
     std::fputs(help().c_str(), stdout);

@@ -69,6 +69,8 @@ public:
   // What is done where there are no arguments at all; without it, the help is printed.
   void without_arguments(std::function<int()> run) { without_arguments_ = std::move(run); }
   std::string help() const;
+  // Of the run that is going on: the arguments as they came.
+  char** arguments() const { return argv_; }
   // The exit code: of the subcommand, or kUsage after a sentence that says what is wrong.
   int run(int argc, char** argv);
 
@@ -85,6 +87,7 @@ private:
   std::vector<Subcommand> subcommands_;
   std::vector<Elsewhere> elsewhere_;
   std::function<int()> without_arguments_;
+  char** argv_ = nullptr;
 };
 
 // What main() does: asks each for its subcommand, runs the one that is chosen, says what went wrong; the exit

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drivers/fault/injected_fault.h"
+#include "engine/app/cli/headset_options.h"
 #include "engine/app/cli/stereo_options.h"
 #include "engine/render/plan.h"
 
@@ -26,6 +27,7 @@ struct RunOptions {
   render::Extent size;                 // pixels
   std::string view;  // where the window starts and the picture is drawn from; empty: the first
   StereoOptions stereo;
+  HeadsetOptions headset;
   double volume = 1;    // of what is heard in a window: 0 silent, 1 as it is
   bool muted = false;   // it begins silent; F4 changes that
   bool wav = false;     // headless: what would be heard, as sound.wav

@@ -2,12 +2,18 @@
 // The subcommands. Each adds itself to the program, with its options.
 
 #include "engine/app/cli/program.h"
+#include "engine/app/run/trial_results.h"
+#include "engine/scenario/scenario.h"
 
 namespace fulcrum::app {
 
 void add_start(Program& program);  // without arguments
 void add_list(Program& program);
 void add_run(Program& program);
+// The same in the program beside this one that shows scenes in a headset.
+using RunInHeadset = int (*)(const scenario::Scenario& scenario, const RunOptions& options,
+                             Participation* participation);
+void add_run_in_headset(Program& program, RunInHeadset run);
 void add_replay(Program& program);
 void add_results(Program& program);
 void add_check(Program& program);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "drivers/registry.h"
+#include "engine/app/cli/beside.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
@@ -68,13 +69,8 @@ int run_headless(const Prepared& prepared, const RunOptions& options, Participat
   // Before the trial: who ends it early has their figures all the same.
   std::optional<ExpertRun> expert;
   if (participation != nullptr) {
-    ProgressBar bar;
-    expert = watch_expert(prepared, [&](double fraction) {
-      bar.show("Watching the expert", fraction);
-      return !interrupted();
-    });
+    expert = watch_expert_in_terminal(prepared);
     if (interrupted()) {
-      bar.clear();
       complain("interrupted before the trial began: nothing was run.");
       return kNotCompleted;
     }
@@ -129,26 +125,44 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options,
   return train(**stage, scenario, options, participation, false).code;
 }
 
-int run_command(const RunOptions& given) {
+// Of a run that a headset shows: what else it cannot be; absent: nothing.
+std::optional<std::string> refuse_headset(const RunOptions& options) {
+  if (!options.headset.asked) return std::nullopt;
+  if (options.headless) return "--xr shows the scene in a headset, and --headless nowhere: leave one out.";
+  if (options.stereo.mode) return "--xr has a picture for each eye already: leave out --stereo.";
+  if (!options.gpu.empty())
+    return "--xr draws with the card that the headset is plugged into: leave out --gpu.";
+  return std::nullopt;
+}
+
+// elsewhere: starts the program that shows scenes in a headset; in_headset: this is that program.
+int run_command(const RunOptions& given, const std::function<int()>& elsewhere, RunInHeadset in_headset) {
   RunOptions options = given;
   if (options.gpu == "list") {
     std::printf("%s\n", describe_gpus().c_str());
     return kCompleted;
   }
+  if (const auto refused = refuse_headset(options)) {
+    complain(*refused);
+    return kUsage;
+  }
+  if (options.headset.asked && in_headset == nullptr) return elsewhere();
   if (options.wav && !options.headless) {
     complain("--wav writes what a run without a window would sound like: add --headless.");
     return kUsage;
   }
-  if (options.overlay == kNoOverlay && !options.headless) {
+  if (options.overlay == kNoOverlay && !options.headless && !options.headset.asked) {
     complain(
-        "--overlay none leaves the panels out of the picture of a run without a window: add --headless.");
+        "--overlay none leaves the panels out of the picture of a run without a window: add --headless, or "
+        "--xr.");
     return kUsage;
   }
   if (const auto refused = refuse_stereo(options.stereo)) {
     complain(refused->sentence);
     return kUsage;
   }
-  if (options.device.empty()) options.device = options.headless ? "simulated" : device_in_hand();
+  if (options.device.empty())
+    options.device = options.headless ? "simulated" : options.headset.asked ? "controller" : device_in_hand();
   for (const InjectedFault& fault : options.faults) {
     if (needs_clock(fault.kind) && options.headless && !options.realtime) {
       complain("--fault " + std::string(name_of(fault.kind)) +
@@ -158,8 +172,10 @@ int run_command(const RunOptions& given) {
   }
   if (!options.faults.empty()) complain("faults are injected: " + faults_text(options.faults) + ".");
   const std::string no_window =
-      options.headless ? "it needs a window: leave out --headless, or use --device simulated or replay:FILE."
-                       : ui::why_no_window();
+      options.headset.asked ? "it needs a window: leave out --xr, or --device."
+      : options.headless
+          ? "it needs a window: leave out --headless, or use --device simulated or replay:FILE."
+          : ui::why_no_window();
   RequestedRun requested = request_run(options, no_window);
   if (!requested.scenario) return requested.code;
   std::optional<Participation> participation;
@@ -172,6 +188,10 @@ int run_command(const RunOptions& given) {
     participation = std::move(*begun);
   }
   Participation* const trainee = participation ? &*participation : nullptr;
+  if (options.headset.asked) {
+    catch_interrupts();
+    return in_headset(*requested.scenario, options, trainee);
+  }
   if (!options.headless) {
     catch_interrupts();
     return run_in_window(*requested.scenario, options, trainee);
@@ -183,9 +203,7 @@ int run_command(const RunOptions& given) {
   return run_headless(*prepared, options, trainee);
 }
 
-}  // namespace
-
-void add_run(Program& program) {
+void add_run_command(Program& program, RunInHeadset in_headset) {
   const auto options = std::make_shared<RunOptions>();
   program.add(
       "run", "Run a scenario, in a window or headless",
@@ -199,8 +217,7 @@ void add_run(Program& program) {
         arguments.text(
             {"--device", "DEVICE",
              "One of `fulcrum devices`, such as simulated:MODEL, spacemouse+dualsense or mouse+audio; none: "
-             "the best that is "
-             "there"},
+             "the best that is there, with --xr the controllers"},
             options->device);
         arguments.texts({"--fault", "NAME@T",
                          "Inject a fault at T s, such as unplug@2 (docs/faults.md); may be given again"},
@@ -222,15 +239,17 @@ void add_run(Program& program) {
              "The view of the picture, and where the window starts (default: the scenario's first)"},
             options->view);
         add_stereo(arguments, options->stereo);
+        add_headset(arguments, options->headset);
         arguments.flag(
             "--circle",
             "After an impact, show where else on a tool it would have turned the hand about the same "
             "axis",
             options->circle);
-        arguments.choice("--overlay",
-                         "With --headless: what the picture has beside the scene, all or none (no panels, "
-                         "markers or ghosts)",
-                         options->overlay, {"all", kNoOverlay});
+        arguments.choice(
+            "--overlay",
+            "With --headless or --xr: what the picture has beside the scene, all or none (no panels, "
+            "markers or ghosts)",
+            options->overlay, {"all", kNoOverlay});
         arguments.text({"--gpu", "GPU", "Which GPU draws: its number, a part of its name, or 'list'"},
                        options->gpu);
         arguments.flag("--validate", "Draw under Vulkan's validation layers: slow; what they say is an error",
@@ -244,7 +263,22 @@ void add_run(Program& program) {
         arguments.out(*options);
         arguments.json("Print the summary as JSON", options->json);
       },
-      [options] { return run_command(*options); });
+      [options, &program, in_headset] {
+        const auto elsewhere = [&program] {
+          return become({"fulcrum-xr", "a headset is shown its pictures"}, program.arguments());
+        };
+        return run_command(*options, elsewhere, in_headset);
+      });
+}
+
+}  // namespace
+
+void add_run(Program& program) {
+  add_run_command(program, nullptr);
+}
+
+void add_run_in_headset(Program& program, RunInHeadset run) {
+  add_run_command(program, run);
 }
 
 }  // namespace fulcrum::app

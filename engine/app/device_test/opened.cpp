@@ -58,7 +58,7 @@ Result<Opened> open_for_test(const std::string& name) {
         "it."};
   const Result<DeviceName> parts = read_device_name(name);
   if (!parts) return parts.error();
-  if (std::optional<Error> refused = refuse_device(name, kInWindow, true)) return *refused;
+  if (std::optional<Error> refused = refuse_device(name, {kInWindow, true})) return *refused;
   if (!has_table(parts->moves))
     return Error{"'" + name +
                  "' is no device that can be tested: name one that is held, or simulated:MODEL."};

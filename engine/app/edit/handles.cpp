@@ -9,7 +9,7 @@
 namespace fulcrum::app {
 namespace {
 
-std::vector<double> numbers(const Vec3& v) {
+std::vector<double> three_numbers(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
@@ -83,31 +83,31 @@ std::vector<scenario::NumberChange> put_at(const Prepared& prepared, const Pose&
   const std::string index = std::to_string(handle.index);
   switch (handle.kind) {
     case Handle::Kind::checkpoint:
-      return {{of_checkpoint(scenario.checkpoints[handle.index]) + ".position", numbers(p_W)}};
+      return {{of_checkpoint(scenario.checkpoints[handle.index]) + ".position", three_numbers(p_W)}};
     case Handle::Kind::corner: {
       std::string path = of_checkpoint(scenario.checkpoints[handle.index]);
       path.append(".follow.").append(std::to_string(handle.corner)).append(".corner");
-      return {{std::move(path), numbers(p_W)}};
+      return {{std::move(path), three_numbers(p_W)}};
     }
     case Handle::Kind::ball:
-      return {{"avoid." + index + ".position", numbers(p_W)}};
+      return {{"avoid." + index + ".position", three_numbers(p_W)}};
     case Handle::Kind::start: {
       const Pose& X_WM = scenario.tool.X_WM_start;
-      return {{"tool.start.position", numbers(p_W - X_WM.q * scenario.tool.touch_point)}};
+      return {{"tool.start.position", three_numbers(p_W - X_WM.q * scenario.tool.touch_point)}};
     }
     case Handle::Kind::grasp: {  // the model's pose in the handle, whose origin is to be at that place
       const Vec3 p_M = model_pose(prepared, X_WT).inverse() * p_W;
-      return {{"tool.grasp.position", numbers(-(scenario.tool.X_HM.q * p_M))}};
+      return {{"tool.grasp.position", three_numbers(-(scenario.tool.X_HM.q * p_M))}};
     }
     case Handle::Kind::eye:
-      return {{"views." + index + ".eye", numbers(p_W)}};
+      return {{"views." + index + ".eye", three_numbers(p_W)}};
     case Handle::Kind::target:
-      return {{"views." + index + ".target", numbers(p_W)}};
+      return {{"views." + index + ".target", three_numbers(p_W)}};
     case Handle::Kind::light: {
       const Vec3 direction = (light_arm(prepared).lit_W - p_W).stableNormalized();
-      std::vector<scenario::NumberChange> changes{{"light.direction", numbers(direction)}};
+      std::vector<scenario::NumberChange> changes{{"light.direction", three_numbers(direction)}};
       if (scenario.light->kind == render::KeyLight::Kind::spot)
-        changes.push_back({"light.position", numbers(p_W)});
+        changes.push_back({"light.position", three_numbers(p_W)});
       return changes;
     }
   }

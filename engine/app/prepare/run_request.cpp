@@ -40,7 +40,9 @@ RequestedRun request_run(RunOptions& options, const std::string& no_window_reaso
     complain("--participant: a replayed motion is nobody's trial. Leave one of the two out.");
     return {std::nullopt, {}, kUsage};
   }
-  if (const auto refused = refuse_device(options.device, no_window_reason, options.realtime)) {
+  if (const auto refused = refuse_device(
+          options.device,
+          {no_window_reason, options.realtime || options.headset.asked, options.headset.asked})) {
     complain(refused->sentence);
     return {std::nullopt, {}, kError};
   }

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/app/cli/interrupt.h"
+#include "engine/app/cli/terminal.h"
 #include "engine/app/prepare/tape_header.h"
 #include "engine/app/run/button_commands.h"
 #include "engine/app/run/expert_file.h"
@@ -92,6 +94,14 @@ std::optional<ExpertRun> watch_expert(const Prepared& prepared, const std::funct
   std::optional<ExpertRun> run = watch(prepared, goes_on);
   if (run && !run->way.empty() && !file.empty()) keep(file, key, *run);
   return run;
+}
+
+std::optional<ExpertRun> watch_expert_in_terminal(const Prepared& prepared) {
+  ProgressBar bar;
+  return watch_expert(prepared, [&](double fraction) {
+    bar.show("Watching the expert", fraction);
+    return !interrupted();
+  });
 }
 
 }  // namespace fulcrum::app

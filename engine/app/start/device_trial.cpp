@@ -69,7 +69,7 @@ std::string pad_buttons_down(std::uint32_t bits) {
 }  // namespace
 
 Result<std::unique_ptr<DeviceTrial>> DeviceTrial::open(const std::string& name) {
-  if (const std::optional<Error> refused = refuse_device(name, "", true)) return *refused;
+  if (const std::optional<Error> refused = refuse_device(name, {"", true})) return *refused;
   const std::vector<DeviceListing> listed = list_devices("");
   const auto listing = std::ranges::find(listed, name, &DeviceListing::name);
   const std::optional<DeviceDesc> desc = listing == listed.end() ? std::nullopt : figures_of(*listing);

@@ -1,0 +1,22 @@
+#pragma once
+// What the command line says of a headset.
+
+#include <string>
+
+namespace fulcrum::app {
+
+class Arguments;
+
+// Of --xr-space: the scene is before who begins, wherever that is, or it stands in the middle of the floor.
+inline constexpr const char* kLocalSpace = "local";
+inline constexpr const char* kStageSpace = "stage";
+
+struct HeadsetOptions {
+  bool asked = false;               // --xr
+  std::string space = kLocalSpace;  // --xr-space
+  double scale = 1;                 // --xr-scale: the scene is seen so many times as large as it is
+};
+
+void add_headset(Arguments& arguments, HeadsetOptions& options);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,220 @@
+#include "engine/headset/headset_run.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "engine/app/cli/interrupt.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/run/headless_run.h"
+#include "engine/render/picture.h"
+#include "engine/ui/look.h"
+
+namespace fulcrum::headset {
+namespace {
+
+constexpr auto kNoFrames = std::chrono::milliseconds(5);  // between looks at a headset that shows nothing
+constexpr double kPartOfFrame = 0.8;  // of the time between two pictures, that drawing may take
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+HeadsetRun::HeadsetRun(HeadsetStage& stage, const app::Prepared& prepared,
+                       const scenario::VisualAssembly& visual, const app::RunOptions& options,
+                       const app::Settings& settings, app::RunSession& attempt)
+    : stage_(stage),
+      prepared_(prepared),
+      options_(options),
+      settings_(settings),
+      attempt_(attempt),
+      loop_(attempt.world(), *attempt.device().device),
+      view_(visual.desc.camera),
+      placement_(place_scene(view_, options.headset)),
+      bridge_(visual.desc, prepared.scenario, attempt.world().desc()),
+      grasp_(attempt.world().desc().tool.X_WT_start * attempt.world().desc().tool.X_HT.inverse()),
+      device_buttons_(attempt.device().stop_buttons, attempt.device().go_buttons),
+      sound_(options, static_cast<double>(settings.volume)) {}
+
+bool HeadsetRun::goes_on() const {
+  const ui::Window* const window = stage_.window();
+  return !closing_ && error_.empty() && !app::interrupted() && (window == nullptr || !window->closing());
+}
+
+void HeadsetRun::run() {
+  audio::Player* const player = attempt_.player();
+  if (player != nullptr) loop_.also_tell(player->ticks());
+  sound_.begin(player);
+  listen();
+  try {
+    while (goes_on()) {
+      if (stage_.window() != nullptr) stage_.window()->poll();
+      look_after_session();
+      take_ticks();
+      if (attempt_.faults().gpu_lost()) stage_.gpu().lose();
+      if (worn_ && worn_->session().runs())
+        draw();
+      else
+        std::this_thread::sleep_for(kNoFrames);
+    }
+  } catch (const xr::Failure& failure) {
+    error_ = failure.what();
+  }
+  loop_.stop();
+  worn_.reset();
+  if (stage_.window() != nullptr) stage_.window()->set_events({});
+  if (!error_.empty()) app::complain(error_);
+  app::report_grant(loop_);
+}
+
+void HeadsetRun::listen() {
+  if (stage_.window() == nullptr) return;
+  ui::WindowEvents events;
+  events.key = [this](int key, int action, int) {
+    if (action != GLFW_PRESS) return;
+    if (key == GLFW_KEY_ESCAPE) ask_for(Command{Command::Kind::stop});
+    if (key == GLFW_KEY_ENTER) ask_for(Command{Command::Kind::acknowledge});
+  };
+  stage_.window()->set_events(std::move(events));
+}
+
+void HeadsetRun::ask_for(const std::optional<Command>& command) {
+  if (!command || !began_ || resting_) return;
+  // Who goes on has to see it.
+  if (command->kind == Command::Kind::acknowledge && (!worn_ || !worn_->session().is_focused())) return;
+  paused_ = false;
+  loop_.send(*command);
+}
+
+void HeadsetRun::take_ticks() {
+  app::RunSink& sink = attempt_.sink();
+  TickEvent event;
+  while (loop_.next(event)) {
+    ask_for(device_buttons_.pressed(event.sample.buttons));
+    if (sink.end() != app::RunSink::End::running) continue;
+    sink.take(event);
+    sound_.note(sink.task());
+  }
+  sink.flush_if_due();
+  if (sink.end() != app::RunSink::End::running) come_to_rest();
+}
+
+// The force goes as after a stop; then the session is ended in its own order.
+void HeadsetRun::come_to_rest() {
+  sound_.rest();
+  if (!resting_) resting_ = loop_.send({Command::Kind::stop});
+  const TickRecord& newest = loop_.newest();
+  if (!newest.stopped || !newest.device_F_H_D.is_zero()) return;
+  loop_.stop();
+  if (worn_ && worn_->session().runs())
+    worn_->session().end();
+  else
+    closing_ = true;
+}
+
+void HeadsetRun::look_after_session() {
+  if (!worn_) {
+    if (!stage_.runtime().find_headset()) return;
+    const bool stage_space = options_.headset.space == app::kStageSpace;
+    worn_ = std::make_unique<Worn>(stage_, stage_space ? xr::Space::stage : xr::Space::local);
+  }
+  xr::Session& session = worn_->session();
+  session.take_events();
+  closing_ = session.is_over();
+  if (session.was_recentred()) grasp_.let_go();
+  if (session.is_focused() && !began_) {
+    began_ = true;
+    loop_.start();
+  }
+  if (!session.is_focused()) pause();
+  // A simulated hand has nobody who could go on.
+  if (session.is_focused() && paused_ && is_simulated(options_.device))
+    ask_for(Command{Command::Kind::acknowledge});
+  if (session.is_lost()) {
+    app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
+    worn_.reset();
+  }
+}
+
+void HeadsetRun::pause() {
+  grasp_.let_go();
+  if (began_ && !paused_ && !resting_) paused_ = loop_.send({Command::Kind::stop});
+}
+
+// The newest tick; the sink's where there is none yet, and its last one after the end.
+const TickRecord& HeadsetRun::shown_record() {
+  const app::RunSink& sink = attempt_.sink();
+  const TickRecord& newest = loop_.newest();
+  const bool running = sink.end() == app::RunSink::End::running;
+  return running && newest.tick > sink.last().tick ? newest : sink.last();
+}
+
+void HeadsetRun::draw() {
+  const std::optional<xr::Frame> frame = worn_->begin_frame();
+  if (!frame) return;
+  if (!quality_ && !settings_.picture && frame->period > 0)
+    quality_.emplace(kPartOfFrame * 1e-9 * static_cast<double>(frame->period));
+  move_hands(*frame);
+  const std::optional<std::array<xr::EyeView, 2>> eyes = worn_->eyes(*frame);
+  if (!eyes || worn_->session().is_lost()) {
+    worn_->show_nothing(*frame);
+    return;
+  }
+  eyes_ = {eye_camera(eyes->front(), placement_, view_.layers),
+           eye_camera(eyes->back(), placement_, view_.layers)};
+  sound_.hear_from(eyes_->front());
+  if (auto error = worn_->show(*frame, *eyes, frame_of(shown_record()))) {
+    error_ = error->sentence;
+    return;
+  }
+  frame_rate_.note(now_s());
+  if (quality_ && quality_->add(stage_.renderer().last_frame_s()))
+    if (auto error = stage_.renderer().set_quality(quality_->quality())) error_ = error->sentence;
+  if (auto error = stage_.mirror()) error_ = error->sentence;
+}
+
+void HeadsetRun::move_hands(const xr::Frame& frame) {
+  const std::array<xr::Hand, xr::kHands> hands = worn_->hands(frame);
+  std::array<input::GraspingHand, xr::kHands> grasping;
+  std::uint32_t down = 0;
+  for (std::size_t i = 0; i < hands.size(); ++i) {
+    if (hands[i].X_LG) grasping[i].X_WG = placement_.in_world(*hands[i].X_LG);
+    grasping[i].holds = hands[i].holds;
+    down |= (hands[i].holds ? Controllers::kHold : 0U) | (hands[i].stops ? Controllers::kStop : 0U);
+  }
+  ask_for(hand_buttons_.pressed(down));
+  const std::shared_ptr<Controllers>& controllers = attempt_.device().controllers;
+  if (!controllers) return;
+  // A stop is a pause: what a hand does then moves nothing.
+  const bool rests = !began_ || loop_.newest().stopped;
+  controllers->move({grasp_.follow(grasping, rests), 0});
+  const std::array<double, kHands> strengths = controllers->strengths();
+  for (std::size_t i = 0; i < kHands; ++i) worn_->vibrate(i, strengths[i], controllers->carrier_Hz());
+}
+
+render::FrameState HeadsetRun::frame_of(const TickRecord& record) {
+  const app::RunSink& sink = attempt_.sink();
+  render::FrameState frame = bridge_.frame(record, sink.afterglow(), sink.task(), view_, sink.time());
+  frame.eyes = eyes_;
+  frame.marker_colours = ui::marker_colours(settings_.look);
+  if (options_.overlay == app::kNoOverlay) {
+    frame.markers = {};
+    frame.ghosts = {};
+  }
+  return frame;
+}
+
+Result<std::filesystem::path> HeadsetRun::save_picture(const std::filesystem::path& file) {
+  if (auto error = stage_.renderer().frame(frame_of(attempt_.sink().last()))) return *error;
+  const auto picture = stage_.renderer().read_back();
+  if (!picture) return picture.error();
+  if (auto error = render::write_png(file, *picture)) return *error;
+  return file;
+}
+
+}  // namespace fulcrum::headset

@@ -1,0 +1,78 @@
+#pragma once
+// One attempt in a headset. The headset's runtime says when a picture is drawn; the haptic thread keeps its
+// own pace.
+//
+// Nobody holds on to what nobody sees: where the headset shows something else, is taken off or is lost, the
+// force goes and the trial rests, as after a stop, and whoever comes back goes on.
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "drivers/registry.h"
+#include "engine/app/picture/bridge.h"
+#include "engine/app/run/button_commands.h"
+#include "engine/app/run/run_session.h"
+#include "engine/app/window/frame_rate.h"
+#include "engine/app/window/window_sound.h"
+#include "engine/headset/placement.h"
+#include "engine/headset/worn.h"
+#include "engine/input/grasp.h"
+#include "engine/render/quality.h"
+#include "haptics/loop/live_loop.h"
+
+namespace fulcrum::headset {
+
+class HeadsetRun {
+public:
+  // All must outlive it.
+  HeadsetRun(HeadsetStage& stage, const app::Prepared& prepared, const scenario::VisualAssembly& visual,
+             const app::RunOptions& options, const app::Settings& settings, app::RunSession& attempt);
+
+  // Until the trial is over, the headset's runtime ends it, or the mirror is closed.
+  void run();
+
+  // The last moment, as both eyes saw it, into a PNG.
+  Result<std::filesystem::path> save_picture(const std::filesystem::path& file);
+  double frames_per_s() const { return frame_rate_.mean(); }
+
+private:
+  bool goes_on() const;
+  void listen();              // to the mirror's keys
+  void take_ticks();          // that have passed since
+  void look_after_session();  // makes one where there is none, takes its events, pauses where it is not seen
+  void pause();
+  void draw();
+  void move_hands(const xr::Frame& frame);
+  void come_to_rest();
+  void ask_for(const std::optional<Command>& command);
+  const TickRecord& shown_record();
+  render::FrameState frame_of(const TickRecord& record);
+
+  HeadsetStage& stage_;
+  const app::Prepared& prepared_;
+  const app::RunOptions& options_;
+  const app::Settings& settings_;
+  app::RunSession& attempt_;
+  LiveLoop loop_;
+  render::Camera view_;  // of the scene, that the headset's space is laid about
+  Placement placement_;
+  app::FrameBridge bridge_;
+  input::Grasp grasp_;
+  app::ButtonCommands device_buttons_;
+  app::ButtonCommands hand_buttons_{Controllers::kStop, Controllers::kHold};
+  app::WindowSound sound_;
+  app::FrameRate frame_rate_;
+  std::optional<render::AutoQuality> quality_;  // once the headset's pace is known, where it is automatic
+  std::unique_ptr<Worn> worn_;                  // null: the headset is lost, or not found yet
+  std::optional<std::array<render::Camera, 2>> eyes_;  // of the newest frame
+  bool began_ = false;                                 // the haptic thread
+  bool paused_ = false;   // the stop that there is, is that of a headset that showed nothing
+  bool resting_ = false;  // the trial has ended, and the force is told to go
+  bool closing_ = false;  // the headset's runtime has ended the session
+  std::string error_;     // why drawing stopped
+};
+
+}  // namespace fulcrum::headset

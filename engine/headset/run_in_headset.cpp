@@ -1,0 +1,58 @@
+#include "engine/headset/run_in_headset.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/interrupt.h"
+#include "engine/app/cli/terminal.h"
+#include "engine/app/picture/picture.h"
+#include "engine/app/run/expert.h"
+#include "engine/headset/headset_run.h"
+#include "engine/record/run_folder.h"
+
+namespace fulcrum::headset {
+
+int run_in_headset(const scenario::Scenario& scenario, const app::RunOptions& options,
+                   app::Participation* participation) {
+  using namespace app;
+  // First: without a headset nothing is baked.
+  const Result<std::unique_ptr<HeadsetStage>> stage =
+      HeadsetStage::create("Fulcrum: " + scenario.title, options);
+  if (!stage) {
+    complain(stage.error().sentence);
+    return kError;
+  }
+  const std::optional<Prepared> prepared = prepare(options.scenario, scenario);
+  if (!prepared) return kError;
+  for (const std::string& note : prepared->haptic.repaired) complain(note);
+  std::optional<ExpertRun> expert;
+  if (participation != nullptr) expert = watch_expert_in_terminal(*prepared);
+  if (interrupted()) {
+    complain("interrupted before the trial began: nothing was run.");
+    return kNotCompleted;
+  }
+  const Result<scenario::VisualAssembly> visual =
+      assemble_shown(*prepared, scene_for_device(*prepared, options.device), options);
+  const Settings settings = read_settings();
+  const std::optional<Error> undrawn =
+      visual ? (*stage)->set_scene(visual->desc, settings.first_quality()) : visual.error();
+  if (undrawn) {
+    complain(undrawn->sentence);
+    return kError;
+  }
+  const Trainee trainee{participation, expert ? &expert->metrics : nullptr};
+  const std::unique_ptr<RunSession> attempt = RunSession::begin(*prepared, options, trainee);
+  if (!attempt) return kError;
+  attempt->play_sound(!options.muted);
+  HeadsetRun run(**stage, *prepared, *visual, options, settings, *attempt);
+  run.run();
+  const auto picture = run.save_picture(attempt->folder() / record::kPictureName);
+  if (!picture) complain("there is no picture: " + picture.error().sentence);
+  const int code = attempt->finish(&(*stage)->renderer().plan(), true, run.frames_per_s());
+  for (const std::string& message : (*stage)->validation_messages()) complain(message);
+  return (*stage)->validation_messages().empty() ? code : static_cast<int>(kError);
+}
+
+}  // namespace fulcrum::headset

@@ -1,0 +1,56 @@
+#include "engine/headset/worn.h"
+
+#include "engine/xr/pose.h"
+
+namespace fulcrum::headset {
+
+Worn::Worn(HeadsetStage& stage, xr::Space space)
+    : stage_(stage), session_(stage.runtime(), stage.gpu(), space), hands_(session_) {}
+
+std::optional<xr::Frame> Worn::begin_frame() {
+  return session_.begin_frame();
+}
+
+std::optional<std::array<xr::EyeView, 2>> Worn::eyes(const xr::Frame& frame) {
+  if (!frame.should_render) return std::nullopt;
+  return session_.eyes(frame);
+}
+
+std::optional<Error> Worn::fit() {
+  if (pictures_) return std::nullopt;
+  const VkExtent2D eye = stage_.runtime().recommended_eye();
+  const render::Extent both{2 * eye.width, eye.height};
+  if (!(stage_.renderer().plan().picture == both))
+    if (auto error = stage_.renderer().resize(both)) return error;
+  pictures_ = std::make_unique<xr::Swapchain>(session_, VkExtent2D{both.width, both.height});
+  return std::nullopt;
+}
+
+std::optional<Error> Worn::show(const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
+                                const render::FrameState& state) {
+  if (auto error = fit()) return error;
+  const VkImage target = pictures_->acquire();
+  if (target == VK_NULL_HANDLE) return std::nullopt;
+  const auto copy = [&](VkCommandBuffer commands, const vulkan::Image& picture) {
+    xr::copy_to(commands, picture.get(), target, picture.extent());
+  };
+  if (auto error = stage_.renderer().frame(state, copy)) return error;
+  pictures_->release();
+  const VkExtent2D eye{pictures_->extent().width / 2, pictures_->extent().height};
+  std::array<XrCompositionLayerProjectionView, 2> views;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    views[i] = xr::structure<XrCompositionLayerProjectionView>(XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
+    views[i].pose = xr::to_xr(eyes[i].X_LE);
+    views[i].fov = eyes[i].fov;
+    views[i].subImage = pictures_->part(static_cast<std::int32_t>(i * eye.width), 0, eye);
+  }
+  auto scene = xr::structure<XrCompositionLayerProjection>(XR_TYPE_COMPOSITION_LAYER_PROJECTION);
+  scene.space = session_.space();
+  scene.viewCount = static_cast<std::uint32_t>(views.size());
+  scene.views = views.data();
+  const std::array layers{reinterpret_cast<const XrCompositionLayerBaseHeader*>(&scene)};
+  session_.end_frame(frame, layers);
+  return std::nullopt;
+}
+
+}  // namespace fulcrum::headset

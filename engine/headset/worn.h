@@ -1,0 +1,48 @@
+#pragma once
+// A headset as long as one session of its runtime lasts: when to draw, for which eyes, and what hands do.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/headset/headset_stage.h"
+#include "engine/xr/hands.h"
+#include "engine/xr/session.h"
+#include "engine/xr/swapchain.h"
+
+namespace fulcrum::headset {
+
+class Worn {
+public:
+  // The stage has a scene, and outlives it. Throws xr::Failure.
+  Worn(HeadsetStage& stage, xr::Space space);
+
+  xr::Session& session() { return session_; }
+
+  // Waits until it is time to draw. None: the session has been lost.
+  std::optional<xr::Frame> begin_frame();
+  // Of that frame. None: nobody knows where the head is.
+  std::optional<std::array<xr::EyeView, 2>> eyes(const xr::Frame& frame);
+  std::array<xr::Hand, xr::kHands> hands(const xr::Frame& frame) { return hands_.read(frame); }
+  void vibrate(std::size_t hand, double strength, double frequency_Hz) {
+    hands_.vibrate(hand, strength, frequency_Hz);
+  }
+
+  // Draws what the eyes see, and shows it. state: with those eyes' cameras.
+  std::optional<Error> show(const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
+                            const render::FrameState& state);
+  // Shows nothing.
+  void show_nothing(const xr::Frame& frame) { session_.end_frame(frame, {}); }
+
+private:
+  // The pictures are as large as the runtime would have them, from the first of the session on.
+  std::optional<Error> fit();
+
+  HeadsetStage& stage_;
+  xr::Session session_;
+  xr::Hands hands_;
+  std::unique_ptr<xr::Swapchain> pictures_;  // both eyes side by side; null before the first
+};
+
+}  // namespace fulcrum::headset

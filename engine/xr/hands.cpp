@@ -1,0 +1,156 @@
+#include "engine/xr/hands.h"
+
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fulcrum::xr {
+namespace {
+
+constexpr std::array<const char*, kHands> kHandPaths{"/user/hand/left", "/user/hand/right"};
+constexpr XrDuration kVibrates = 100'000'000;  // ns
+
+// One make of controllers, as the specification has their parts; null: that hand has none such.
+struct Profile {
+  const char* name;
+  std::array<const char*, kHands> hold;
+  std::array<const char*, kHands> stop;
+};
+constexpr Profile kProfiles[] = {
+    {"/interaction_profiles/khr/simple_controller",
+     {"/input/select/click", "/input/select/click"},
+     {"/input/menu/click", "/input/menu/click"}},
+    {"/interaction_profiles/oculus/touch_controller",
+     {"/input/squeeze/value", "/input/squeeze/value"},
+     {"/input/y/click", "/input/b/click"}},
+    {"/interaction_profiles/valve/index_controller",
+     {"/input/squeeze/value", "/input/squeeze/value"},
+     {"/input/b/click", "/input/b/click"}},
+    {"/interaction_profiles/htc/vive_controller",
+     {"/input/squeeze/click", "/input/squeeze/click"},
+     {"/input/menu/click", "/input/menu/click"}},
+    {"/interaction_profiles/microsoft/motion_controller",
+     {"/input/squeeze/click", "/input/squeeze/click"},
+     {"/input/menu/click", "/input/menu/click"}},
+};
+
+}  // namespace
+
+Hands::Hands(Session& session) : session_(session) {
+  const Instance& instance = session.instance();
+  for (std::size_t hand = 0; hand < kHands; ++hand) paths_[hand] = instance.path(kHandPaths[hand]);
+  auto info = structure<XrActionSetCreateInfo>(XR_TYPE_ACTION_SET_CREATE_INFO);
+  std::strcpy(info.actionSetName, "tool");
+  std::strcpy(info.localizedActionSetName, "The tool");
+  check(xrCreateActionSet(instance.get(), &info, &set_), "name what hands do");
+  try {
+    grip_ = make_action(XR_ACTION_TYPE_POSE_INPUT, "grip", "Where the hand is");
+    hold_ = make_action(XR_ACTION_TYPE_BOOLEAN_INPUT, "hold", "Take the tool");
+    stop_ = make_action(XR_ACTION_TYPE_BOOLEAN_INPUT, "stop", "Stop the force");
+    vibrate_ = make_action(XR_ACTION_TYPE_VIBRATION_OUTPUT, "vibrate", "Vibration");
+    suggest_bindings();
+    auto attaches = structure<XrSessionActionSetsAttachInfo>(XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO);
+    attaches.countActionSets = 1;
+    attaches.actionSets = &set_;
+    check(xrAttachSessionActionSets(session.get(), &attaches), "listen to hands");
+    for (std::size_t hand = 0; hand < kHands; ++hand) {
+      auto grip = structure<XrActionSpaceCreateInfo>(XR_TYPE_ACTION_SPACE_CREATE_INFO);
+      grip.action = grip_;
+      grip.subactionPath = paths_[hand];
+      grip.poseInActionSpace.orientation.w = 1;
+      check(xrCreateActionSpace(session.get(), &grip, &grips_[hand]), "say where hands are");
+    }
+  } catch (const Failure&) {
+    xrDestroyActionSet(set_);
+    throw;
+  }
+}
+
+Hands::~Hands() {
+  for (const XrSpace grip : grips_)
+    if (grip != XR_NULL_HANDLE) xrDestroySpace(grip);
+  xrDestroyActionSet(set_);  // and its actions
+}
+
+XrAction Hands::make_action(XrActionType type, const char* name, const char* shown) {
+  auto info = structure<XrActionCreateInfo>(XR_TYPE_ACTION_CREATE_INFO);
+  info.actionType = type;
+  std::strcpy(info.actionName, name);
+  std::strcpy(info.localizedActionName, shown);
+  info.countSubactionPaths = static_cast<std::uint32_t>(paths_.size());
+  info.subactionPaths = paths_.data();
+  XrAction made = XR_NULL_HANDLE;
+  check(xrCreateAction(set_, &info, &made), "name what hands do");
+  return made;
+}
+
+void Hands::suggest_bindings() {
+  const Instance& instance = session_.instance();
+  for (const Profile& profile : kProfiles) {
+    std::vector<XrActionSuggestedBinding> bindings;
+    for (std::size_t hand = 0; hand < kHands; ++hand) {
+      const auto bind = [&](XrAction action, const char* part) {
+        const std::string name = std::string(kHandPaths[hand]) + part;
+        bindings.push_back({action, instance.path(name.c_str())});
+      };
+      bind(grip_, "/input/grip/pose");
+      bind(hold_, profile.hold[hand]);
+      bind(stop_, profile.stop[hand]);
+      bind(vibrate_, "/output/haptic");
+    }
+    auto suggested =
+        structure<XrInteractionProfileSuggestedBinding>(XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING);
+    suggested.interactionProfile = instance.path(profile.name);
+    suggested.countSuggestedBindings = static_cast<std::uint32_t>(bindings.size());
+    suggested.suggestedBindings = bindings.data();
+    const XrResult code = xrSuggestInteractionProfileBindings(instance.get(), &suggested);
+    // A runtime need not know every make.
+    if (code != XR_ERROR_PATH_UNSUPPORTED) check(code, "learn what hands do");
+  }
+}
+
+bool Hands::is_down(XrAction action, std::size_t hand) {
+  auto info = structure<XrActionStateGetInfo>(XR_TYPE_ACTION_STATE_GET_INFO);
+  info.action = action;
+  info.subactionPath = paths_[hand];
+  auto state = structure<XrActionStateBoolean>(XR_TYPE_ACTION_STATE_BOOLEAN);
+  return session_.goes_on(xrGetActionStateBoolean(session_.get(), &info, &state), "say what is pressed") &&
+         state.isActive == XR_TRUE && state.currentState == XR_TRUE;
+}
+
+std::array<Hand, kHands> Hands::read(const Frame& frame) {
+  const XrActiveActionSet active{set_, XR_NULL_PATH};
+  auto info = structure<XrActionsSyncInfo>(XR_TYPE_ACTIONS_SYNC_INFO);
+  info.countActiveActionSets = 1;
+  info.activeActionSets = &active;
+  std::array<Hand, kHands> hands;
+  const XrResult code = xrSyncActions(session_.get(), &info);
+  if (!session_.goes_on(code, "listen to hands") || code == XR_SESSION_NOT_FOCUSED) return hands;
+  for (std::size_t hand = 0; hand < kHands; ++hand) {
+    hands[hand].X_LG = session_.locate(grips_[hand], frame);
+    hands[hand].holds = is_down(hold_, hand);
+    hands[hand].stops = is_down(stop_, hand);
+  }
+  return hands;
+}
+
+void Hands::vibrate(std::size_t hand, double strength, double frequency_Hz) {
+  auto info = structure<XrHapticActionInfo>(XR_TYPE_HAPTIC_ACTION_INFO);
+  info.action = vibrate_;
+  info.subactionPath = paths_[hand];
+  if (strength > 0) {
+    auto vibration = structure<XrHapticVibration>(XR_TYPE_HAPTIC_VIBRATION);
+    vibration.amplitude = static_cast<float>(strength);
+    vibration.frequency = static_cast<float>(frequency_Hz);
+    vibration.duration = kVibrates;
+    session_.goes_on(
+        xrApplyHapticFeedback(session_.get(), &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)),
+        "let a hand feel");
+  } else if (vibrates_[hand]) {
+    session_.goes_on(xrStopHapticFeedback(session_.get(), &info), "let a hand rest");
+  }
+  vibrates_[hand] = strength > 0;
+}
+
+}  // namespace fulcrum::xr

@@ -1,0 +1,47 @@
+#pragma once
+// The controllers of a headset: where each hand is, what it presses, and how it is made to vibrate.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "engine/xr/session.h"
+
+namespace fulcrum::xr {
+
+inline constexpr std::size_t kHands = 2;  // left, right
+
+struct Hand {
+  std::optional<Pose> X_LG;  // of its grip, as the specification has it; none: nobody knows where it is
+  bool holds = false;        // it is squeezed, or where nothing can be, its select button is down
+  bool stops = false;        // its menu button is down, or what stands for it
+};
+
+class Hands {
+public:
+  // The session outlives it. Throws Failure.
+  explicit Hands(Session& session);
+  ~Hands();
+  Hands(const Hands&) = delete;
+  Hands& operator=(const Hands&) = delete;
+
+  // Where they are when the frame will be seen. Hands that are out of use are nowhere and press nothing.
+  std::array<Hand, kHands> read(const Frame& frame);
+
+  // strength: 0, for it to be still, to 1. Until the next call, or a tenth of a second where there is none.
+  void vibrate(std::size_t hand, double strength, double frequency_Hz);
+
+private:
+  XrAction make_action(XrActionType type, const char* name, const char* shown);
+  void suggest_bindings();
+  bool is_down(XrAction action, std::size_t hand);
+
+  Session& session_;
+  std::array<XrPath, kHands> paths_;
+  XrActionSet set_ = XR_NULL_HANDLE;
+  XrAction grip_ = XR_NULL_HANDLE, hold_ = XR_NULL_HANDLE, stop_ = XR_NULL_HANDLE, vibrate_ = XR_NULL_HANDLE;
+  std::array<XrSpace, kHands> grips_{};
+  std::array<bool, kHands> vibrates_{};
+};
+
+}  // namespace fulcrum::xr

@@ -1,0 +1,50 @@
+#pragma once
+// The connection to a headset's runtime, which has a say in what Vulkan draws with.
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "engine/vulkan/instance.h"
+#include "engine/xr/result.h"
+
+namespace fulcrum::xr {
+
+class Instance final : public vulkan::Creator {
+public:
+  // Fails with a sentence where no runtime is active, where it cannot draw with Vulkan, or where it has no
+  // headset.
+  static Result<std::unique_ptr<Instance>> create();
+  ~Instance() override;
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  XrInstance get() const { return instance_; }
+  XrSystemId system() const { return system_; }
+  const std::string& runtime() const { return runtime_; }  // "Monado 21.0.0"
+  const std::string& headset() const { return headset_; }  // as the runtime calls it
+
+  // After a session was lost: looks for the headset again. False: it is not there, or not yet.
+  bool find_headset();
+
+  // Pixels of one eye's picture, as large as the runtime would have it now.
+  VkExtent2D recommended_eye() const;
+
+  // The path of that name, such as "/user/hand/left". Throws Failure.
+  XrPath path(const char* name) const;
+
+  VkResult create_instance(const VkInstanceCreateInfo& info, VkInstance* instance) override;
+  VkResult create_device(VkPhysicalDevice card, const VkDeviceCreateInfo& info, VkDevice* device) override;
+  VkPhysicalDevice card(VkInstance instance) override;
+
+private:
+  Instance() = default;
+  template <class Function>
+  Function function(const char* name) const;
+
+  XrInstance instance_ = XR_NULL_HANDLE;
+  XrSystemId system_ = XR_NULL_SYSTEM_ID;
+  std::string runtime_, headset_;
+};
+
+}  // namespace fulcrum::xr

@@ -1,0 +1,40 @@
+#pragma once
+// Pictures that a headset's runtime shows. What is in them is drawn elsewhere and copied here.
+
+#include <optional>
+#include <vector>
+
+#include "engine/vulkan/commands.h"
+#include "engine/xr/session.h"
+
+namespace fulcrum::xr {
+
+class Swapchain {
+public:
+  // extent: pixels. The session outlives it. Throws Failure, such as where the runtime takes no such
+  // pictures.
+  Swapchain(Session& session, VkExtent2D extent);
+  ~Swapchain();
+  Swapchain(const Swapchain&) = delete;
+  Swapchain& operator=(const Swapchain&) = delete;
+
+  VkExtent2D extent() const { return extent_; }
+  // Of it, in a layer: pixels, from the picture's top left corner.
+  XrSwapchainSubImage part(std::int32_t x, std::int32_t y, VkExtent2D size) const;
+
+  // A picture to copy to, which the runtime shows from release() on. Null: the session has been lost.
+  VkImage acquire();
+  void release();
+
+private:
+  Session& session_;
+  VkExtent2D extent_;
+  XrSwapchain swapchain_ = XR_NULL_HANDLE;
+  std::vector<XrSwapchainImageVulkan2KHR> images_;
+};
+
+// Records a copy of a picture, which is in layout TRANSFER_SRC and of the same size, into one that acquire()
+// gave. Its bytes are sRGB encoded, and stay what they are.
+void copy_to(VkCommandBuffer commands, VkImage picture, VkImage target, VkExtent2D extent);
+
+}  // namespace fulcrum::xr

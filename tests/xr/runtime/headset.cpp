@@ -1,0 +1,124 @@
+#include "tests/xr/runtime/headset.h"
+
+#include <filesystem>
+
+#include "engine/xr/pose.h"
+#include "tests/xr/runtime/log.h"
+
+namespace runtime {
+namespace {
+
+constexpr double kHeadHeight = 1.5;  // m, of local space over the floor
+constexpr int kTimesGone = 4;
+
+std::size_t hand_in(const std::vector<std::string>& words) {
+  return words.at(0) == "right" ? 1 : 0;
+}
+
+template <class T>
+void push(const T& event) {
+  XrEventDataBuffer buffer{};
+  static_assert(sizeof(T) <= sizeof(buffer));
+  reinterpret_cast<T&>(buffer) = event;
+  headset->events.push_back(buffer);
+}
+
+void recenter(const Pose& moved) {
+  headset->X_LL = headset->X_LL * moved;
+  auto event = fulcrum::xr::structure<XrEventDataReferenceSpaceChangePending>(
+      XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING);
+  event.session = handle_of<XrSession>(headset->session.get());
+  event.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
+  event.changeTime = headset->time;
+  push(event);
+}
+
+void happen(const Event& event) {
+  const std::vector<std::string>& words = event.words;
+  Headset& h = *headset;
+  if (event.what == "head") {
+    h.X_LH = fulcrum::xr::pose_of(pose_in(words, 0));
+  } else if (event.what == "hand") {
+    h.X_LG[hand_in(words)] = fulcrum::xr::pose_of(pose_in(words, 1));
+    h.in_hand[hand_in(words)] = true;
+  } else if (event.what == "press" || event.what == "release") {
+    h.pressed[hand_in(words)][words.at(1)] = event.what == "press";
+  } else if (event.what == "hide") {
+    go_to(XR_SESSION_STATE_VISIBLE);
+  } else if (event.what == "show") {
+    go_to(XR_SESSION_STATE_FOCUSED);
+  } else if (event.what == "recenter") {
+    recenter(fulcrum::xr::pose_of(pose_in(words, 0)));
+  } else if (event.what == "size") {
+    h.script.width = static_cast<std::uint32_t>(std::stoul(words.at(0)));
+    h.script.height = static_cast<std::uint32_t>(std::stoul(words.at(1)));
+  } else if (event.what == "rest" || event.what == "exit") {
+    (event.what == "rest" ? h.session->rests : h.session->exits) = true;
+    go_to(XR_SESSION_STATE_STOPPING);
+  } else if (event.what == "lose") {
+    h.session->lost = true;
+    h.gone = kTimesGone;
+  } else if (event.what == "pending") {
+    h.gone = kTimesGone;
+    go_to(XR_SESSION_STATE_LOSS_PENDING);
+  } else if (event.what == "wait") {
+    h.waits_for = words.at(0);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Headset> headset;
+
+void go_to(XrSessionState state) {
+  headset->session->state = state;
+  auto event =
+      fulcrum::xr::structure<XrEventDataSessionStateChanged>(XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED);
+  event.session = handle_of<XrSession>(headset->session.get());
+  event.state = state;
+  event.time = headset->time;
+  push(event);
+}
+
+void advance() {
+  Headset& h = *headset;
+  h.time += 11'111'111;
+  ++h.session->frames;
+  if (!h.waits_for.empty()) {
+    if (!std::filesystem::exists(h.waits_for)) return;
+    h.waits_for.clear();
+  }
+  ++h.frame;
+  while (h.next_event < h.script.events.size() && h.script.events[h.next_event].frame <= h.frame)
+    happen(h.script.events[h.next_event++]);
+}
+
+Pose pose_of(const Space& space) {
+  const Headset& h = *headset;
+  switch (space.kind) {
+    case Space::Kind::view:
+      return h.X_LH * space.offset;
+    case Space::Kind::local:
+      return h.X_LL * space.offset;
+    case Space::Kind::grip:
+      return h.X_LG[space.hand] * space.offset;
+    default:
+      return Pose{fulcrum::Quat::Identity(), fulcrum::Vec3(0, -kHeadHeight, 0)} * space.offset;
+  }
+}
+
+std::array<XrView, 2> views_in(const Space& space) {
+  const Script& script = headset->script;
+  const auto& [left, right, up, down] = script.fov;
+  const Pose X_SH = pose_of(space).inverse() * headset->X_LH;
+  std::array<XrView, 2> views;
+  for (std::size_t eye = 0; eye < views.size(); ++eye) {
+    const double side = (eye == 0 ? -0.5 : 0.5) * static_cast<double>(script.eyes_apart);
+    views[eye] = fulcrum::xr::structure<XrView>(XR_TYPE_VIEW);
+    views[eye].pose = fulcrum::xr::to_xr(X_SH * Pose{fulcrum::Quat::Identity(), fulcrum::Vec3(side, 0, 0)});
+    views[eye].fov = eye == 0 ? XrFovf{left, right, up, down} : XrFovf{-right, -left, up, down};
+  }
+  return views;
+}
+
+}  // namespace runtime
