@@ -14,14 +14,12 @@ constexpr double kLag = 8e-3;  // s
 ControllerDevice::ControllerDevice(const DeviceDesc& desc, std::shared_ptr<Controllers> controllers,
                                    const Pose& X_DH, double tick_s)
     : desc_(desc), controllers_(std::move(controllers)), follower_(X_DH, kLag, tick_s) {
-  controllers_->move({X_DH, 0});
+  controllers_->move(X_DH);
 }
 
 DeviceSample ControllerDevice::read() noexcept {
-  const HandleInHand& wanted = controllers_->wanted();
   DeviceSample sample;
-  sample.X_DH = follower_.follow(wanted.X_DH);
-  sample.buttons = wanted.buttons;
+  sample.X_DH = follower_.follow(controllers_->wanted_X_DH());
   return sample;
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
+#include "engine/app/picture/target_view.h"
 #include "engine/app/run/headless_run.h"
 #include "engine/render/picture.h"
 #include "engine/ui/look.h"
@@ -17,17 +18,23 @@ namespace fulcrum::headset {
 namespace {
 
 constexpr auto kNoFrames = std::chrono::milliseconds(5);  // between looks at a headset that shows nothing
+constexpr XrDuration kBetweenWords = 100'000'000;         // ns, between two writings of the panel
 constexpr double kPartOfFrame = 0.8;  // of the time between two pictures, that drawing may take
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// The force is stopped, and has gone.
+bool is_off(const TickRecord& record) {
+  return record.stopped && record.device_F_H_D.is_zero();
+}
+
 }  // namespace
 
 HeadsetRun::HeadsetRun(HeadsetStage& stage, const app::Prepared& prepared,
                        const scenario::VisualAssembly& visual, const app::RunOptions& options,
-                       const app::Settings& settings, app::RunSession& attempt)
+                       const app::Settings& settings, app::RunSession& attempt, std::unique_ptr<Panel> panel)
     : stage_(stage),
       prepared_(prepared),
       options_(options),
@@ -36,6 +43,8 @@ HeadsetRun::HeadsetRun(HeadsetStage& stage, const app::Prepared& prepared,
       loop_(attempt.world(), *attempt.device().device),
       view_(visual.desc.camera),
       placement_(place_scene(view_, options.headset)),
+      panel_place_(place_panel(view_, placement_)),
+      panel_(std::move(panel)),
       bridge_(visual.desc, prepared.scenario, attempt.world().desc()),
       grasp_(attempt.world().desc().tool.X_WT_start * attempt.world().desc().tool.X_HT.inverse()),
       device_buttons_(attempt.device().stop_buttons, attempt.device().go_buttons),
@@ -108,8 +117,7 @@ void HeadsetRun::take_ticks() {
 void HeadsetRun::come_to_rest() {
   sound_.rest();
   if (!resting_) resting_ = loop_.send({Command::Kind::stop});
-  const TickRecord& newest = loop_.newest();
-  if (!newest.stopped || !newest.device_F_H_D.is_zero()) return;
+  if (!is_off(loop_.newest())) return;
   loop_.stop();
   if (worn_ && worn_->session().runs())
     worn_->session().end();
@@ -126,14 +134,14 @@ void HeadsetRun::look_after_session() {
   xr::Session& session = worn_->session();
   session.take_events();
   closing_ = session.is_over();
-  if (session.was_recentred()) grasp_.let_go();
+  if (closing_) return;
   if (session.is_focused() && !began_) {
     began_ = true;
     loop_.start();
   }
   if (!session.is_focused()) pause();
   // A simulated hand has nobody who could go on.
-  if (session.is_focused() && paused_ && is_simulated(options_.device))
+  if (session.is_focused() && paused_ && is_simulated(options_.device) && is_off(loop_.newest()))
     ask_for(Command{Command::Kind::acknowledge});
   if (session.is_lost()) {
     app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
@@ -168,31 +176,36 @@ void HeadsetRun::draw() {
   eyes_ = {eye_camera(eyes->front(), placement_, view_.layers),
            eye_camera(eyes->back(), placement_, view_.layers)};
   sound_.hear_from(eyes_->front());
-  if (auto error = worn_->show(*frame, *eyes, frame_of(shown_record()))) {
+  const TickRecord& record = shown_record();
+  auto error = say(record, *frame);
+  if (!error) error = worn_->show(*frame, *eyes, frame_of(record), panel_place_);
+  if (error) {
     error_ = error->sentence;
     return;
   }
   frame_rate_.note(now_s());
-  if (quality_ && quality_->add(stage_.renderer().last_frame_s()))
-    if (auto error = stage_.renderer().set_quality(quality_->quality())) error_ = error->sentence;
-  if (auto error = stage_.mirror()) error_ = error->sentence;
+  error = stage_.mirror();  // before another quality makes another picture
+  if (!error && quality_ && quality_->add(stage_.renderer().last_frame_s()))
+    error = stage_.renderer().set_quality(quality_->quality());
+  if (error) error_ = error->sentence;
 }
 
 void HeadsetRun::move_hands(const xr::Frame& frame) {
   const std::array<xr::Hand, xr::kHands> hands = worn_->hands(frame);
+  if (worn_->session().was_recentred(frame)) grasp_.let_go();
   std::array<input::GraspingHand, xr::kHands> grasping;
   std::uint32_t down = 0;
   for (std::size_t i = 0; i < hands.size(); ++i) {
     if (hands[i].X_LG) grasping[i].X_WG = placement_.in_world(*hands[i].X_LG);
     grasping[i].holds = hands[i].holds;
-    down |= (hands[i].holds ? Controllers::kHold : 0U) | (hands[i].stops ? Controllers::kStop : 0U);
+    down |= (hands[i].holds ? kHoldButton : 0U) | (hands[i].stops ? kStopButton : 0U);
   }
   ask_for(hand_buttons_.pressed(down));
   const std::shared_ptr<Controllers>& controllers = attempt_.device().controllers;
   if (!controllers) return;
   // A stop is a pause: what a hand does then moves nothing.
   const bool rests = !began_ || loop_.newest().stopped;
-  controllers->move({grasp_.follow(grasping, rests), 0});
+  controllers->move(grasp_.follow(grasping, rests));
   const std::array<double, kHands> strengths = controllers->strengths();
   for (std::size_t i = 0; i < kHands; ++i) worn_->vibrate(i, strengths[i], controllers->carrier_Hz());
 }
@@ -207,6 +220,22 @@ render::FrameState HeadsetRun::frame_of(const TickRecord& record) {
     frame.ghosts = {};
   }
   return frame;
+}
+
+std::optional<Error> HeadsetRun::say(const TickRecord& record, const xr::Frame& frame) {
+  if (!panel_ || frame.display_time - said_ < kBetweenWords) return std::nullopt;
+  said_ = frame.display_time;
+  const app::RunSink& sink = attempt_.sink();
+  const SceneDesc& scene = attempt_.world().desc();
+  ui::OverlayState state = app::overlay_state(prepared_, scene, record, sink.afterglow(), sink.task());
+  state.look = settings_.look;
+  if (state.trial) state.trial->limit_s = sink.limit();
+  const DeviceWords words = device_words(options_.device);
+  if (state.force == ui::Force::stopped)
+    state.message.append("To go on: ").append(words.go_on).append(".");
+  else
+    state.message = app::advice(prepared_.haptic.task, sink.task(), words);
+  return worn_->say(*panel_, state);
 }
 
 Result<std::filesystem::path> HeadsetRun::save_picture(const std::filesystem::path& file) {

@@ -25,11 +25,15 @@
 
 namespace fulcrum::headset {
 
+// Of the hands: what stands for Esc, and for Enter.
+inline constexpr std::uint32_t kStopButton = 1, kHoldButton = 2;
+
 class HeadsetRun {
 public:
-  // All must outlive it.
+  // All must outlive it. panel: what is said is shown there; null: nothing is.
   HeadsetRun(HeadsetStage& stage, const app::Prepared& prepared, const scenario::VisualAssembly& visual,
-             const app::RunOptions& options, const app::Settings& settings, app::RunSession& attempt);
+             const app::RunOptions& options, const app::Settings& settings, app::RunSession& attempt,
+             std::unique_ptr<Panel> panel);
 
   // Until the trial is over, the headset's runtime ends it, or the mirror is closed.
   void run();
@@ -50,6 +54,8 @@ private:
   void ask_for(const std::optional<Command>& command);
   const TickRecord& shown_record();
   render::FrameState frame_of(const TickRecord& record);
+  // What the panel says of it, where there is one and it is time for that.
+  std::optional<Error> say(const TickRecord& record, const xr::Frame& frame);
 
   HeadsetStage& stage_;
   const app::Prepared& prepared_;
@@ -59,10 +65,13 @@ private:
   LiveLoop loop_;
   render::Camera view_;  // of the scene, that the headset's space is laid about
   Placement placement_;
+  PanelPlace panel_place_;
+  std::unique_ptr<Panel> panel_;  // null: nothing is said
+  XrTime said_ = 0;               // ns of the runtime's clock: when the panel was written last
   app::FrameBridge bridge_;
   input::Grasp grasp_;
   app::ButtonCommands device_buttons_;
-  app::ButtonCommands hand_buttons_{Controllers::kStop, Controllers::kHold};
+  app::ButtonCommands hand_buttons_{kStopButton, kHoldButton};
   app::WindowSound sound_;
   app::FrameRate frame_rate_;
   std::optional<render::AutoQuality> quality_;  // once the headset's pace is known, where it is automatic

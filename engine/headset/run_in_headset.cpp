@@ -42,11 +42,21 @@ int run_in_headset(const scenario::Scenario& scenario, const app::RunOptions& op
     complain(undrawn->sentence);
     return kError;
   }
+  std::unique_ptr<Panel> panel;
+  if (options.overlay != kNoOverlay) {
+    auto made = Panel::create((*stage)->gpu());
+    if (!made) {
+      complain(made.error().sentence);
+      return kError;
+    }
+    panel = std::move(*made);
+    if (!panel->font_note().empty()) complain(panel->font_note());
+  }
   const Trainee trainee{participation, expert ? &expert->metrics : nullptr};
   const std::unique_ptr<RunSession> attempt = RunSession::begin(*prepared, options, trainee);
   if (!attempt) return kError;
   attempt->play_sound(!options.muted);
-  HeadsetRun run(**stage, *prepared, *visual, options, settings, *attempt);
+  HeadsetRun run(**stage, *prepared, *visual, options, settings, *attempt, std::move(panel));
   run.run();
   const auto picture = run.save_picture(attempt->folder() / record::kPictureName);
   if (!picture) complain("there is no picture: " + picture.error().sentence);

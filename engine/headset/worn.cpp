@@ -17,17 +17,28 @@ std::optional<std::array<xr::EyeView, 2>> Worn::eyes(const xr::Frame& frame) {
 }
 
 std::optional<Error> Worn::fit() {
-  if (pictures_) return std::nullopt;
+  if (fitted_ == session_.times_begun()) return std::nullopt;
   const VkExtent2D eye = stage_.runtime().recommended_eye();
   const render::Extent both{2 * eye.width, eye.height};
   if (!(stage_.renderer().plan().picture == both))
     if (auto error = stage_.renderer().resize(both)) return error;
+  pictures_.reset();
   pictures_ = std::make_unique<xr::Swapchain>(session_, VkExtent2D{both.width, both.height});
+  fitted_ = session_.times_begun();
+  return std::nullopt;
+}
+
+std::optional<Error> Worn::say(Panel& panel, const ui::OverlayState& state) {
+  if (!sheet_) sheet_ = std::make_unique<xr::Swapchain>(session_, Panel::kSize);
+  const VkImage target = sheet_->acquire();
+  if (target == VK_NULL_HANDLE) return std::nullopt;
+  if (auto error = panel.draw(state, target)) return error;
+  sheet_->release();
   return std::nullopt;
 }
 
 std::optional<Error> Worn::show(const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
-                                const render::FrameState& state) {
+                                const render::FrameState& state, const PanelPlace& panel) {
   if (auto error = fit()) return error;
   const VkImage target = pictures_->acquire();
   if (target == VK_NULL_HANDLE) return std::nullopt;
@@ -48,7 +59,19 @@ std::optional<Error> Worn::show(const xr::Frame& frame, const std::array<xr::Eye
   scene.space = session_.space();
   scene.viewCount = static_cast<std::uint32_t>(views.size());
   scene.views = views.data();
-  const std::array layers{reinterpret_cast<const XrCompositionLayerBaseHeader*>(&scene)};
+  std::vector layers{reinterpret_cast<const XrCompositionLayerBaseHeader*>(&scene)};
+  auto sheet = xr::structure<XrCompositionLayerQuad>(XR_TYPE_COMPOSITION_LAYER_QUAD);
+  if (sheet_) {
+    sheet.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
+    sheet.space = session_.space();
+    sheet.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
+    sheet.subImage = sheet_->part(0, 0, Panel::kSize);
+    sheet.pose = xr::to_xr(panel.X_LP);
+    const auto width = static_cast<float>(panel.width);
+    sheet.size = {width,
+                  width * static_cast<float>(Panel::kSize.height) / static_cast<float>(Panel::kSize.width)};
+    layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&sheet));
+  }
   session_.end_frame(frame, layers);
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/headset/headset_stage.h"
+#include "engine/headset/panel.h"
 #include "engine/xr/hands.h"
 #include "engine/xr/session.h"
 #include "engine/xr/swapchain.h"
@@ -29,20 +30,25 @@ public:
     hands_.vibrate(hand, strength, frequency_Hz);
   }
 
-  // Draws what the eyes see, and shows it. state: with those eyes' cameras.
+  // Writes anew what a panel says, which is shown from then on.
+  std::optional<Error> say(Panel& panel, const ui::OverlayState& state);
+
+  // Draws what the eyes see, and shows it, and over it the panel. state: with those eyes' cameras.
   std::optional<Error> show(const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
-                            const render::FrameState& state);
+                            const render::FrameState& state, const PanelPlace& panel);
   // Shows nothing.
   void show_nothing(const xr::Frame& frame) { session_.end_frame(frame, {}); }
 
 private:
-  // The pictures are as large as the runtime would have them, from the first of the session on.
+  // The pictures are as large as the runtime would have them whenever it begins to show some.
   std::optional<Error> fit();
 
   HeadsetStage& stage_;
   xr::Session session_;
   xr::Hands hands_;
   std::unique_ptr<xr::Swapchain> pictures_;  // both eyes side by side; null before the first
+  std::unique_ptr<xr::Swapchain> sheet_;     // null: nothing is said
+  int fitted_ = 0;                           // Session::times_begun() that they are of
 };
 
 }  // namespace fulcrum::headset

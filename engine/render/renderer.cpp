@@ -343,6 +343,7 @@ Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window,
 }
 
 std::optional<Error> Renderer::show_again(vulkan::Swapchain& window, Extent size, Extent part) {
+  if (!drawn_) return {};
   try {
     window.show(commands_, {size.width, size.height}, picture_.get(), {part.width, part.height},
                 [](VkCommandBuffer) {});

@@ -42,7 +42,8 @@ public:
   Result<bool> frame(const FrameState& state, vulkan::Swapchain& window, Extent size);
 
   // Shows the upper left part of the last frame's picture in a window as well, enlarged or reduced to it;
-  // part: pixels. Nothing where the window is minimised, or changed this very moment.
+  // part: pixels. Nothing where there is none yet, or where the window is minimised or changed this very
+  // moment.
   std::optional<Error> show_again(vulkan::Swapchain& window, Extent size, Extent part);
 
   // How long the last frame took to record and draw, without waiting for the screen (s).

@@ -70,7 +70,9 @@ Hands::Hands(Session& session) : session_(session) {
 Hands::~Hands() {
   for (const XrSpace grip : grips_)
     if (grip != XR_NULL_HANDLE) xrDestroySpace(grip);
-  xrDestroyActionSet(set_);  // and its actions
+  // The set would take them along, and layers between here and the runtime would not know.
+  for (const XrAction action : {grip_, hold_, stop_, vibrate_}) xrDestroyAction(action);
+  xrDestroyActionSet(set_);
 }
 
 XrAction Hands::make_action(XrActionType type, const char* name, const char* shown) {

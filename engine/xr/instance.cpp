@@ -49,7 +49,7 @@ std::string version_text(XrVersion version) {
 
 Result<std::unique_ptr<Instance>> Instance::create() {
   // What is wrong is said in our own sentence; who wants the loader's words sets it.
-  setenv("XR_LOADER_DEBUG", "none", 0);
+  setenv("XR_LOADER_DEBUG", "none", 0);  // NOLINT(concurrency-mt-unsafe): no thread runs yet.
   const std::vector<XrExtensionProperties> offered = runtime_extensions();
   if (offered.empty()) return explain(XR_ERROR_RUNTIME_UNAVAILABLE);
   if (!offers(offered, XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME))

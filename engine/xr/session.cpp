@@ -63,7 +63,7 @@ void Session::take_events() {
       }
       case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
         const auto& changed = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
-        if (changed.session == session_) recentred_ = true;
+        if (changed.session == session_) recentred_at_ = changed.changeTime;
         break;
       }
       case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
@@ -83,6 +83,7 @@ void Session::go_to(XrSessionState state) {
       auto info = structure<XrSessionBeginInfo>(XR_TYPE_SESSION_BEGIN_INFO);
       info.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
       runs_ = goes_on(xrBeginSession(session_, &info), "begin to show pictures");
+      ++times_begun_;
       break;
     }
     case XR_SESSION_STATE_STOPPING:
@@ -112,8 +113,14 @@ bool Session::goes_on(XrResult code, const char* doing) {
   return true;
 }
 
+bool Session::was_recentred(const Frame& frame) {
+  if (!recentred_at_ || frame.display_time < *recentred_at_) return false;
+  recentred_at_.reset();
+  return true;
+}
+
 void Session::end() {
-  if (runs_) goes_on(xrRequestExitSession(session_), "end the session");
+  if (runs_ && !std::exchange(ends_, true)) goes_on(xrRequestExitSession(session_), "end the session");
 }
 
 std::optional<Frame> Session::begin_frame() {

@@ -48,10 +48,12 @@ public:
   bool is_focused() const { return state_ == XR_SESSION_STATE_FOCUSED; }  // it is seen, and hands count
   bool is_lost() const { return lost_; }  // another one may be made once the headset is found again
   bool is_over() const { return over_; }  // whoever wears the headset has ended it, or the runtime has
-  // Once after each time that L has moved in the room.
-  bool was_recentred() { return std::exchange(recentred_, false); }
+  // Once after each time that L has moved in the room: from that frame on.
+  bool was_recentred(const Frame& frame);
+  // How often pictures have begun to be shown: each time they may be of another size.
+  int times_begun() const { return times_begun_; }
 
-  // Asks the runtime to end it.
+  // Asks the runtime to end it, once.
   void end();
 
   // Waits until it is time to draw; none: the session has been lost.
@@ -77,7 +79,9 @@ private:
   XrSession session_ = XR_NULL_HANDLE;
   XrSpace space_ = XR_NULL_HANDLE;
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
-  bool runs_ = false, lost_ = false, over_ = false, recentred_ = false;
+  bool runs_ = false, lost_ = false, over_ = false, ends_ = false;
+  int times_begun_ = 0;
+  std::optional<XrTime> recentred_at_;  // that was not told yet
 };
 
 }  // namespace fulcrum::xr

@@ -36,7 +36,8 @@ needs content_texts --version
 needs "fulcrum-studies content_piping" workprecision
 needs "fulcrum-studies content" workprecision picture
 needs "fulcrum-studies content_teeth" compare teeth
-needs "fulcrum-studies fulcrum-import content" --build
+needs "fulcrum-studies fulcrum-import fulcrum-xr content" --build
+needs "fulcrum-xr content_teeth" run teeth --xr
 needs "fulcrum-import content_texts" import part.obj
 rmdir "$tree/content/scenarios/teeth"
 

@@ -25,7 +25,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/haptics DESTINATION ${CMAKE_INSTALL_INCLUD
 
 function(fulcrum_install_program)
   install(TARGETS fulcrum fulcrum-studies fulcrum-import RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  if(TARGET fulcrum-xr)
+  if(OpenXR_FOUND)
     install(TARGETS fulcrum-xr RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   endif()
   install(DIRECTORY ${FULCRUM_CONTENT_DIR}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fulcrum/content)

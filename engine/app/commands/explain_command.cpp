@@ -98,6 +98,7 @@ struct ExplainOptions {
   std::vector<std::string> overrides;  // KEY=VALUE
   std::string device = "simulated";
   StereoOptions stereo;
+  bool headset = false;
   bool json = false;
 };
 
@@ -138,6 +139,7 @@ int explain_command(const ExplainOptions& options) {
   }
   render::RenderOptions picture;
   picture.stereo = stereo_of(options.stereo);
+  if (options.headset) picture.stereo = render::Stereo{};  // its eyes lie side by side
   const Result<render::RenderPlan> plan = render::plan(visual->desc, picture);
   if (!plan) {
     complain(plan.error().sentence);
@@ -151,6 +153,7 @@ int explain_command(const ExplainOptions& options) {
   }
   Inventory list = inventory(*world, *prepared, &*plan, false, options.device);
   add_scene_sound(*prepared, world->desc(), true, list);
+  add_headset(options.headset, list);
   for (InventoryItem& item : list.built) {
     const auto cost = costs->find(item.name);
     if (item.kind != "haptics") continue;
@@ -201,6 +204,7 @@ void add_explain(Program& program) {
         arguments.text({"--device", "DEVICE", "On this device (fulcrum devices): what it leaves out"},
                        options->device);
         add_stereo_mode(arguments, options->stereo);
+        arguments.flag("--xr", "As a headset shows it", options->headset);
         arguments.json("As JSON", options->json);
       },
       [options] { return explain_command(*options); });

@@ -167,4 +167,11 @@ void add_scene_sound(const Prepared& prepared, const SceneDesc& scene, bool hear
   to.built.push_back({kName, "sound", 0, 0, what});
 }
 
+void add_headset(bool asked, Inventory& to) {
+  (asked ? to.built : to.left_out)
+      .push_back(
+          {"headset", "picture", 0, 0,
+           asked ? "by OpenXR in fulcrum-xr: a session, its pictures, hands, a panel" : "--xr asks for it"});
+}
+
 }  // namespace fulcrum::app

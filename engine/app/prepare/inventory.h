@@ -30,4 +30,7 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
 // What is heard of the scene, to either list. heard: by somebody, or by a file.
 void add_scene_sound(const Prepared& prepared, const SceneDesc& scene, bool heard, Inventory& to);
 
+// What shows it in a headset, to either list. asked: by --xr.
+void add_headset(bool asked, Inventory& to);
+
 }  // namespace fulcrum::app

@@ -121,6 +121,7 @@ int RunSession::finish(const render::RenderPlan* plan, bool person, std::optiona
   }
   Inventory list = inventory(world_, prepared_, plan, options_.circle, options_.device);
   add_scene_sound(prepared_, world_.desc(), player_ != nullptr || sink_.writes_sound(), list);
+  add_headset(options_.headset.asked, list);
   bool written = write_results(folder_, outcome, list) && outcome.recorded;
   const FinishedTrial trial{prepared_, sink_,  sink_.metrics(), outcome.summary,
                             folder_,   began_, trainee_.expert, outcome.recorded};

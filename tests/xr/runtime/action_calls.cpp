@@ -51,7 +51,8 @@ XrResult XRAPI_CALL create_action(XrActionSet, const XrActionCreateInfo* info, X
   return XR_SUCCESS;
 }
 
-XrResult XRAPI_CALL destroy_action(XrAction) {
+XrResult XRAPI_CALL destroy_action(XrAction action) {
+  std::erase_if(headset->actions, [&](const auto& one) { return handle_of<XrAction>(one.get()) == action; });
   return XR_SUCCESS;
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kHeadHeight = 1.5;  // m, of local space over the floor
 constexpr int kTimesGone = 4;
+constexpr XrTime kTimeToMove = 30'000'000;  // ns: programs are told before local space moves
 
 std::size_t hand_in(const std::vector<std::string>& words) {
   return words.at(0) == "right" ? 1 : 0;
@@ -24,12 +25,13 @@ void push(const T& event) {
 }
 
 void recenter(const Pose& moved) {
-  headset->X_LL = headset->X_LL * moved;
+  headset->X_LL_next = headset->X_LL * moved;
+  headset->moves_at = headset->time + kTimeToMove;
   auto event = fulcrum::xr::structure<XrEventDataReferenceSpaceChangePending>(
       XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING);
   event.session = handle_of<XrSession>(headset->session.get());
   event.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
-  event.changeTime = headset->time;
+  event.changeTime = *headset->moves_at;
   push(event);
 }
 
@@ -83,6 +85,10 @@ void go_to(XrSessionState state) {
 void advance() {
   Headset& h = *headset;
   h.time += 11'111'111;
+  if (h.moves_at && h.time >= *h.moves_at) {
+    h.X_LL = h.X_LL_next;
+    h.moves_at.reset();
+  }
   ++h.session->frames;
   if (!h.waits_for.empty()) {
     if (!std::filesystem::exists(h.waits_for)) return;

@@ -65,7 +65,9 @@ struct Headset {
   Pose X_LH;                 // head, in local space as it is at first: as all of these are
   std::array<Pose, 2> X_LG;  // grips
   std::array<bool, 2> in_hand{};
-  Pose X_LL;  // local space now
+  Pose X_LL;       // local space now
+  Pose X_LL_next;  // from then on
+  std::optional<XrTime> moves_at;
   std::array<std::map<std::string, bool>, 2> pressed;
 
   std::deque<XrEventDataBuffer> events;

@@ -56,7 +56,8 @@ bool is_written(const Pixels& pixels) {
 
 void save_if_asked(const std::string& which, const Pixels& pixels) {
   for (const Event& event : headset->script.events) {
-    if (event.what != "picture" || event.frame != headset->frame || event.words.at(0) != which) continue;
+    const bool now = event.frame == 0 || event.frame == headset->frame;
+    if (event.what != "picture" || !now || event.words.at(0) != which) continue;
     std::ofstream file(event.words.at(1), std::ios::binary);
     file << "P6\n" << pixels.width << ' ' << pixels.height << "\n255\n";
     file.write(reinterpret_cast<const char*>(pixels.rgb.data()),

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# A headset's mirror under a display without a screen: it shows what the left eye sees, Esc stops and Enter goes on, it can
+# be resized, and closing it ends the run in order. $FULCRUM is the program, $RUNTIME the manifest of the tests' runtime.
+set -uo pipefail
+. "$(dirname "$(readlink -f "$0")")/../support/display.sh"
+start_display
+export XR_RUNTIME_JSON=$RUNTIME FULCRUM_XR_SCRIPT=$work/script FULCRUM_XR_LOG=$work/log
+printf '%s\n' 'size 240 320' 'pace 5' >"$work/script"
+
+open_window piping --xr --mute --validate --device simulated --set dwell=600 --set time_limit=3600 --size 480x360 --out "$work/W"
+[ "$(xdotool getwindowgeometry "$window" | grep -o '[0-9]*x[0-9]*$')" = 270x360 ] || fail "the mirror has not an eye's shape"
+# The pipes are painted orange; no panel is.
+orange() {
+  import -window "$window" "$work/seen.png"
+  [ "$(convert "$work/seen.png" -fuzz 15% -fill black +opaque 'rgb(200,150,40)' -format '%[fx:mean > 0.001]' info:)" = 1 ]
+}
+until_seen orange || fail "the mirror does not show the pipes"
+[ -z "${FULCRUM_PICTURES-}" ] || cp "$work/seen.png" "$FULCRUM_PICTURES/mirror.png"
+stops() { column "$work/W" fault | awk '$1 % 2 { n += !was } { was = $1 % 2 } END { print n + 0, was + 0 }'; }
+stopped() { [ "$(stops)" = "1 1" ]; }
+goes_on() { [ "$(stops)" = "1 0" ]; }
+until_seen runs "$work/W" 1 || fail "it does not run"
+xdotool key --window "$window" Escape
+until_seen stopped || fail "Esc stops nothing: $(stops)"
+xdotool key --window "$window" Return
+until_seen goes_on || fail "Enter does not go on: $(stops)"
+xdotool windowsize "$window" 400 300
+until_seen orange || fail "the mirror shows nothing once it is resized"
+grep -q '^WRONG' "$work/log" && fail "the runtime was called wrongly: $(grep -m 3 '^WRONG' "$work/log")"
+xdotool key --clearmodifiers alt+F4
+wait_for_end
+[ $code = 3 ] || fail "exit $code, not 3: $(cat "$work/said")"
+grep -q '^xrDestroyInstance' "$work/log" || fail "the instance is not destroyed"
+[ "$(identify -format '%wx%h' "$work/W/frame.png")" = 480x320 ] || fail "frame.png is the mirror's, and not both eyes'"
+
+[ $failures = 0 ] && echo "all good"
+exit $((failures > 0))
