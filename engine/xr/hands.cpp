@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::array<const char*, kHands> kHandPaths{"/user/hand/left", "/user/hand/right"};
 constexpr XrDuration kVibrates = 100'000'000;  // ns
+constexpr double kLeastFelt = 0.005;           // of the whole
 
 // One make of controllers, as the specification has their parts; null: that hand has none such.
 struct Profile {
@@ -141,7 +142,8 @@ void Hands::vibrate(std::size_t hand, double strength, double frequency_Hz) {
   auto info = structure<XrHapticActionInfo>(XR_TYPE_HAPTIC_ACTION_INFO);
   info.action = vibrate_;
   info.subactionPath = paths_[hand];
-  if (strength > 0) {
+  const bool felt = strength >= kLeastFelt;
+  if (felt) {
     auto vibration = structure<XrHapticVibration>(XR_TYPE_HAPTIC_VIBRATION);
     vibration.amplitude = static_cast<float>(strength);
     vibration.frequency = static_cast<float>(frequency_Hz);
@@ -152,7 +154,7 @@ void Hands::vibrate(std::size_t hand, double strength, double frequency_Hz) {
   } else if (vibrates_[hand]) {
     session_.goes_on(xrStopHapticFeedback(session_.get(), &info), "let a hand rest");
   }
-  vibrates_[hand] = strength > 0;
+  vibrates_[hand] = felt;
 }
 
 }  // namespace fulcrum::xr

@@ -28,7 +28,8 @@ public:
   // Where they are when the frame will be seen. Hands that are out of use are nowhere and press nothing.
   std::array<Hand, kHands> read(const Frame& frame);
 
-  // strength: 0, for it to be still, to 1. Until the next call, or a tenth of a second where there is none.
+  // strength: 0, for it to be still, to 1; what nobody would feel is still, too. Until the next call, or a
+  // tenth of a second where there is none.
   void vibrate(std::size_t hand, double strength, double frequency_Hz);
 
 private:
