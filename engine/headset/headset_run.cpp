@@ -133,7 +133,7 @@ void HeadsetRun::look_after_session() {
   }
   xr::Session& session = worn_->session();
   session.take_events();
-  closing_ = session.is_over();
+  closing_ = closing_ || session.is_over();
   if (closing_) return;
   if (session.is_focused() && !began_) {
     began_ = true;
