@@ -24,6 +24,10 @@ void write_light(gpu::FrameData& data, const KeyLight& light) {
   data.key_colour = with(light.colour * light.intensity, std::cos(0.8F * half));
 }
 
+float aspect_of(const Camera& camera, Extent picture) {
+  return camera.aspect.value_or(static_cast<float>(picture.width) / static_cast<float>(picture.height));
+}
+
 }  // namespace
 
 glm::mat4 view_of(const Camera& camera) {
@@ -36,8 +40,7 @@ glm::mat4 view_of(const Camera& camera) {
 glm::mat4 clip_from_world(const Camera& camera, Extent picture) {
   // Depth near/z: a float keeps it equally exact at 5 mm and at 50 m, and nothing is ever too far.
   const float f = 1.0F / std::tan(0.5F * camera.vertical_fov_rad);
-  const float aspect =
-      camera.aspect.value_or(static_cast<float>(picture.width) / static_cast<float>(picture.height));
+  const float aspect = aspect_of(camera, picture);
   glm::mat4 projection(0.0F);
   projection[0][0] = f / aspect;
   projection[1][1] = f;
@@ -71,8 +74,7 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
   data.background_top = with(setting.background.top);
   data.background_bottom = with(setting.background.bottom);
   const float tangent = std::tan(0.5F * state.camera.vertical_fov_rad);
-  const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);
-  data.lens = {tangent * aspect, tangent, state.camera.lean.x, state.camera.lean.y};
+  data.lens = {tangent * aspect_of(state.camera, picture), tangent, state.camera.lean.x, state.camera.lean.y};
   const Extent hidden = occlusion_extent(scene);
   data.occlusion = {static_cast<float>(hidden.width), static_cast<float>(hidden.height), kNear_m, 0.0F};
   data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel_m, 0.0F, 0.0F};

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
-#include "engine/render/light_fit.h"
+#include "engine/render/bounds.h"
 #include "engine/render/look.h"
 
 namespace fulcrum::render {
@@ -42,14 +43,14 @@ std::optional<Grid> grid_over(const VisualDesc& desc) {
   std::vector<Bounds> casters, others;
   for (const Instance& instance : desc.instances) {
     if (instance.movable || !hides_light(desc, instance)) continue;
-    const Bounds box = transformed(bounds_of(desc.meshes[instance.mesh]), instance.X_WM);
+    const Bounds box = transformed(bounds_of(desc.meshes[instance.mesh].positions), instance.X_WM);
     (instance.casts_shadow ? casters : others).push_back(box);
   }
   if (casters.empty()) casters.swap(others);
   if (casters.empty()) return {};
   Bounds all = casters.front();
   for (const Bounds& box : casters) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
-  const glm::vec3 reach(0.25F *
+  const glm::vec3 reach(0.5F *
                         std::max({all.high.x - all.low.x, all.high.y - all.low.y, all.high.z - all.low.z}));
   const Bounds around{all.low - reach, all.high + reach};
   for (const Bounds& box : others) {
@@ -75,48 +76,103 @@ struct Corner {
   glm::vec3 at, colour;
 };
 
-// A triangle no larger than a voxel belongs to the one that its middle lies in.
-void add(std::vector<Matter>& matter, const Grid& grid, const Corner& a, const Corner& b, const Corner& c,
-         int depth) {
-  const float longest =
-      std::max({glm::distance(a.at, b.at), glm::distance(b.at, c.at), glm::distance(c.at, a.at)});
-  if (longest > grid.voxel && depth < 16) {
-    // Halved across its longest edge.
+// Triangles cut into pieces of about a voxel, each of which belongs to the voxel that its middle lies in.
+class Voxeliser {
+public:
+  // piece: m, the longest edge of one.
+  Voxeliser(const Grid& grid, float piece) : grid_(grid), piece_(piece), matter_(grid.size()) {}
+
+  void add(const Corner& a, const Corner& b, const Corner& c) { add(a, b, c, 0); }
+  std::vector<Matter> take() { return std::move(matter_); }
+
+private:
+  static constexpr int kMostHalvings = 60;
+
+  bool is_beside(const Corner& a, const Corner& b, const Corner& c) const {
+    const glm::vec3 high = grid_.low + grid_.voxel * glm::vec3(grid_.counts);
+    return glm::any(glm::lessThan(glm::max(a.at, glm::max(b.at, c.at)), grid_.low)) ||
+           glm::any(glm::greaterThan(glm::min(a.at, glm::min(b.at, c.at)), high));
+  }
+
+  void add(const Corner& a, const Corner& b, const Corner& c, int halvings) {
+    if (is_beside(a, b, c)) return;
+    const float ab = glm::distance(a.at, b.at), bc = glm::distance(b.at, c.at),
+                ca = glm::distance(c.at, a.at);
+    const float longest = std::max({ab, bc, ca});
+    if (longest <= piece_ || halvings == kMostHalvings) return keep(a, b, c);
     const auto halve = [&](const Corner& from, const Corner& to, const Corner& rest) {
       const Corner middle{0.5F * (from.at + to.at), 0.5F * (from.colour + to.colour)};
-      add(matter, grid, from, middle, rest, depth + 1);
-      add(matter, grid, middle, to, rest, depth + 1);
+      add(from, middle, rest, halvings + 1);
+      add(middle, to, rest, halvings + 1);
     };
-    if (glm::distance(a.at, b.at) == longest) return halve(a, b, c);
-    if (glm::distance(b.at, c.at) == longest) return halve(b, c, a);
-    return halve(c, a, b);
+    if (ab == longest) return halve(a, b, c);
+    if (bc == longest) return halve(b, c, a);
+    halve(c, a, b);
   }
-  const auto where = grid.index((a.at + b.at + c.at) / 3.0F);
-  if (!where) return;
-  const glm::vec3 normal = 0.5F * glm::cross(b.at - a.at, c.at - a.at);
-  const float area = glm::length(normal);
-  Matter& voxel = matter[*where];
-  voxel.area += area;
-  voxel.normal += normal;
-  voxel.colour += area / 3.0F * (a.colour + b.colour + c.colour);
-}
 
-std::vector<Matter> matter_of(const VisualDesc& desc, const Grid& grid) {
-  std::vector<Matter> matter(grid.size());
+  void keep(const Corner& a, const Corner& b, const Corner& c) {
+    const auto where = grid_.index((a.at + b.at + c.at) / 3.0F);
+    if (!where) return;
+    const glm::vec3 normal = 0.5F * glm::cross(b.at - a.at, c.at - a.at);
+    const float area = glm::length(normal);
+    Matter& voxel = matter_[*where];
+    voxel.area += area;
+    voxel.normal += normal;
+    voxel.colour += area / 3.0F * (a.colour + b.colour + c.colour);
+  }
+
+  Grid grid_;
+  float piece_;
+  std::vector<Matter> matter_;
+};
+
+// An instance that hides light, its vertices in the world.
+struct Standing {
+  const Mesh* mesh;
+  std::vector<Corner> corners;
+};
+
+std::vector<Standing> standing_in(const VisualDesc& desc) {
+  std::vector<Standing> found;
   for (const Instance& instance : desc.instances) {
     if (instance.movable || !hides_light(desc, instance)) continue;
     const Mesh& mesh = desc.meshes[instance.mesh];
-    const Material& material = desc.materials[instance.material];
-    std::vector<Corner> corners;
-    corners.reserve(mesh.positions.size());
+    const glm::vec3 colour = desc.materials[instance.material].base_colour;
+    Standing& standing = found.emplace_back(Standing{&mesh, {}});
+    standing.corners.reserve(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-      corners.push_back({glm::vec3(instance.X_WM * glm::vec4(mesh.positions[i], 1.0F)),
-                         material.base_colour * (mesh.colours.empty() ? glm::vec3(1.0F) : mesh.colours[i])});
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-      add(matter, grid, corners[mesh.indices[i]], corners[mesh.indices[i + 1]], corners[mesh.indices[i + 2]],
-          0);
+      standing.corners.push_back({glm::vec3(instance.X_WM * glm::vec4(mesh.positions[i], 1.0F)),
+                                  colour * (mesh.colours.empty() ? glm::vec3(1.0F) : mesh.colours[i])});
   }
-  return matter;
+  return found;
+}
+
+template <typename Each>
+void for_each_triangle(const std::vector<Standing>& all, const Each& each) {
+  for (const Standing& standing : all)
+    for (std::size_t i = 0; i + 2 < standing.mesh->indices.size(); i += 3) {
+      const std::uint32_t* corner = standing.mesh->indices.data() + i;
+      each(standing.corners[corner[0]], standing.corners[corner[1]], standing.corners[corner[2]]);
+    }
+}
+
+// Pieces of a voxel, unless that made millions of them: a thousand sheets, each as large as the scene.
+float piece_for(const std::vector<Standing>& all, const Grid& grid) {
+  constexpr float kMostPieces = 4e6F, kMostOfOne = 16.0F * kMostVoxels * kMostVoxels;
+  float pieces = 0.0F;
+  for_each_triangle(all, [&](const Corner& a, const Corner& b, const Corner& c) {
+    const float size =
+        std::max({glm::distance(a.at, b.at), glm::distance(b.at, c.at), glm::distance(c.at, a.at)});
+    pieces += std::min(size * size / (grid.voxel * grid.voxel), kMostOfOne);
+  });
+  return grid.voxel * std::sqrt(std::max(1.0F, pieces / kMostPieces));
+}
+
+std::vector<Matter> matter_of(const VisualDesc& desc, const Grid& grid) {
+  const std::vector<Standing> all = standing_in(desc);
+  Voxeliser voxeliser(grid, piece_for(all, grid));
+  for_each_triangle(all, [&](const Corner& a, const Corner& b, const Corner& c) { voxeliser.add(a, b, c); });
+  return voxeliser.take();
 }
 
 // Unit; none: as much of it faces one way as the other.

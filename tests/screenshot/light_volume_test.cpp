@@ -150,6 +150,17 @@ TEST(LightVolume, WhatMovesOrIsSeenThroughHidesNothing) {
   EXPECT_EQ(upwards(below_a_tool), upwards(alone));
 }
 
+TEST(LightVolume, AFloorOfAKilometreStillHidesWhatIsBelowIt) {
+  VisualDesc desc;
+  desc.key_light.reset();
+  add(desc, {{{-500, 0, -500}, {0, 0, 1000}, {1000, 0, 0}}}, glm::vec3(0.5F));
+  desc.instances[0].casts_shadow = false;
+  add(desc, {{{0, 0.04F, 0}, {0, 0, 0.1F}, {0.1F, 0, 0}}}, glm::vec3(0.5F));
+  const LightVolume volume = volume_of(desc);
+  const glm::vec4 open = volume.open[voxel_at(volume, {-0.01F, 1.5F * volume.voxel, -0.01F})];
+  EXPECT_LT(facing(open, {0, -1, 0}), 0.1F);
+}
+
 TEST(LightVolume, StaysFiniteForSheetsSpecksAndLandscapes) {
   for (const float size : {1e-6F, 1.0F, 1e4F})
     for (const glm::vec3& shape :
