@@ -4,7 +4,11 @@
 // Implementation", 2023 (iolite-engine.com/blog_posts/minimal_agx_implementation), with its "punchy" idea of a look.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "include/dither.glsl"
 #include "include/range.glsl"
+
+// Not where it is enlarged afterwards: that does it.
+layout(constant_id = 0) const uint kDithers = 1;
 
 layout(set = 0, binding = 0) uniform sampler2D scene;
 
@@ -33,12 +37,9 @@ vec3 look(vec3 c) {
   return luma + 1.2 * (c - luma);
 }
 
-// J. Jimenez, "Next Generation Post Processing in Call of Duty", 2014: interleaved gradient noise, -0.5 .. 0.5.
-float noise(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5; }
-
 void main() {
   vec3 radiance = from_target(texture(scene, uv).rgb);
   vec3 ev = clamp(log2(max(kInset * radiance, 1e-10)), kMinEv, kMaxEv);
   vec3 encoded = kOutset * look(curve((ev - kMinEv) / (kMaxEv - kMinEv)));  // encoded for the screen already
-  colour = vec4(encoded + noise(gl_FragCoord.xy) / 255.0, 1.0);             // smooth gradients show no steps
+  colour = vec4(kDithers == 1 ? encoded + dither(gl_FragCoord.xy) : encoded, 1.0);
 }

@@ -189,6 +189,20 @@ void add_stereo(Pipelines& made, vulkan::Device& device, StereoMode mode, const 
   made.stereo = make_pipeline(device, stereo);
 }
 
+// tone: what maps a scene that need not be enlarged.
+void add_enlargement(Pipelines& made, vulkan::Device& device, PipelineDesc tone,
+                     const ShaderLibrary& shaders) {
+  tone.colour = kFinishedFormat;
+  tone.stages.back().constant = 0;
+  made.finish = make_pipeline(device, tone);
+  tone.stages = stages(shaders, "screen.vert", "enlarge.frag");
+  tone.stages.back().constant = 0;
+  made.widen = make_pipeline(device, tone);
+  tone.colour = kPictureFormat;
+  tone.stages.back().constant = 1;
+  made.heighten = make_pipeline(device, tone);
+}
+
 }  // namespace
 
 Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
@@ -219,13 +233,7 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
   tone.stages = stages(shaders, "screen.vert", "tone.frag");
   tone.colour = kPictureFormat;
   made.tone = make_pipeline(device, tone);
-  if (plan.enlarged()) {
-    tone.stages = stages(shaders, "screen.vert", "enlarge.frag");
-    tone.stages.back().constant = 0;
-    made.widen = make_pipeline(device, tone);
-    tone.stages.back().constant = 1;
-    made.heighten = make_pipeline(device, tone);
-  }
+  if (plan.enlarged()) add_enlargement(made, device, tone, shaders);
   return made;
 }
 

@@ -259,7 +259,7 @@ void add_targets(RenderPlan& plan) {
   if (plan.enlarged()) {
     const Extent wide{plan.eye.width, plan.scene.height};
     plan.built.push_back({"finished scene", "image", (texels(plan.scene) + texels(wide)) * kPictureTexel,
-                          size + ", sRGB, before it is enlarged to " + size_of(plan.eye)});
+                          size + ", sRGB in ten bits, before it is enlarged to " + size_of(plan.eye)});
     plan.built.push_back({"enlargement", "pipeline", 0, "Catmull-Rom along rows, without ringing"});
     plan.built.push_back({"enlargement", "pipeline", 0, "the same along columns"});
   } else {

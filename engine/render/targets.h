@@ -10,6 +10,7 @@ namespace fulcrum::render {
 constexpr VkFormat kSceneFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 constexpr VkFormat kOcclusionFormat = VK_FORMAT_R16G16_SFLOAT;
+constexpr VkFormat kFinishedFormat = VK_FORMAT_A2B10G10R10_UNORM_PACK32;
 constexpr VkFormat kGhostLineFormat = VK_FORMAT_R8G8_UNORM;
 
 struct Targets {

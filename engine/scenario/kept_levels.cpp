@@ -86,6 +86,8 @@ std::vector<std::string> add_levels_of_detail(render::VisualDesc& desc, const Ba
     const Baked<std::vector<std::byte>> kept = cache.bytes(
         name_of_levels(mesh), is_whole, [&mesh] { return bytes_of(render::levels_of_detail(mesh)); });
     mesh.levels = levels_from(kept.value, mesh);
+    const bool is_whole_alone = mesh.levels->pieces.size() == 1 && mesh.levels->pieces[0].levels.size() == 1;
+    if (is_whole_alone) mesh.levels.reset();  // it is all edges
     if (!kept.note.empty()) notes.push_back(kept.note);
   }
   return notes;

@@ -212,6 +212,16 @@ TEST_F(RendererTest, ResizesAndChangesQualityInPlace) {
   EXPECT_EQ(renderer->quality().samples, 4);
 }
 
+// How much each pixel differs from the mean of its neighbours left and right, or above and below (stride:
+// bytes to the next).
+std::size_t roughness(const Picture& picture, std::size_t stride) {
+  std::size_t sum = 0;
+  for (std::size_t i = stride; i + stride < picture.rgba.size(); i += 4)
+    sum += static_cast<std::size_t>(
+        std::abs(2 * picture.rgba[i + 1] - picture.rgba[i + 1 - stride] - picture.rgba[i + 1 + stride]));
+  return sum;
+}
+
 // Drawn at half the resolution it is like one that is drawn whole, and has no value beyond what that has: an
 // edge is followed by no brighter or darker line.
 TEST_F(RendererTest, ASceneThatIsEnlargedIsLikeAWholeOne) {
@@ -231,6 +241,10 @@ TEST_F(RendererTest, ASceneThatIsEnlargedIsLikeAWholeOne) {
     }
   }
   EXPECT_LT(sum, 3 * whole.rgba.size() / 4);  // of 255, on average
+  // It has no steps or combs that the whole one has not.
+  EXPECT_LT(roughness(enlarged, 4), roughness(whole, 4));
+  EXPECT_LT(roughness(enlarged, std::size_t{4} * whole.width),
+            roughness(whole, std::size_t{4} * whole.width));
   EXPECT_GE(range[1].first + 4, range[0].first);
   EXPECT_LE(range[1].second, range[0].second + 4);
 }
