@@ -38,9 +38,9 @@ while IFS= read -r line; do
     "fulcrum strip PRESSES.csv")
       printf '0.03,120\n0.1,4910\n0.17,9700\n' >PRESSES.csv
       expect 0 'low_ohm' "${word[@]}" ;;
-    "fulcrum workprecision picture") # app.picture runs it on one scene
+    "fulcrum workprecision picture" | "fulcrum workprecision speed") # app.picture runs them on one scene
       if [ -n "$long" ]; then
-        expect 0 'mean FLIP' "${word[@]}" --out report_picture
+        expect 0 'mean FLIP|level 4' "${word[@]}" --out "report_${word[2]}"
       else
         expect 0 'OPTIONS|Options' "${word[@]}" --help
       fi ;;

@@ -35,6 +35,7 @@ needs content_texts results
 needs content_texts --version
 needs "fulcrum-studies content_piping" workprecision
 needs "fulcrum-studies content" workprecision picture
+needs "fulcrum-studies content" workprecision speed
 needs "fulcrum-studies content_teeth" compare teeth
 needs "fulcrum-studies fulcrum-import fulcrum-xr content" --build
 needs "fulcrum-xr content_teeth" run teeth --xr
