@@ -67,9 +67,6 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
     data.key_direction = {0.0F, -1.0F, 0.0F, 0.0F};  // of a light without colour
   std::ranges::copy(setting.around.linear, data.around_linear);
   std::ranges::copy(setting.around.quadratic, data.around_quadratic);
-  data.volume_from_world = setting.volume_from_world;
-  data.volume_low = setting.volume_low;
-  data.unhidden = setting.unhidden;
   data.around_rest = with(setting.around.rest);
   data.background_top = with(setting.background.top);
   data.background_bottom = with(setting.background.bottom);
@@ -79,6 +76,12 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
   data.occlusion = {static_cast<float>(hidden.width), static_cast<float>(hidden.height), kNear_m, 0.0F};
   data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel_m, 0.0F, 0.0F};
   return data;
+}
+
+void write_volume(const VolumeOnDevice& volume, gpu::FrameData& to) {
+  to.volume_from_world = volume.from_world;
+  to.volume_low = volume.low;
+  to.unhidden = volume.unhidden;
 }
 
 std::uint32_t write_markers(std::span<const Marker> markers, std::span<const MarkerState> states,

@@ -5,6 +5,7 @@
 #include "engine/render/frame_state.h"
 #include "engine/render/light_fit.h"
 #include "engine/render/plan.h"
+#include "engine/render/volume_on_device.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/marker.h"
 
@@ -15,7 +16,6 @@ struct Setting {
   std::optional<KeyLight> key_light;
   Irradiance around;
   Background background;
-  glm::vec4 volume_from_world{0.0F}, volume_low{0.0F}, unhidden{0.0F};  // as in gpu::FrameData
 };
 
 // The camera's frame: x to the right, y up, z to the back.
@@ -27,6 +27,8 @@ glm::mat4 clip_from_world(const Camera& camera, Extent picture);
 // scene: what the picture is drawn as.
 gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Extent picture, Extent scene,
                           const LightFit& light, int shadow_size);
+
+void write_volume(const VolumeOnDevice& volume, gpu::FrameData& to);
 
 // The markers that are to be seen, written to `to` one after another; returns how many.
 std::uint32_t write_markers(std::span<const Marker> markers, std::span<const MarkerState> states,

@@ -33,16 +33,17 @@ struct Grid {
   }
 };
 
-bool hides_light(const VisualDesc& desc, const Instance& instance) {
+bool hides_light(const VisualDesc& desc, const Instance& instance, std::uint32_t layers) {
+  if (instance.movable || (instance.layers & layers) == 0) return false;
   const auto look = look_of(desc.materials[instance.material]);
   return !look || !is_blended(*look);
 }
 
 // Around what stands and throws a shadow; a floor or wall near it belongs to it as far as it is near.
-std::optional<Grid> grid_over(const VisualDesc& desc) {
+std::optional<Grid> grid_over(const VisualDesc& desc, std::uint32_t layers) {
   std::vector<Bounds> casters, others;
   for (const Instance& instance : desc.instances) {
-    if (instance.movable || !hides_light(desc, instance)) continue;
+    if (!hides_light(desc, instance, layers)) continue;
     const Bounds box = transformed(bounds_of(desc.meshes[instance.mesh].positions), instance.X_WM);
     (instance.casts_shadow ? casters : others).push_back(box);
   }
@@ -132,10 +133,10 @@ struct Standing {
   std::vector<Corner> corners;
 };
 
-std::vector<Standing> standing_in(const VisualDesc& desc) {
+std::vector<Standing> standing_in(const VisualDesc& desc, std::uint32_t layers) {
   std::vector<Standing> found;
   for (const Instance& instance : desc.instances) {
-    if (instance.movable || !hides_light(desc, instance)) continue;
+    if (!hides_light(desc, instance, layers)) continue;
     const Mesh& mesh = desc.meshes[instance.mesh];
     const glm::vec3 colour = desc.materials[instance.material].base_colour;
     Standing& standing = found.emplace_back(Standing{&mesh, {}});
@@ -168,8 +169,8 @@ float piece_for(const std::vector<Standing>& all, const Grid& grid) {
   return grid.voxel * std::sqrt(std::max(1.0F, pieces / kMostPieces));
 }
 
-std::vector<Matter> matter_of(const VisualDesc& desc, const Grid& grid) {
-  const std::vector<Standing> all = standing_in(desc);
+std::vector<Matter> matter_of(const VisualDesc& desc, std::uint32_t layers, const Grid& grid) {
+  const std::vector<Standing> all = standing_in(desc, layers);
   Voxeliser voxeliser(grid, piece_for(all, grid));
   for_each_triangle(all, [&](const Corner& a, const Corner& b, const Corner& c) { voxeliser.add(a, b, c); });
   return voxeliser.take();
@@ -352,23 +353,41 @@ void send_on(LightVolume& made, const Grid& grid, const std::vector<Matter>& mat
 
 }  // namespace
 
-glm::uvec3 light_volume_counts(const VisualDesc& desc) {
-  const std::optional<Grid> grid = grid_over(desc);
-  return grid ? grid->counts : glm::uvec3(1U);
+std::vector<std::uint32_t> light_volume_layers(const VisualDesc& desc) {
+  std::uint32_t any = 0, common = ~0U;
+  for (const Instance& instance : desc.instances) {
+    if (!hides_light(desc, instance, ~0U)) continue;
+    any |= instance.layers;
+    common &= instance.layers;
+  }
+  if (any == 0 || any == common) return {~0U};
+  std::vector<std::uint32_t> each;
+  for (std::uint32_t bit = 1; bit != 0; bit <<= 1)
+    if ((any & bit) != 0) each.push_back(bit);
+  return each;
 }
 
-LightVolume make_light_volume(const VisualDesc& desc, const Surroundings& radiance,
+std::uint64_t light_volume_voxels(const VisualDesc& desc) {
+  std::uint64_t all = 0;
+  for (const std::uint32_t layers : light_volume_layers(desc)) {
+    const std::optional<Grid> grid = grid_over(desc, layers);
+    all += grid ? grid->size() : 1;
+  }
+  return all;
+}
+
+LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, const Surroundings& radiance,
                               const Irradiance& around) {
   LightVolume made;
   const std::vector<Ray> rays = rays_of(radiance);
   for (const Ray& ray : rays) made.unhidden += glm::vec4(2.0F * ray.from, 1.0F) * ray.luminance;
   made.received = {made.unhidden};
-  const std::optional<Grid> grid = grid_over(desc);
+  const std::optional<Grid> grid = grid_over(desc, layers);
   if (!grid) return made;
   made.low = grid->low;
   made.voxel = grid->voxel;
   made.counts = grid->counts;
-  const std::vector<Matter> matter = matter_of(desc, *grid);
+  const std::vector<Matter> matter = matter_of(desc, layers, *grid);
   const std::vector<float> passes = passing(*grid, matter);
   let_in(made, *grid, passes, rays);
   send_on(made, *grid, matter, passes, rays, radiance_of(made, *grid, matter, desc, around));

@@ -27,11 +27,16 @@ struct LightVolume {
   glm::vec4 unhidden{0.0F};  // received, where nothing hides anything
 };
 
-// Without standing instances one voxel, which is open.
-// around: of the same radiance.
-LightVolume make_light_volume(const VisualDesc& desc, const Surroundings& radiance, const Irradiance& around);
+// What it is to be made for: all layers at once where all that stands is seen together, else each layer by
+// itself.
+std::vector<std::uint32_t> light_volume_layers(const VisualDesc& desc);
 
-// The grid's counts alone; voxel by voxel what make_light_volume() takes, before it is made.
-glm::uvec3 light_volume_counts(const VisualDesc& desc);
+// Of what stands and is in one of these layers; without any one voxel, which is open.
+// around: of the same radiance.
+LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, const Surroundings& radiance,
+                              const Irradiance& around);
+
+// Voxels of all of them, before they are made; 1 where nothing stands.
+std::uint64_t light_volume_voxels(const VisualDesc& desc);
 
 }  // namespace fulcrum::render

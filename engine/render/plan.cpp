@@ -103,11 +103,10 @@ void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
                         std::to_string(facts.instances) + " of them"});
   plan.built.push_back(
       {"surroundings", "image", environment_bytes(), "the studio as mirrors of five roughnesses show it"});
-  const std::uint64_t voxels = std::uint64_t{facts.volume.x} * facts.volume.y * facts.volume.z;
-  if (voxels > 1)
-    plan.built.push_back(
-        {"light volume", "image", 3 * voxels * kSceneTexel,
-         std::to_string(voxels) + " voxels: what standing things hide of the surroundings, and send on"});
+  if (facts.voxels > 1)
+    plan.built.push_back({"light volume", "image", 3 * facts.voxels * kSceneTexel,
+                          std::to_string(facts.voxels) +
+                              " voxels: what standing things hide of the surroundings, and send on"});
   else
     plan.left_out.push_back({"light volume", "image", 0, "nothing in the scene stands"});
   if (plan.plain_surfaces)
@@ -294,7 +293,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
       facts.coarsest += piece.levels.back().count / 3;
   }
   facts.instances = desc.instances.size();
-  facts.volume = light_volume_counts(desc);
+  facts.voxels = light_volume_voxels(desc);
   std::set<std::size_t> meshes, textures;  // of detailed instances
   std::set<std::uint32_t> looks;
   for (const Instance& instance : desc.instances) {

@@ -84,7 +84,7 @@ struct SceneFacts {
   std::uint64_t detailed_vertices = 0;    // of their meshes
   std::uint64_t textures = 0;             // that they show
   std::uint64_t texture_bytes = 0;        // of those, in all their sizes
-  glm::uvec3 volume{1U};                  // voxels of the light volume
+  std::uint64_t voxels = 0;               // of light volumes
   std::uint64_t markers = 0;
   std::vector<std::uint64_t> ghost_edges;  // of each ghost that has some
   bool key_light = false;

@@ -1,16 +1,12 @@
 #include "engine/render/renderer.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <glm/gtc/packing.hpp>
 
 #include "engine/render/studio.h"
 
 namespace fulcrum::render {
 namespace {
-
-constexpr float kBeforeSurface = 1.25F;  // voxels: a surface fills the one that it lies in
 
 // No two of any renderers are alike: an overlay may be shown by one and then by another.
 std::uint64_t next_generation() {
@@ -103,33 +99,14 @@ void Renderer::build_environment(const VisualDesc& desc) {
   const Surroundings radiance = [&](const glm::vec3& from) { return studio_radiance(desc.ambient, from); };
   const Environment made = make_environment(radiance);
   setting_.around = made.irradiance;
-  build_volume(make_light_volume(desc, radiance, made.irradiance));
+  for (const std::uint32_t layers : light_volume_layers(desc))
+    volumes_.emplace_back(device_, layers, make_light_volume(desc, layers, radiance, made.irradiance));
+  shared_.volumes = volumes_;
   environment_ = vulkan::upload_texture(device_, VK_FORMAT_R16G16B16A16_SFLOAT,
                                         {kEnvironmentSize, kEnvironmentSize}, made.levels);
   environment_sampler_ = make_environment_sampler(device_);
   shared_.environment = environment_.view();
   shared_.environment_sampler = environment_sampler_.get();
-}
-
-void Renderer::build_volume(const LightVolume& made) {
-  const glm::vec3 scale = 1.0F / (made.voxel * glm::vec3(made.counts));
-  setting_.volume_from_world = glm::vec4(scale, kBeforeSurface * made.voxel);
-  setting_.volume_low = glm::vec4(-made.low * scale, 4.0F * std::min({scale.x, scale.y, scale.z}));
-  setting_.unhidden = made.unhidden;
-  const auto on_device = [&](const std::vector<glm::vec4>& voxels) {
-    std::vector<std::uint64_t> halves;
-    halves.reserve(voxels.size());
-    for (const glm::vec4& voxel : voxels) halves.push_back(glm::packHalf4x16(voxel));
-    return vulkan::upload_volume(device_, VK_FORMAT_R16G16B16A16_SFLOAT,
-                                 {made.counts.x, made.counts.y, made.counts.z},
-                                 std::as_bytes(std::span(halves)));
-  };
-  open_ = on_device(made.open);
-  received_ = on_device(made.received);
-  sent_on_ = on_device(made.sent_on);
-  shared_.open = open_.view();
-  shared_.received = received_.view();
-  shared_.sent_on = sent_on_.view();
 }
 
 void Renderer::take_ghosts(const VisualDesc& desc) {
@@ -276,8 +253,11 @@ std::optional<Error> Renderer::update(const FrameState& state) {
   const auto show = [&](View& view, const Camera& camera) {
     FrameState seen = state;
     seen.camera = camera;
-    view.update(frame_data(setting_, seen, view.plan.picture, view.plan.scene, light_, plan_.shadow_size),
-                seen);
+    view.light_by(device_, shared_, volume_for(volumes_, camera.layers));
+    gpu::FrameData data =
+        frame_data(setting_, seen, view.plan.picture, view.plan.scene, light_, plan_.shadow_size);
+    if (!volumes_.empty()) write_volume(volumes_[view.volume], data);
+    view.update(data, seen);
   };
   if (stereo_) {
     show(main_, state.eyes ? state.eyes->front() : seen_by(Eye::left, *options_.stereo, state.camera));

@@ -8,7 +8,6 @@
 
 #include "engine/render/detailed_surfaces.h"
 #include "engine/render/frame_data.h"
-#include "engine/render/light_volume.h"
 #include "engine/render/overlay_pass.h"
 #include "engine/render/picture.h"
 #include "engine/render/pipelines.h"
@@ -67,7 +66,6 @@ private:
   std::optional<Error> rebuild(const RenderOptions& options);
   void build(const RenderPlan& plan);
   void build_environment(const VisualDesc& desc);
-  void build_volume(const LightVolume& made);
   void take_ghosts(const VisualDesc& desc);
   void build_shadow_map();
   void build_pipelines();
@@ -104,9 +102,7 @@ private:
   std::unique_ptr<DetailedSurfaces> detailed_;  // null without detailed materials
   vulkan::Buffer marker_buffer_;                // empty without markers
   vulkan::Image environment_;                   // this and the volumes: empty without instances
-  vulkan::Image open_;
-  vulkan::Image received_;
-  vulkan::Image sent_on_;
+  std::vector<VolumeOnDevice> volumes_;
   vulkan::SamplerHandle environment_sampler_;
   vulkan::SamplerHandle shadow_sampler_;
   vulkan::SamplerHandle scene_sampler_;

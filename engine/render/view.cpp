@@ -16,7 +16,7 @@ std::optional<OcclusionPass> make_occlusion(vulkan::Device& device, const Render
 
 vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& plan,
                                      const SharedParts& shared, VkBuffer frame,
-                                     const std::optional<OcclusionPass>& occlusion) {
+                                     const std::optional<OcclusionPass>& occlusion, std::size_t volume) {
   constexpr VkShaderStageFlags both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
   std::vector<vulkan::Binding> bindings = {{kFrameBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, both, frame}};
   if (plan.surfaces) {
@@ -27,9 +27,9 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
                           VK_NULL_HANDLE, view, shared.environment_sampler});
     };
     lit_by(kEnvironmentBinding, shared.environment);
-    lit_by(kOpenBinding, shared.open);
-    lit_by(kReceivedBinding, shared.received);
-    lit_by(kSentOnBinding, shared.sent_on);
+    lit_by(kOpenBinding, shared.volumes[volume].open.view());
+    lit_by(kReceivedBinding, shared.volumes[volume].received.view());
+    lit_by(kSentOnBinding, shared.volumes[volume].sent_on.view());
   }
   if (plan.markers) {
     bindings.push_back(
@@ -64,7 +64,7 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
       targets(make_targets(device, plan)),
       frame_buffer(device, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload),
       occlusion(make_occlusion(device, plan, frame_buffer.get())),
-      scene_set(make_scene_set(device, plan, shared, frame_buffer.get(), occlusion)),
+      scene_set(make_scene_set(device, plan, shared, frame_buffer.get(), occlusion, volume)),
       tone_set(device, {sampled(targets.scene, shared.scene_sampler)}) {
   if (plan.enlarged()) {
     widen_set = vulkan::DescriptorSet(device, {sampled(targets.finished, shared.scene_sampler)});
@@ -73,6 +73,12 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
   for (const SharedGhost& ghost : shared.ghosts)
     ghosts.push_back(std::make_unique<GhostPass>(device, ghost.look, ghost.edges, plan, targets.depth.view(),
                                                  shared.scene_sampler));
+}
+
+void View::light_by(vulkan::Device& device, const SharedParts& shared, std::size_t which) {
+  if (which == volume) return;
+  volume = which;
+  scene_set = make_scene_set(device, plan, shared, frame_buffer.get(), occlusion, volume);
 }
 
 void View::update(const gpu::FrameData& data, const FrameState& state) {

@@ -3,12 +3,14 @@
 // one, a second view another, and in stereo a second eye.
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/render/ghost_pass.h"
 #include "engine/render/occlusion_pass.h"
 #include "engine/render/sight.h"
 #include "engine/render/targets.h"
+#include "engine/render/volume_on_device.h"
 #include "engine/vulkan/buffer.h"
 #include "engine/vulkan/descriptors.h"
 #include "shaders/shared/frame.h"
@@ -28,9 +30,7 @@ struct SharedParts {
   VkSampler shadow_sampler = VK_NULL_HANDLE;
   VkImageView environment = VK_NULL_HANDLE;
   VkSampler environment_sampler = VK_NULL_HANDLE;  // and of the three volumes
-  VkImageView open = VK_NULL_HANDLE;
-  VkImageView received = VK_NULL_HANDLE;
-  VkImageView sent_on = VK_NULL_HANDLE;
+  std::span<const VolumeOnDevice> volumes;         // none without instances
   VkSampler scene_sampler = VK_NULL_HANDLE;
   std::vector<SharedGhost> ghosts;
 };
@@ -40,6 +40,8 @@ struct View {
   // Throws vulkan::Failure.
   View(vulkan::Device& device, const RenderPlan& plan, const SharedParts& shared);
 
+  // What hides light from what it sees: that volume of the shared ones. Not while a frame is in flight.
+  void light_by(vulkan::Device& device, const SharedParts& shared, std::size_t which);
   // Of what the next frame shows; state: with this view's camera.
   void update(const gpu::FrameData& data, const FrameState& state);
 
@@ -47,6 +49,7 @@ struct View {
   Targets targets;
   vulkan::Buffer frame_buffer;
   std::optional<OcclusionPass> occlusion;  // where the plan has it
+  std::size_t volume = 0;                  // of the shared ones
   vulkan::DescriptorSet scene_set;
   vulkan::DescriptorSet tone_set;
   vulkan::DescriptorSet widen_set, heighten_set;  // where the plan enlarges

@@ -64,8 +64,9 @@ VisualDesc shaft(float width, float depth) {
   return desc;
 }
 
-LightVolume volume_of(const VisualDesc& desc, const Surroundings& radiance = even) {
-  return make_light_volume(desc, radiance, make_environment(radiance).irradiance);
+LightVolume volume_of(const VisualDesc& desc, const Surroundings& radiance = even,
+                      std::uint32_t layers = ~0U) {
+  return make_light_volume(desc, layers, radiance, make_environment(radiance).irradiance);
 }
 
 std::size_t voxel_at(const LightVolume& volume, const glm::vec3& at) {
@@ -89,7 +90,7 @@ TEST(LightVolume, WhereNothingStandsAllIsOpen) {
   for (Instance& instance : desc.instances) instance.movable = true;
   const LightVolume volume = volume_of(desc);
   EXPECT_EQ(volume.counts, glm::uvec3(1U));
-  EXPECT_EQ(volume.counts, light_volume_counts(desc));
+  EXPECT_EQ(light_volume_voxels(desc), 1U);
   EXPECT_EQ(volume.open[0], glm::vec4(0, 0, 0, 1));
   EXPECT_EQ(volume.received[0], volume.unhidden);
   EXPECT_NEAR(facing(volume.unhidden, {0, 1, 0}), 1.0F, 0.01F);
@@ -161,6 +162,24 @@ TEST(LightVolume, AFloorOfAKilometreStillHidesWhatIsBelowIt) {
   EXPECT_LT(facing(open, {0, -1, 0}), 0.1F);
 }
 
+// A model that is cut open for some views is whole for others, and each lets in as much light as it shows.
+TEST(LightVolume, EachLayerHasItsOwn) {
+  VisualDesc desc;
+  desc.key_light.reset();
+  add(desc, {{{0, 0, 0}, {0, 0, 0.2F}, {0.2F, 0, 0}}}, glm::vec3(0.5F));
+  EXPECT_EQ(light_volume_layers(desc), std::vector<std::uint32_t>{~0U});
+  desc.instances[0].layers = 3;
+  add(desc, {{{0, 0.03F, 0}, {0.2F, 0, 0}, {0, 0, 0.2F}}}, glm::vec3(0.5F));
+  EXPECT_EQ(light_volume_layers(desc), (std::vector<std::uint32_t>{1, 2}));
+  const LightVolume covered = volume_of(desc, even, 1), open = volume_of(desc, even, 2);
+  const auto upwards = [](const LightVolume& volume) {
+    return facing(volume.received[voxel_at(volume, {0.1F, 1.5F * volume.voxel, 0.1F})], {0, 1, 0});
+  };
+  EXPECT_LT(upwards(covered), 0.7F);
+  EXPECT_GT(upwards(open), 0.9F);
+  EXPECT_EQ(light_volume_voxels(desc), covered.open.size() + open.open.size());
+}
+
 TEST(LightVolume, StaysFiniteForSheetsSpecksAndLandscapes) {
   for (const float size : {1e-6F, 1.0F, 1e4F})
     for (const glm::vec3& shape :
@@ -170,8 +189,8 @@ TEST(LightVolume, StaysFiniteForSheetsSpecksAndLandscapes) {
           glm::vec3(1.0F));
       const LightVolume volume =
           volume_of(desc, [](const glm::vec3& from) { return studio_radiance({}, from); });
-      EXPECT_EQ(volume.counts, light_volume_counts(desc));
       EXPECT_EQ(volume.open.size(), std::size_t{volume.counts.x} * volume.counts.y * volume.counts.z);
+      EXPECT_EQ(light_volume_voxels(desc), volume.open.size());
       EXPECT_LE(volume.counts.x, 64U);
       for (const auto* voxels : {&volume.open, &volume.received, &volume.sent_on})
         for (const glm::vec4& voxel : *voxels)

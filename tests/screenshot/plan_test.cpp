@@ -92,8 +92,7 @@ TEST(Plan, LeavesOutTheLightVolumeWhereNothingStands) {
   VisualDesc desc = test::make_scene();
   const RenderPlan standing = planned(desc);
   ASSERT_NE(find(standing.built, "light volume", "image"), nullptr);
-  const glm::uvec3 counts = facts_of(desc).volume;
-  EXPECT_EQ(find(standing.built, "light volume", "image")->bytes, 3U * 8U * counts.x * counts.y * counts.z);
+  EXPECT_EQ(find(standing.built, "light volume", "image")->bytes, 3U * 8U * facts_of(desc).voxels);
   for (Instance& instance : desc.instances) instance.movable = true;
   const RenderPlan moving = planned(desc);
   EXPECT_EQ(find(moving.built, "light volume", "image"), nullptr);

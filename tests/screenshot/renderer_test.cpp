@@ -186,6 +186,26 @@ TEST_F(RendererTest, ACameraSeesItsLayersOnly) {
   EXPECT_TRUE(test::compare(draw(*renderer, desc), whole, exact).passed);
 }
 
+TEST_F(RendererTest, WhatACameraDoesNotSeeHidesNoLightFromIt) {
+  VisualDesc desc = test::make_scene();
+  desc.ghosts.clear();
+  VisualDesc without = desc;
+  without.instances.erase(without.instances.begin() + 1);  // the box, which stands
+  for (Instance& instance : desc.instances) instance.layers = 3;
+  desc.instances[1].layers = 2;
+  desc.camera.layers = 1;
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  const Picture seen = draw(*renderer, desc);
+  const Picture wanted = draw(*make(without, small_), without);
+  const test::CompareOptions exact{.max_lsb = 0, .max_pixels = 0, .failure_folder = {}};
+  EXPECT_TRUE(test::compare(seen, wanted, exact).passed);
+  desc.camera.layers = 2;
+  const Picture with_the_box = draw(*renderer, desc);
+  EXPECT_FALSE(test::compare(with_the_box, wanted, exact).passed);
+  desc.camera.layers = 1;
+  EXPECT_TRUE(test::compare(draw(*renderer, desc), seen, exact).passed);
+}
+
 TEST_F(RendererTest, OneMeshIsOnTheSameLayersEverywhere) {
   VisualDesc desc = test::make_scene();
   desc.instances.push_back(desc.instances.front());

@@ -1,0 +1,39 @@
+#include "engine/render/volume_on_device.h"
+
+#include <algorithm>
+#include <glm/gtc/packing.hpp>
+#include <vector>
+
+namespace fulcrum::render {
+namespace {
+
+constexpr float kBeforeSurface = 1.25F;  // voxels: a surface fills the one that it lies in
+
+vulkan::Image upload(vulkan::Device& device, const glm::uvec3& counts, const std::vector<glm::vec4>& voxels) {
+  std::vector<std::uint64_t> halves;
+  halves.reserve(voxels.size());
+  for (const glm::vec4& voxel : voxels) halves.push_back(glm::packHalf4x16(voxel));
+  return vulkan::upload_volume(device, VK_FORMAT_R16G16B16A16_SFLOAT, {counts.x, counts.y, counts.z},
+                               std::as_bytes(std::span(halves)));
+}
+
+}  // namespace
+
+VolumeOnDevice::VolumeOnDevice(vulkan::Device& device, std::uint32_t seen_layers, const LightVolume& made)
+    : layers(seen_layers),
+      open(upload(device, made.counts, made.open)),
+      received(upload(device, made.counts, made.received)),
+      sent_on(upload(device, made.counts, made.sent_on)),
+      unhidden(made.unhidden) {
+  const glm::vec3 scale = 1.0F / (made.voxel * glm::vec3(made.counts));
+  from_world = glm::vec4(scale, kBeforeSurface * made.voxel);
+  low = glm::vec4(-made.low * scale, 4.0F * std::min({scale.x, scale.y, scale.z}));
+}
+
+std::size_t volume_for(std::span<const VolumeOnDevice> volumes, std::uint32_t camera_layers) {
+  const auto found = std::ranges::find_if(
+      volumes, [&](const VolumeOnDevice& each) { return (each.layers & camera_layers) != 0; });
+  return found == volumes.end() ? 0 : static_cast<std::size_t>(found - volumes.begin());
+}
+
+}  // namespace fulcrum::render
