@@ -19,11 +19,11 @@ const int kSlices = 2;
 const int kSteps = 6;             // to each side
 const float kReach = 0.25;        // of the picture's height, to each side
 const float kThickness = 0.1;    // of the distance: how far things are taken to reach behind what is seen of them
-const float kInfinitelyFar = 1e9;
+const float kInfinitelyFar = 6e4;  // a half float holds it
 
 float ahead(ivec2 at) {
   float depth = texelFetch(depths, at, 0).r;
-  return depth > 0.0 ? frame.occlusion.z / depth : kInfinitelyFar;
+  return depth > 0.0 ? min(frame.occlusion.z / depth, kInfinitelyFar) : kInfinitelyFar;
 }
 
 // Of the middle of a pixel, as the camera has it: x to the right, y up, z to the back.
@@ -90,7 +90,9 @@ void main() {
   }
   vec3 p = place(here, z);
   vec3 v = normalize(-p);
-  vec3 n = normalize(cross(along(here, p, ivec2(0, 1)), along(here, p, ivec2(1, 0))));
+  vec3 n = cross(along(here, p, ivec2(0, 1)), along(here, p, ivec2(1, 0)));
+  float n_squared = dot(n, n);
+  n = n_squared > 0.0 ? n * inversesqrt(n_squared) : v;  // a picture of one pixel has no neighbours
 
   // Sixteen neighbours look along sixteen slices and at other distances; occlusion_smooth.frag puts them together.
   int pattern = (here.x & 3) * 4 + (here.y & 3);

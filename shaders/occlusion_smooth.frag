@@ -13,6 +13,10 @@ void main() {
   ivec2 here = ivec2(uv * frame.occlusion.xy);
   ivec2 last = ivec2(frame.occlusion.xy) - 1;
   float z = texelFetch(rough, here, 0).y;
+  if (z >= 5.9e4) {  // the background's, as a half float has it
+    found = vec2(1.0, z);
+    return;
+  }
   // How steeply the surface recedes, from the flatter side.
   float left = texelFetch(rough, max(here - ivec2(1, 0), ivec2(0)), 0).y;
   float right = texelFetch(rough, min(here + ivec2(1, 0), last), 0).y;

@@ -15,8 +15,8 @@ namespace fulcrum::render {
 namespace {
 
 constexpr std::size_t kPieceTriangles = 16384;  // at the most
-constexpr double kLargeTurn = 1.0;              // of a normal: about 14 degrees
-constexpr double kLargeTint = 0.6;              // of a colour
+constexpr double kLargeTurn = 1.0;              // between two normals, as the distance of their ends
+constexpr double kLargeTint = 0.6;              // between two colours
 
 using Triangles = std::span<std::uint32_t>;  // numbers of triangles
 

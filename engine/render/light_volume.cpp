@@ -103,6 +103,7 @@ private:
     if (longest <= piece_ || halvings == kMostHalvings) return keep(a, b, c);
     const auto halve = [&](const Corner& from, const Corner& to, const Corner& rest) {
       const Corner middle{0.5F * (from.at + to.at), 0.5F * (from.colour + to.colour)};
+      if (middle.at == from.at || middle.at == to.at) return keep(a, b, c);  // no float lies between
       add(from, middle, rest, halvings + 1);
       add(middle, to, rest, halvings + 1);
     };
@@ -296,14 +297,15 @@ float in(const glm::vec4& harmonics, const glm::vec3& d) {
   return std::max(glm::dot(glm::vec3(harmonics), d) + harmonics.w, 0.0F);
 }
 
-glm::vec3 key_irradiance(const KeyLight& key, const glm::vec3& at, const glm::vec3& n,
+// voxel: no light is nearer than one.
+glm::vec3 key_irradiance(const KeyLight& key, float voxel, const glm::vec3& at, const glm::vec3& n,
                          const glm::vec4& open) {
   glm::vec3 towards = -glm::normalize(key.direction);
   float strength = key.intensity;
   if (key.kind == KeyLight::Kind::spot) {
     const glm::vec3 way = key.position - at;
     towards = glm::normalize(way);
-    strength /= std::max(glm::dot(way, way), 1e-4F);
+    strength /= std::max(glm::dot(way, way), voxel * voxel);
     if (glm::dot(-towards, glm::normalize(key.direction)) < std::cos(0.5F * key.cone_rad)) strength = 0.0F;
   }
   return key.colour * (strength * std::max(glm::dot(n, towards), 0.0F) * std::min(in(open, towards), 1.0F));
@@ -323,7 +325,7 @@ std::vector<glm::vec3> radiance_of(const LightVolume& made, const Grid& grid,
     const std::size_t seen = grid.index(at).value_or(i);
     const float lit = std::min(in(made.received[seen], n) / std::max(in(made.unhidden, n), 1e-6F), 1.0F);
     glm::vec3 arrives = irradiance(around, n) * lit;
-    if (desc.key_light) arrives += key_irradiance(*desc.key_light, at, n, made.open[seen]);
+    if (desc.key_light) arrives += key_irradiance(*desc.key_light, grid.voxel, at, n, made.open[seen]);
     sent[i] = matter[i].colour / matter[i].area * arrives;
   }
   return sent;

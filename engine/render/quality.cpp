@@ -16,6 +16,9 @@ constexpr double kFar = 3.0;     // budgets: twice as far down, and no better le
 constexpr std::size_t kFew = 3;
 constexpr double kLong = 0.5, kLongForJudging = 2.0;  // s
 
+constexpr double kLongestPause = 160.0;  // s
+constexpr double kOther = 1.5;           // times as long as when a limit was found: it holds no longer
+
 }  // namespace
 
 bool AutoQuality::has_seen_enough() const {
@@ -40,10 +43,14 @@ bool AutoQuality::keeps_step(double median) {
   }
   if (step == Step::down && median > kLittle * before_s_) {
     worst_allowed_ = best_allowed_ = came_from_;
+    learnt_s_ = before_s_;
     go_to(came_from_, Step::none, median);
     return false;
   }
-  if (step == Step::up && median > budget_s_) worst_allowed_ = level_;
+  if (step == Step::up && median > budget_s_) {
+    worst_allowed_ = level_;
+    learnt_s_ = median;
+  }
   return true;
 }
 
@@ -62,8 +69,9 @@ bool AutoQuality::add(double frame_s) {
     best_allowed_ = 0;
     worst_allowed_ = kLowest;
     since_s_ = 0.0;
-    pause_s_ *= 2.0;
+    pause_s_ = std::min(2.0 * pause_s_, kLongestPause);
   }
+  if (median > kOther * learnt_s_) worst_allowed_ = kLowest;  // what was learnt was of another view
   if (median > kOver * budget_s_ && level_ < worst_allowed_) {
     best_allowed_ = level_ + 1;
     go_to(std::min(level_ + (median > kFar * budget_s_ ? 2 : 1), worst_allowed_), Step::down, median);

@@ -57,6 +57,7 @@ private:
   std::size_t level_ = kLowest;
   std::size_t best_allowed_ = 0;         // better ones proved too slow
   std::size_t worst_allowed_ = kLowest;  // cheaper ones gained little
+  double learnt_s_ = 0.0;                // what a frame took when that was found
   double pause_s_ = 20.0;                // after which these are forgotten
   double since_s_ = 0.0;                 // that they have been known
   Step judged_ = Step::none;             // the step that the next decision looks at

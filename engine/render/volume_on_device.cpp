@@ -7,12 +7,14 @@
 namespace fulcrum::render {
 namespace {
 
-constexpr float kBeforeSurface = 1.25F;  // voxels: a surface fills the one that it lies in
+constexpr float kBrightestHalf = 60000.0F;  // a half float holds no more
+constexpr float kBeforeSurface = 1.25F;     // voxels: a surface fills the one that it lies in
 
 vulkan::Image upload(vulkan::Device& device, const glm::uvec3& counts, const std::vector<glm::vec4>& voxels) {
   std::vector<std::uint64_t> halves;
   halves.reserve(voxels.size());
-  for (const glm::vec4& voxel : voxels) halves.push_back(glm::packHalf4x16(voxel));
+  for (const glm::vec4& voxel : voxels)
+    halves.push_back(glm::packHalf4x16(glm::clamp(voxel, -kBrightestHalf, kBrightestHalf)));
   return vulkan::upload_volume(device, VK_FORMAT_R16G16B16A16_SFLOAT, {counts.x, counts.y, counts.z},
                                std::as_bytes(std::span(halves)));
 }

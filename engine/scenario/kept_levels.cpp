@@ -80,12 +80,14 @@ std::vector<std::string> add_levels_of_detail(render::VisualDesc& desc, const Ba
   std::vector<std::string> notes;
   for (render::Mesh& mesh : desc.meshes) {
     if (mesh.indices.size() / 3 < render::kTrianglesWorthLevels) continue;
+    if (!mesh.uv.empty()) continue;  // coarser triangles would bend its textures
     const auto is_whole = [&mesh](std::span<const std::byte> bytes) {
       return levels_from(bytes, mesh).has_value();
     };
     const Baked<std::vector<std::byte>> kept = cache.bytes(
         name_of_levels(mesh), is_whole, [&mesh] { return bytes_of(render::levels_of_detail(mesh)); });
     mesh.levels = levels_from(kept.value, mesh);
+    if (!mesh.levels) continue;
     const bool is_whole_alone = mesh.levels->pieces.size() == 1 && mesh.levels->pieces[0].levels.size() == 1;
     if (is_whole_alone) mesh.levels.reset();  // it is all edges
     if (!kept.note.empty()) notes.push_back(kept.note);

@@ -1,4 +1,4 @@
-// A surface with what else glTF 2.0 and its extensions know. Included by detailed.frag and detailed_shadowed.frag. What
+// A surface with what else glTF 2.0 and its extensions know. Included by detailed.frag and its variants. What
 // a material does not have is not in its pipeline: LOOK is a constant when that is made.
 //
 // Tangents from derivatives: C. Schueler, "Normal Mapping without Precomputed Tangents", ShaderX 5, 2006. Clear coat and

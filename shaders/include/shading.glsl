@@ -126,12 +126,15 @@ Reached what_reaches(vec3 n, vec3 d, float n_dot_v, float roughness) {
   float held = 1.0 / (1.0 + away * away);
   vec4 received = mix(frame.unhidden, texture(standing_received, at), held);
   vec4 open = mix(vec4(0.0, 0.0, 0.0, 1.0), texture(standing_open, at), held);
-  float nothing_hidden = max(dot(frame.unhidden.xyz, n) + frame.unhidden.w, 1e-4);
+  // The part of the light that there is; where there is next to none this way, of an even sky.
+  float nothing_hidden = dot(frame.unhidden.xyz, n) + frame.unhidden.w;
+  float part = nothing_hidden > max(0.02 * frame.unhidden.w, 1e-6) ? (dot(received.xyz, n) + received.w) / nothing_hidden
+                                                                   : dot(open.xyz, n) * (2.0 / 3.0) + open.w;
   float near = open_part();
   float near_mirrored = clamp(pow(n_dot_v + near, exp2(-16.0 * roughness - 1.0)) - 1.0 + near, 0.0, 1.0);
   Reached reached;
   reached.sent_on = texture(standing_sent_on, at).rgb;
-  reached.facing = min(clamp((dot(received.xyz, n) + received.w) / nothing_hidden, 0.0, 1.0), near);
+  reached.facing = min(clamp(part, 0.0, 1.0), near);
   reached.mirrored = min(clamp(dot(open.xyz, d) + open.w, 0.0, 1.0), near_mirrored);
   return reached;
 }

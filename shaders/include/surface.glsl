@@ -1,4 +1,4 @@
-// A surface of one colour, one metallic and one roughness. Included by surface.frag and surface_shadowed.frag.
+// A surface of one colour, one metallic and one roughness. Included by surface.frag and its variants.
 
 #include "shading.glsl"
 

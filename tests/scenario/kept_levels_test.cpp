@@ -35,7 +35,7 @@ render::Mesh fine_square() {
 
 class KeptLevels : public testing::Test {
 protected:
-  KeptLevels() : folder_(fs::path(testing::TempDir()) / "fulcrum_kept_levels") { fs::remove_all(folder_); }
+  KeptLevels() { fs::remove_all(folder_); }
   ~KeptLevels() override { fs::remove_all(folder_); }
 
   std::optional<render::LevelsOfDetail> levels(const render::Mesh& mesh) {
@@ -48,7 +48,10 @@ protected:
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
 
-  fs::path folder_;
+  // Of each test its own: several run at once.
+  fs::path folder_ =
+      fs::path(testing::TempDir()) /
+      (std::string("fulcrum_kept_levels_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   std::vector<std::string> notes_;
 };
 

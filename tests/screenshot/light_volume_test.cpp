@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
+#include <initializer_list>
 #include <numbers>
+#include <utility>
 
 #include "engine/render/studio.h"
 #include "test_scene.h"
@@ -181,11 +183,15 @@ TEST(LightVolume, EachLayerHasItsOwn) {
 }
 
 TEST(LightVolume, StaysFiniteForSheetsSpecksAndLandscapes) {
-  for (const float size : {1e-6F, 1.0F, 1e4F})
+  for (const auto& [place, size] :
+       std::initializer_list<std::pair<glm::vec3, float>>{{glm::vec3(0.0F), 1e-6F},
+                                                          {glm::vec3(0.0F), 1.0F},
+                                                          {glm::vec3(0.0F), 1e4F},
+                                                          {glm::vec3(1.0F), 1e-6F}})
     for (const glm::vec3& shape :
          {glm::vec3(1, 1, 1), glm::vec3(1, 0, 1), glm::vec3(1, 0, 0), glm::vec3(0, 0, 0)}) {
       VisualDesc desc;
-      add(desc, {{glm::vec3(0.0F), size * shape * glm::vec3(1, 0, 0), size * shape * glm::vec3(0, 1, 1)}},
+      add(desc, {{place, size * shape * glm::vec3(1, 0, 0), size * shape * glm::vec3(0, 1, 1)}},
           glm::vec3(1.0F));
       const LightVolume volume =
           volume_of(desc, [](const glm::vec3& from) { return studio_radiance({}, from); });

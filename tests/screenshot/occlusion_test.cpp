@@ -39,7 +39,8 @@ protected:
     FrameState state;
     state.camera = desc.camera;
     std::vector<glm::mat4> poses;
-    for (const Instance& instance : desc.instances) poses.push_back(instance.X_WM);
+    for (const Instance& instance : desc.instances)
+      if (instance.movable) poses.push_back(instance.X_WM);
     state.X_WM = poses;
     EXPECT_FALSE((*renderer)->frame(state));
     return *(*renderer)->read_back();
@@ -82,6 +83,18 @@ TEST_F(OcclusionTest, AnOpenFloorIsAsBrightAsWithoutIt) {
   for (const float x : {-0.05F, 0.0F, 0.05F})
     for (const float z : {-0.08F, 0.0F, 0.08F})
       EXPECT_NEAR(shown_at(with, desc.camera, {x, 0, z}), shown_at(without, desc.camera, {x, 0, z}), 0.01F);
+}
+
+// Surroundings without light have nothing that could be hidden, and lit things nothing to make up for.
+TEST_F(OcclusionTest, InTheDarkAnOpenFloorIsLitByItsLampAlone) {
+  VisualDesc desc = floor();
+  desc.key_light.emplace();
+  desc.ambient.intensity = 0.0F;
+  const Picture moving = drawn(desc, true);
+  desc.instances[0].movable = false;
+  const Picture standing = drawn(desc, true);
+  for (const float x : {-0.05F, 0.0F, 0.05F})
+    EXPECT_NEAR(shown_at(standing, desc.camera, {x, 0, 0}), shown_at(moving, desc.camera, {x, 0, 0}), 0.01F);
 }
 
 TEST_F(OcclusionTest, ABallIsDarkestBelowWhereItTouches) {

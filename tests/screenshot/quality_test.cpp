@@ -90,6 +90,23 @@ TEST(AutoQuality, WhatBecomesTooSlowIsLeft) {
   EXPECT_LT(waited_s, 8);
 }
 
+// A level that was hardly over its budget was kept, since the one below gained little; in another view it
+// takes ten times as long, and is left at once and not after the pause.
+TEST(AutoQuality, WhatWasLearntOfOneViewIsForgottenInAnother) {
+  AutoQuality choice(1.0 / 30.0);
+  const auto hardly = [](const Quality& q) { return q == kQualityLevels.back() ? 0.030 : 0.036; };
+  for (int i = 0; i < 100; ++i) choice.add(hardly(choice.quality()));
+  ASSERT_NE(choice.quality(), kQualityLevels.back());
+  const auto cost = [](const Quality& q) { return pixels_cost(q, 0.4); };
+  double waited_s = 0;
+  while (cost(choice.quality()) > 1.0 / 30.0 && waited_s < 100) {
+    const double frame_s = cost(choice.quality());
+    waited_s += frame_s;
+    choice.add(frame_s);
+  }
+  EXPECT_LT(waited_s, 8);
+}
+
 TEST(AutoQuality, AHopelessMachineStaysAtTheLowest) {
   AutoQuality choice(1.0 / 30.0);
   int changes = 0;
