@@ -95,7 +95,7 @@ void HeadsetRun::listen() {
 void HeadsetRun::ask_for(const std::optional<Command>& command) {
   if (!command || !began_ || resting_) return;
   // Who goes on has to see it.
-  if (command->kind == Command::Kind::acknowledge && (!worn_ || !worn_->session().is_focused())) return;
+  if (command->kind == Command::Kind::acknowledge && !is_seen()) return;
   paused_ = false;
   loop_.send(*command);
 }
@@ -130,23 +130,30 @@ void HeadsetRun::look_after_session() {
     if (!stage_.runtime().find_headset()) return;
     const bool stage_space = options_.headset.space == app::kStageSpace;
     worn_ = std::make_unique<Worn>(stage_, stage_space ? xr::Space::stage : xr::Space::local);
+    unseen_ = kBlink;
   }
   xr::Session& session = worn_->session();
   session.take_events();
   closing_ = closing_ || session.is_over();
   if (closing_) return;
-  if (session.is_focused() && !began_) {
+  if (is_seen() && !began_) {
     began_ = true;
     loop_.start();
   }
-  if (!session.is_focused()) pause();
+  if (!is_seen()) pause();
   // A simulated hand has nobody who could go on.
-  if (session.is_focused() && paused_ && is_simulated(options_.device) && is_off(loop_.newest()))
+  if (is_seen() && paused_ && is_simulated(options_.device) && is_off(loop_.newest()))
     ask_for(Command{Command::Kind::acknowledge});
   if (session.is_lost()) {
     app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
     worn_.reset();
   }
+}
+
+// A headset may have the focus and show nothing: its runtime wants no picture, or does not know where the
+// head is.
+bool HeadsetRun::is_seen() const {
+  return worn_ && worn_->session().is_focused() && unseen_ < kBlink;
 }
 
 void HeadsetRun::pause() {
@@ -169,6 +176,7 @@ void HeadsetRun::draw() {
     quality_.emplace(kPartOfFrame * 1e-9 * static_cast<double>(frame->period));
   move_hands(*frame);
   const std::optional<std::array<xr::EyeView, 2>> eyes = worn_->eyes(*frame);
+  unseen_ = eyes ? 0 : std::min(unseen_ + 1, kBlink);
   if (!eyes || worn_->session().is_lost()) {
     worn_->show_nothing(*frame);
     return;
@@ -200,6 +208,8 @@ void HeadsetRun::move_hands(const xr::Frame& frame) {
     grasping[i].holds = hands[i].holds;
     down |= (hands[i].holds ? kHoldButton : 0U) | (hands[i].stops ? kStopButton : 0U);
   }
+  // A squeeze that began, or went on, while nobody saw the scene asks for nothing: it has to end first.
+  if (!is_seen()) down |= kHoldButton;
   ask_for(hand_buttons_.pressed(down));
   const std::shared_ptr<Controllers>& controllers = attempt_.device().controllers;
   if (!controllers) return;

@@ -27,6 +27,8 @@ namespace fulcrum::headset {
 
 // Of the hands: what stands for Esc, and for Enter.
 inline constexpr std::uint32_t kStopButton = 1, kHoldButton = 2;
+// So many pictures in a row that show nothing are no longer a blink.
+inline constexpr int kBlink = 5;
 
 class HeadsetRun {
 public:
@@ -47,6 +49,7 @@ private:
   void listen();              // to the mirror's keys
   void take_ticks();          // that have passed since
   void look_after_session();  // makes one where there is none, takes its events, pauses where it is not seen
+  bool is_seen() const;       // the scene, by whoever wears the headset and would be heard
   void pause();
   void draw();
   void move_hands(const xr::Frame& frame);
@@ -77,7 +80,8 @@ private:
   std::optional<render::AutoQuality> quality_;  // once the headset's pace is known, where it is automatic
   std::unique_ptr<Worn> worn_;                  // null: the headset is lost, or not found yet
   std::optional<std::array<render::Camera, 2>> eyes_;  // of the newest frame
-  bool began_ = false;                                 // the haptic thread
+  int unseen_ = kBlink;   // so many pictures in a row showed nothing; at first, none has shown anything
+  bool began_ = false;    // the haptic thread
   bool paused_ = false;   // the stop that there is, is that of a headset that showed nothing
   bool resting_ = false;  // the trial has ended, and the force is told to go
   bool closing_ = false;  // the headset's runtime has ended the session

@@ -61,6 +61,11 @@ wait_for_end() {
   program=
 }
 
+# Of the run in A: how often the force has been stopped, and whether it is. stopped N: so often; back N: and has gone on after.
+stops() { column A fault | awk '$1 % 2 { n += !was } { was = $1 % 2 } END { print n + 0, was + 0 }'; }
+stopped() { [ -f A/trace.csv ] && [ "$(stops)" = "$1 1" ]; }
+back() { [ -f A/trace.csv ] && [ "$(stops)" = "$1 0" ]; }
+
 # No runtime: one sentence, nothing of the loader's, and exit 1. What does not go together is refused.
 no_headset() {
   for manifest in "$work/nothing.json" "$work/script"; do
@@ -136,10 +141,6 @@ lost() {
   printf '%s\n' '30 lose' "40 wait $work/back1" '41 pending' "50 wait $work/back2" '51 hide' "60 wait $work/off3" '61 show' \
     "65 wait $work/back3" '66 size 256 200' '66 rest' "70 wait $work/back4" '100 exit' >script
   start piping --device simulated --out A
-  # stopped N: the force has been stopped so often; back N: and has gone on after that.
-  stops() { column A fault | awk '$1 % 2 { n += !was } { was = $1 % 2 } END { print n + 0, was + 0 }'; }
-  stopped() { [ -f A/trace.csv ] && [ "$(stops)" = "$1 1" ]; }
-  back() { [ -f A/trace.csv ] && [ "$(stops)" = "$1 0" ]; }
   for n in 1 2 3 4; do
     if [ $n = 3 ]; then
       until_seen stopped 3 || fail "the force stays on while something else is seen"
@@ -158,6 +159,38 @@ lost() {
   [ "$(grep -c '^shown 256x200$' log)" -ge 30 ] || fail "pictures do not become as large as is recommended now"
   awk '/^shown 256x200$/ { small = 1 } /^shown 320x320$/ { n += small } END { exit n > 0 }' log || fail "pictures of two sizes are shown by turns"
   [ "$(identify -format '%wx%h' A/frame.png)" = 512x200 ] || fail "frame.png is of another size"
+}
+
+# Where the headset has the focus and shows nothing, the force goes as well, and only comes back with the picture.
+unseen() {
+  printf '%s\n' 'size 64 64' '30 blind' "40 wait $work/off1" '60 sees' "70 wait $work/back1" '71 dark' "80 wait $work/off2" \
+    '100 light' "110 wait $work/back2" '111 exit' >script
+  start piping --device simulated --out A
+  for n in 1 2; do
+    until_seen stopped $n || fail "the force stays on while nothing is shown: $(stops)"
+    touch off$n
+    until_seen back $n || fail "the force is not back after stop $n: $(stops)"
+    touch back$n
+  done
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well "a headset that shows nothing"
+  [ "$(stops)" = "2 0" ] || fail "the force comes and goes while nothing is shown: $(stops)"
+}
+
+# A squeeze that goes on while something else is seen does not go on with the force: another one does.
+held() {
+  printf '%s\n' 'size 64 64' 'pace 5' '5 hand right 0.1 -0.2 -0.4' '6 press right select' '30 hide' "40 wait $work/off" '41 show' \
+    '70 hide' '80 show' '110 release right select' '115 press right select' "120 wait $work/on" '121 exit' >script
+  start piping --out A
+  until_seen stopped 1 || fail "the force stays on while something else is seen"
+  touch off
+  until_seen back 1 || fail "a hand that takes the tool again does not go on: $(stops)"
+  touch on
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well "a squeeze that goes on"
+  [ "$(stops)" = "1 0" ] || fail "a squeeze that never ended brought the force back: $(stops)"
 }
 
 # A hand takes the tool, moves it as it moves itself, and leaves it where it is; local space that moves does not.
@@ -188,13 +221,11 @@ controllers() {
   # shellcheck disable=SC2086
   until_seen place $right || fail "the handle does not go with the hand: $(tail -1 A/trace.csv | cut -d, -f2-4), of $(sed -n 2p A/trace.csv | cut -d, -f2-4)"
   touch moved
-  stops() { column A fault | grep -qx '[0-9]*[13579]'; }
-  until_seen stops || fail "the menu button stops nothing"
+  until_seen stopped 1 || fail "the menu button stops nothing"
   # shellcheck disable=SC2086
   place $right || fail "the handle has moved with local space, or after it was let go"
   touch stopped
-  goes_on() { column A fault | awk '$1 % 2 { on = 0; was = 1 } was && $1 % 2 == 0 { on = 1 } END { exit !on }'; }
-  until_seen goes_on || fail "a hand that takes the tool again does not go on"
+  until_seen back 1 || fail "a hand that takes the tool again does not go on"
   touch gone_on
   wait_for_end
   [ $code = 3 ] || fail "exit $code: $(cat said)"

@@ -49,6 +49,10 @@ void happen(const Event& event) {
     go_to(XR_SESSION_STATE_VISIBLE);
   } else if (event.what == "show") {
     go_to(XR_SESSION_STATE_FOCUSED);
+  } else if (event.what == "blind" || event.what == "sees") {
+    h.blind = event.what == "blind";
+  } else if (event.what == "dark" || event.what == "light") {
+    h.dark = event.what == "dark";
   } else if (event.what == "recenter") {
     recenter(fulcrum::xr::pose_of(pose_in(words, 0)));
   } else if (event.what == "size") {

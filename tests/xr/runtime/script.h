@@ -14,6 +14,8 @@
 //   N hand left|right X Y Z [...]     the same of a grip
 //   N press left|right PART           such as select, and release
 //   N hide, N show                    something else has the focus, and no longer
+//   N blind, N sees                   where the head is is not known, and known again
+//   N dark, N light                   no picture is wanted, and one is again
 //   N recenter X Y Z                  local space moves so far
 //   N size W H                        from the next time that pictures are asked for
 //   N rest                            the headset is taken off, and put on again

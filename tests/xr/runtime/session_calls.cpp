@@ -134,7 +134,8 @@ XrResult XRAPI_CALL locate_views(XrSession, const XrViewLocateInfo* info, XrView
                                  std::uint32_t capacity, std::uint32_t* count, XrView* views) {
   if (session().lost) return XR_ERROR_SESSION_LOST;
   if (info->displayTime != headset->time) wrong("eyes are asked for at a time that no frame is for");
-  state->viewStateFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
+  state->viewStateFlags =
+      headset->blind ? 0 : XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
   const std::array<XrView, 2> all = views_in(*reinterpret_cast<const Space*>(info->space));
   return give(std::span<const XrView>(all), capacity, count, views);
 }
@@ -152,7 +153,7 @@ XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* 
   session().waited = true;
   state->predictedDisplayTime = headset->time;
   state->predictedDisplayPeriod = 11'111'111;
-  state->shouldRender = XR_TRUE;
+  state->shouldRender = headset->dark ? XR_FALSE : XR_TRUE;
   log("xrWaitFrame " + std::to_string(headset->frame));
   return XR_SUCCESS;
 }
