@@ -71,7 +71,7 @@ Result<std::unique_ptr<Instance>> Instance::create() {
   auto runtime = structure<XrInstanceProperties>(XR_TYPE_INSTANCE_PROPERTIES);
   if (XR_SUCCEEDED(xrGetInstanceProperties(made->instance_, &runtime)))
     made->runtime_ = std::string(runtime.runtimeName) + " " + version_text(runtime.runtimeVersion);
-  if (!made->find_headset()) return explain(XR_ERROR_FORM_FACTOR_UNAVAILABLE);
+  if (const XrResult code = made->ask_for_system(); XR_FAILED(code)) return explain(code);
   auto headset = structure<XrSystemProperties>(XR_TYPE_SYSTEM_PROPERTIES);
   if (XR_SUCCEEDED(xrGetSystemProperties(made->instance_, made->system_, &headset)))
     made->headset_ = headset.systemName;
@@ -82,10 +82,17 @@ Instance::~Instance() {
   if (instance_ != XR_NULL_HANDLE) xrDestroyInstance(instance_);
 }
 
-bool Instance::find_headset() {
+XrResult Instance::ask_for_system() {
   auto info = structure<XrSystemGetInfo>(XR_TYPE_SYSTEM_GET_INFO);
   info.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
-  return XR_SUCCEEDED(xrGetSystem(instance_, &info, &system_));
+  return xrGetSystem(instance_, &info, &system_);
+}
+
+bool Instance::find_headset() {
+  const XrResult code = ask_for_system();
+  if (code == XR_ERROR_FORM_FACTOR_UNAVAILABLE) return false;
+  check(code, "look for the headset");
+  return true;
 }
 
 VkExtent2D Instance::recommended_eye() const {
@@ -96,8 +103,14 @@ VkExtent2D Instance::recommended_eye() const {
                                           static_cast<std::uint32_t>(views.size()), &count, views.data()),
         "say how large pictures are to be");
   // One size for both: they lie side by side in one picture.
-  return {std::max(views[0].recommendedImageRectWidth, views[1].recommendedImageRectWidth),
-          std::max(views[0].recommendedImageRectHeight, views[1].recommendedImageRectHeight)};
+  const VkExtent2D eye{std::max(views[0].recommendedImageRectWidth, views[1].recommendedImageRectWidth),
+                       std::max(views[0].recommendedImageRectHeight, views[1].recommendedImageRectHeight)};
+  if (eye.width == 0 || eye.height == 0)
+    throw Failure(
+        "The headset's runtime wants pictures of " + std::to_string(eye.width) + " x " +
+        std::to_string(eye.height) +
+        " pixels, which nothing can be drawn in: set its resolution, or make another runtime active.");
+  return eye;
 }
 
 XrPath Instance::path(const char* name) const {

@@ -24,10 +24,12 @@ public:
   const std::string& runtime() const { return runtime_; }  // "Monado 21.0.0"
   const std::string& headset() const { return headset_; }  // as the runtime calls it
 
-  // After a session was lost: looks for the headset again. False: it is not there, or not yet.
+  // After a session was lost: looks for the headset again. False: it is not there, or not yet. Throws Failure
+  // where the runtime itself is gone.
   bool find_headset();
 
-  // Pixels of one eye's picture, as large as the runtime would have it now.
+  // Pixels of one eye's picture, as large as the runtime would have it now. Throws Failure, such as where
+  // that is no size.
   VkExtent2D recommended_eye() const;
 
   // The path of that name, such as "/user/hand/left". Throws Failure.
@@ -39,6 +41,7 @@ public:
 
 private:
   Instance() = default;
+  XrResult ask_for_system();
   template <class Function>
   Function function(const char* name) const;
 

@@ -53,8 +53,11 @@ Session::~Session() {
 }
 
 void Session::take_events() {
-  auto event = structure<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
-  while (!lost_ && xrPollEvent(instance_.get(), &event) == XR_SUCCESS) {
+  while (!lost_) {
+    auto event = structure<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
+    const XrResult code = xrPollEvent(instance_.get(), &event);
+    if (code == XR_EVENT_UNAVAILABLE) return;
+    check(code, "say what has happened");
     switch (event.type) {
       case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
         const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
@@ -72,7 +75,6 @@ void Session::take_events() {
       default:
         break;
     }
-    event = structure<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
   }
 }
 

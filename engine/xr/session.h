@@ -42,7 +42,8 @@ public:
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  // What has happened since; begins and ends frames as the runtime asks for.
+  // What has happened since; begins and ends frames as the runtime asks for. Throws Failure where the runtime
+  // itself is gone.
   void take_events();
   bool runs() const { return runs_; }                                     // frames are to be drawn
   bool is_focused() const { return state_ == XR_SESSION_STATE_FOCUSED; }  // it is seen, and hands count

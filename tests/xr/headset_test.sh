@@ -193,6 +193,24 @@ held() {
   [ "$(stops)" = "1 0" ] || fail "a squeeze that never ended brought the force back: $(stops)"
 }
 
+# A runtime that is gone, or wants pictures of no size, ends the run with a sentence, wherever that is noticed.
+dead() {
+  for last in '30 rest' '30 lose'; do
+    printf '%s\n' 'size 64 64' "$last" '30 die' >script
+    rm -f log
+    run piping --device simulated --out A
+    [ $code = 3 ] || fail "$last: exit $code: $(cat said)"
+    grep -q "^fulcrum: The headset's runtime could not .* (XR_ERROR_INSTANCE_LOST): start it anew" said || fail "$last: it says: $(cat said)"
+    grep -q '^WRONG' log && fail "$last: the runtime was called wrongly"
+    [ "$(wc -l <A/trace.csv)" -gt 1 ] || fail "$last: what was recorded is lost"
+    rm -r A
+  done
+  echo 'size 64 0' >script
+  run piping --device simulated --out B
+  [ $code = 1 ] || fail "exit $code where a picture has no size"
+  grep -q '^fulcrum: .* wants pictures of 64 x 0 pixels' said || fail "where a picture has no size it says: $(cat said)"
+}
+
 # A hand takes the tool, moves it as it moves itself, and leaves it where it is; local space that moves does not.
 controllers() {
   {

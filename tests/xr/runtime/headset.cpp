@@ -67,6 +67,8 @@ void happen(const Event& event) {
   } else if (event.what == "pending") {
     h.gone = kTimesGone;
     go_to(XR_SESSION_STATE_LOSS_PENDING);
+  } else if (event.what == "die") {
+    h.dead = true;
   } else if (event.what == "wait") {
     h.waits_for = words.at(0);
   }

@@ -43,6 +43,7 @@ XrResult XRAPI_CALL instance_properties(XrInstance, XrInstanceProperties* proper
 }
 
 XrResult XRAPI_CALL poll_event(XrInstance, XrEventDataBuffer* buffer) {
+  if (headset->dead) return XR_ERROR_INSTANCE_LOST;
   if (headset->events.empty()) return XR_EVENT_UNAVAILABLE;
   *buffer = headset->events.front();
   headset->events.pop_front();
@@ -62,6 +63,7 @@ XrResult XRAPI_CALL structure_to_string(XrInstance, XrStructureType value,
 
 XrResult XRAPI_CALL get_system(XrInstance, const XrSystemGetInfo* info, XrSystemId* system) {
   if (info->formFactor != XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY) return XR_ERROR_FORM_FACTOR_UNSUPPORTED;
+  if (headset->dead) return XR_ERROR_INSTANCE_LOST;
   if (headset->gone > 0) {
     --headset->gone;
     log("xrGetSystem: gone");

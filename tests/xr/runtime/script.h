@@ -20,6 +20,7 @@
 //   N size W H                        from the next time that pictures are asked for
 //   N rest                            the headset is taken off, and put on again
 //   N lose, N pending                 the session is lost, without a word and with one
+//   N die                             the runtime itself is gone: its instance is lost
 //   N exit                            who wears it ends the session
 //   N picture left|right|quad FILE    what is shown of it in that frame, as a PPM; N 0: in each, the last one
 //   stays N wait FILE                       frames are not counted until that file is there
