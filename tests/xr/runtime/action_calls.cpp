@@ -21,8 +21,10 @@ std::size_t hand_of(XrPath path) {
   return path != XR_NULL_PATH && headset->paths.at(path) == kHands[1] ? 1 : 0;
 }
 
+// And its program knows: no hand counts before.
 bool has_focus() {
-  return headset->session->state == XR_SESSION_STATE_FOCUSED;
+  const Session& session = *headset->session;
+  return session.state == XR_SESSION_STATE_FOCUSED && session.told == XR_SESSION_STATE_FOCUSED;
 }
 
 // Of the part that the action is bound to: "/input/select/click" is "select".

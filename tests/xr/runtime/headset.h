@@ -45,7 +45,7 @@ struct Session {
   XrGraphicsBindingVulkan2KHR vulkan{};
   VkQueue queue = VK_NULL_HANDLE;
   VkCommandPool pool = VK_NULL_HANDLE;
-  XrSessionState state = XR_SESSION_STATE_UNKNOWN;
+  XrSessionState state = XR_SESSION_STATE_UNKNOWN, told = XR_SESSION_STATE_UNKNOWN;  // its program
   bool begun = false, lost = false, attached = false, exits = false, rests = false;
   bool waited = false, drawing = false;  // a frame was
   std::uint64_t frames = 0;

@@ -47,6 +47,8 @@ XrResult XRAPI_CALL poll_event(XrInstance, XrEventDataBuffer* buffer) {
   if (headset->events.empty()) return XR_EVENT_UNAVAILABLE;
   *buffer = headset->events.front();
   headset->events.pop_front();
+  if (buffer->type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
+    headset->session->told = reinterpret_cast<const XrEventDataSessionStateChanged*>(buffer)->state;
   return XR_SUCCESS;
 }
 
