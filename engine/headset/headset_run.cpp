@@ -63,13 +63,9 @@ void HeadsetRun::run() {
   try {
     while (goes_on()) {
       if (stage_.window() != nullptr) stage_.window()->poll();
-      look_after_session();
       take_ticks();
       if (attempt_.faults().gpu_lost()) stage_.gpu().lose();
-      if (worn_ && worn_->session().runs())
-        draw();
-      else
-        std::this_thread::sleep_for(kNoFrames);
+      if (!show()) std::this_thread::sleep_for(kNoFrames);
     }
   } catch (const xr::Failure& failure) {
     error_ = failure.what();
@@ -125,6 +121,18 @@ void HeadsetRun::come_to_rest() {
     closing_ = true;
 }
 
+bool HeadsetRun::show() {
+  try {
+    look_after_session();
+    if (!worn_ || !worn_->session().runs()) return false;
+    draw();
+    return true;
+  } catch (const xr::Lost&) {
+    lose_session();
+    return false;
+  }
+}
+
 void HeadsetRun::look_after_session() {
   if (!worn_) {
     if (!stage_.runtime().find_headset()) return;
@@ -144,10 +152,13 @@ void HeadsetRun::look_after_session() {
   // A simulated hand has nobody who could go on.
   if (is_seen() && paused_ && is_simulated(options_.device) && is_off(loop_.newest()))
     ask_for(Command{Command::Kind::acknowledge});
-  if (session.is_lost()) {
-    app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
-    worn_.reset();
-  }
+  if (session.is_lost()) lose_session();
+}
+
+void HeadsetRun::lose_session() {
+  pause();
+  if (worn_) app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
+  worn_.reset();
 }
 
 // A headset may have the focus and show nothing: its runtime wants no picture, or does not know where the

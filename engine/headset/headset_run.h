@@ -51,6 +51,8 @@ private:
   void look_after_session();  // makes one where there is none, takes its events, pauses where it is not seen
   bool is_seen() const;       // the scene, by whoever wears the headset and would be heard
   void pause();
+  void lose_session();  // another one is made once the headset is found again
+  bool show();          // draws if it is time to; false: there is nothing to draw for
   void draw();
   void move_hands(const xr::Frame& frame);
   void come_to_rest();

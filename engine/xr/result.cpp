@@ -17,8 +17,10 @@ std::string name_of(XrResult code) {
 
 void check(XrResult code, const char* doing) {
   if (XR_SUCCEEDED(code)) return;
-  throw Failure(std::string("The headset's runtime could not ") + doing + " (" + name_of(code) +
-                "): start it anew, and this run with it.");
+  const std::string sentence = std::string("The headset's runtime could not ") + doing + " (" +
+                               name_of(code) + "): start it anew, and this run with it.";
+  if (code == XR_ERROR_SESSION_LOST || code == XR_ERROR_FORM_FACTOR_UNAVAILABLE) throw Lost(sentence);
+  throw Failure(sentence);
 }
 
 }  // namespace fulcrum::xr

@@ -18,10 +18,17 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+// The session is lost, or the headset gone: another session may be made once it is found again.
+class Lost : public Failure {
+public:
+  using Failure::Failure;
+};
+
 // "XR_ERROR_SESSION_LOST" and so on.
 std::string name_of(XrResult code);
 
-// Throws Failure "The headset's runtime could not DOING (CODE) ..." with a remedy if the code is an error.
+// Throws Failure "The headset's runtime could not DOING (CODE) ..." with a remedy if the code is an error;
+// a Lost where that is the end of a session alone.
 void check(XrResult code, const char* doing);
 
 }  // namespace fulcrum::xr

@@ -32,6 +32,15 @@ Swapchain::Swapchain(Session& session, VkExtent2D extent) : session_(session), e
   info.arraySize = 1;
   info.mipCount = 1;
   check(xrCreateSwapchain(session.get(), &info, &swapchain_), "make room for pictures");
+  try {
+    make_images();
+  } catch (const Failure&) {
+    xrDestroySwapchain(swapchain_);
+    throw;
+  }
+}
+
+void Swapchain::make_images() {
   std::uint32_t count = 0;
   check(xrEnumerateSwapchainImages(swapchain_, 0, &count, nullptr), "give its pictures");
   images_.assign(count, {XR_TYPE_SWAPCHAIN_IMAGE_VULKAN2_KHR, nullptr, VK_NULL_HANDLE});

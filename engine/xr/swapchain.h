@@ -27,6 +27,8 @@ public:
   void release();
 
 private:
+  void make_images();
+
   Session& session_;
   VkExtent2D extent_;
   XrSwapchain swapchain_ = XR_NULL_HANDLE;

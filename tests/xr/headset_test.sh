@@ -161,6 +161,20 @@ lost() {
   [ "$(identify -format '%wx%h' A/frame.png)" = 512x200 ] || fail "frame.png is of another size"
 }
 
+# A session that is lost while room is made for its pictures is followed by another one as well.
+broken() {
+  printf '%s\n' 'size 64 64' '30 break' '30 size 96 64' '30 rest' "40 wait $work/back" '41 exit' >script
+  start piping --device simulated --out A
+  until_seen back 1 || fail "the force is not back: $(stops), $(cat said)"
+  touch back
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well "a session that breaks"
+  [ "$(grep -c '^xrCreateSession' log)" = 2 ] || fail "no session follows one that is lost"
+  [ "$(grep -c 'the headset is lost: ' said)" = 1 ] || fail "it says: $(cat said)"
+  grep -q '^shown 96x64$' log || fail "the session that follows shows nothing"
+}
+
 # Where the headset has the focus and shows nothing, the force goes as well, and only comes back with the picture.
 unseen() {
   printf '%s\n' 'size 64 64' '30 blind' "40 wait $work/off1" '60 sees' "70 wait $work/back1" '71 dark' "80 wait $work/off2" \

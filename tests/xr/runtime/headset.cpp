@@ -62,8 +62,9 @@ void happen(const Event& event) {
     (event.what == "rest" ? h.session->rests : h.session->exits) = true;
     go_to(XR_SESSION_STATE_STOPPING);
   } else if (event.what == "lose") {
-    h.session->lost = true;
-    h.gone = kTimesGone;
+    lose();
+  } else if (event.what == "break") {
+    h.session->breaks = true;
   } else if (event.what == "pending") {
     h.gone = kTimesGone;
     go_to(XR_SESSION_STATE_LOSS_PENDING);
@@ -86,6 +87,11 @@ void go_to(XrSessionState state) {
   event.state = state;
   event.time = headset->time;
   push(event);
+}
+
+void lose() {
+  headset->session->lost = true;
+  headset->gone = kTimesGone;
 }
 
 void advance() {

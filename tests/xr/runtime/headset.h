@@ -46,7 +46,7 @@ struct Session {
   VkQueue queue = VK_NULL_HANDLE;
   VkCommandPool pool = VK_NULL_HANDLE;
   XrSessionState state = XR_SESSION_STATE_UNKNOWN, told = XR_SESSION_STATE_UNKNOWN;  // its program
-  bool begun = false, lost = false, attached = false, exits = false, rests = false;
+  bool begun = false, lost = false, attached = false, exits = false, rests = false, breaks = false;
   bool waited = false, drawing = false;  // a frame was
   std::uint64_t frames = 0;
   std::vector<std::unique_ptr<Space>> spaces;
@@ -88,6 +88,8 @@ Handle handle_of(T* object) {
 }
 
 void go_to(XrSessionState state);
+// The session is lost, and its headset gone for a while.
+void lose();
 // A frame is waited for: what the script has for it happens.
 void advance();
 // Of the space, in local space as it is at first.

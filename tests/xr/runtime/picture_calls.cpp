@@ -20,6 +20,8 @@ XrResult XRAPI_CALL enumerate_formats(XrSession, std::uint32_t capacity, std::ui
 
 XrResult XRAPI_CALL create_swapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapchain* made) {
   log("xrCreateSwapchain " + std::to_string(info->width) + "x" + std::to_string(info->height));
+  if (headset->session->breaks) lose();
+  if (headset->session->lost) return XR_ERROR_SESSION_LOST;
   auto swapchain = std::make_unique<Swapchain>();
   swapchain->width = info->width;
   swapchain->height = info->height;

@@ -19,6 +19,7 @@
 //   N recenter X Y Z                  local space moves so far
 //   N size W H                        from the next time that pictures are asked for
 //   N rest                            the headset is taken off, and put on again
+//   N break                           the session is lost as soon as room is made for pictures
 //   N lose, N pending                 the session is lost, without a word and with one
 //   N die                             the runtime itself is gone: its instance is lost
 //   N exit                            who wears it ends the session
