@@ -187,26 +187,38 @@ void HeadsetRun::draw() {
     quality_.emplace(kPartOfFrame * 1e-9 * static_cast<double>(frame->period));
   move_hands(*frame);
   const std::optional<std::array<xr::EyeView, 2>> eyes = worn_->eyes(*frame);
-  unseen_ = eyes ? 0 : std::min(unseen_ + 1, kBlink);
   if (!eyes || worn_->session().is_lost()) {
-    worn_->show_nothing(*frame);
+    show_nothing(*frame);
     return;
   }
   eyes_ = {eye_camera(eyes->front(), placement_, view_.layers),
            eye_camera(eyes->back(), placement_, view_.layers)};
   sound_.hear_from(eyes_->front());
   const TickRecord& record = shown_record();
-  auto error = say(record, *frame);
-  if (!error) error = worn_->show(*frame, *eyes, frame_of(record), panel_place_);
-  if (error) {
+  if (const auto error = say(record, *frame)) {
     error_ = error->sentence;
     return;
   }
+  const Result<bool> shown = worn_->show(*frame, *eyes, frame_of(record), panel_place_);
+  if (!shown) {
+    error_ = shown.error().sentence;
+    return;
+  }
+  if (!*shown) {
+    show_nothing(*frame);
+    return;
+  }
+  unseen_ = 0;
   frame_rate_.note(now_s());
-  error = stage_.mirror();  // before another quality makes another picture
+  auto error = stage_.mirror();  // before another quality makes another picture
   if (!error && quality_ && quality_->add(stage_.renderer().last_frame_s()))
     error = stage_.renderer().set_quality(quality_->quality());
   if (error) error_ = error->sentence;
+}
+
+void HeadsetRun::show_nothing(const xr::Frame& frame) {
+  unseen_ = std::min(unseen_ + 1, kBlink);
+  worn_->show_nothing(frame);
 }
 
 void HeadsetRun::move_hands(const xr::Frame& frame) {

@@ -54,6 +54,7 @@ private:
   void lose_session();  // another one is made once the headset is found again
   bool show();          // draws if it is time to; false: there is nothing to draw for
   void draw();
+  void show_nothing(const xr::Frame& frame);
   void move_hands(const xr::Frame& frame);
   void come_to_rest();
   void ask_for(const std::optional<Command>& command);

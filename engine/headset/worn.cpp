@@ -37,15 +37,15 @@ std::optional<Error> Worn::say(Panel& panel, const ui::OverlayState& state) {
   return std::nullopt;
 }
 
-std::optional<Error> Worn::show(const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
-                                const render::FrameState& state, const PanelPlace& panel) {
-  if (auto error = fit()) return error;
+Result<bool> Worn::show(const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
+                        const render::FrameState& state, const PanelPlace& panel) {
+  if (auto error = fit()) return *error;
   const VkImage target = pictures_->acquire();
-  if (target == VK_NULL_HANDLE) return std::nullopt;
+  if (target == VK_NULL_HANDLE) return false;
   const auto copy = [&](VkCommandBuffer commands, const vulkan::Image& picture) {
     xr::copy_to(commands, picture.get(), target, picture.extent());
   };
-  if (auto error = stage_.renderer().frame(state, copy)) return error;
+  if (auto error = stage_.renderer().frame(state, copy)) return *error;
   pictures_->release();
   const VkExtent2D eye{pictures_->extent().width / 2, pictures_->extent().height};
   std::array<XrCompositionLayerProjectionView, 2> views;
@@ -61,7 +61,7 @@ std::optional<Error> Worn::show(const xr::Frame& frame, const std::array<xr::Eye
   scene.views = views.data();
   std::vector layers{reinterpret_cast<const XrCompositionLayerBaseHeader*>(&scene)};
   auto sheet = xr::structure<XrCompositionLayerQuad>(XR_TYPE_COMPOSITION_LAYER_QUAD);
-  if (sheet_) {
+  if (sheet_ && sheet_->was_released()) {
     sheet.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
     sheet.space = session_.space();
     sheet.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
@@ -73,7 +73,7 @@ std::optional<Error> Worn::show(const xr::Frame& frame, const std::array<xr::Eye
     layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&sheet));
   }
   session_.end_frame(frame, layers);
-  return std::nullopt;
+  return true;
 }
 
 }  // namespace fulcrum::headset

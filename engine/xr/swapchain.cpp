@@ -6,6 +6,7 @@ namespace fulcrum::xr {
 namespace {
 
 constexpr std::int64_t kFormat = VK_FORMAT_R8G8B8A8_SRGB;
+constexpr XrDuration kPatience = 100'000'000;  // ns: who waits longer can stop no force
 
 bool takes_pictures(XrSession session) {
   std::uint32_t count = 0;
@@ -60,20 +61,25 @@ XrSwapchainSubImage Swapchain::part(std::int32_t x, std::int32_t y, VkExtent2D s
 }
 
 VkImage Swapchain::acquire() {
-  const auto acquires = structure<XrSwapchainImageAcquireInfo>(XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO);
-  std::uint32_t index = 0;
-  if (!session_.goes_on(xrAcquireSwapchainImage(swapchain_, &acquires, &index), "give a picture to draw"))
-    return VK_NULL_HANDLE;
+  if (!acquired_) {
+    const auto acquires = structure<XrSwapchainImageAcquireInfo>(XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO);
+    std::uint32_t index = 0;
+    if (!session_.goes_on(xrAcquireSwapchainImage(swapchain_, &acquires, &index), "give a picture to draw"))
+      return VK_NULL_HANDLE;
+    acquired_ = index;
+  }
   auto waits = structure<XrSwapchainImageWaitInfo>(XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO);
-  waits.timeout = XR_INFINITE_DURATION;
-  if (!session_.goes_on(xrWaitSwapchainImage(swapchain_, &waits), "give a picture to draw"))
-    return VK_NULL_HANDLE;
-  return images_[index].image;
+  waits.timeout = kPatience;
+  const XrResult code = xrWaitSwapchainImage(swapchain_, &waits);
+  if (!session_.goes_on(code, "give a picture to draw") || code == XR_TIMEOUT_EXPIRED) return VK_NULL_HANDLE;
+  return images_[*acquired_].image;
 }
 
 void Swapchain::release() {
   const auto releases = structure<XrSwapchainImageReleaseInfo>(XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO);
   session_.goes_on(xrReleaseSwapchainImage(swapchain_, &releases), "take a picture");
+  acquired_.reset();
+  released_ = true;
 }
 
 void copy_to(VkCommandBuffer commands, VkImage picture, VkImage target, VkExtent2D extent) {

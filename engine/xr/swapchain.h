@@ -22,9 +22,11 @@ public:
   // Of it, in a layer: pixels, from the picture's top left corner.
   XrSwapchainSubImage part(std::int32_t x, std::int32_t y, VkExtent2D size) const;
 
-  // A picture to copy to, which the runtime shows from release() on. Null: the session has been lost.
+  // A picture to copy to, which the runtime shows from release() on. Null: the session has been lost, or the
+  // runtime has not given one for a tenth of a second; it may yet.
   VkImage acquire();
   void release();
+  bool was_released() const { return released_; }  // a picture of it: only then can a layer show it
 
 private:
   void make_images();
@@ -33,6 +35,8 @@ private:
   VkExtent2D extent_;
   XrSwapchain swapchain_ = XR_NULL_HANDLE;
   std::vector<XrSwapchainImageVulkan2KHR> images_;
+  std::optional<std::uint32_t> acquired_;
+  bool released_ = false;
 };
 
 // Records a copy of a picture, which is in layout TRANSFER_SRC and of the same size, into one that acquire()

@@ -178,9 +178,9 @@ broken() {
 # Where the headset has the focus and shows nothing, the force goes as well, and only comes back with the picture.
 unseen() {
   printf '%s\n' 'size 64 64' '30 blind' "40 wait $work/off1" '60 sees' "70 wait $work/back1" '71 dark' "80 wait $work/off2" \
-    '100 light' "110 wait $work/back2" '111 exit' >script
+    '100 light' "110 wait $work/back2" '111 stall' "117 wait $work/off3" '119 flow' "130 wait $work/back3" '131 exit' >script
   start piping --device simulated --out A
-  for n in 1 2; do
+  for n in 1 2 3; do
     until_seen stopped $n || fail "the force stays on while nothing is shown: $(stops)"
     touch off$n
     until_seen back $n || fail "the force is not back after stop $n: $(stops)"
@@ -189,7 +189,7 @@ unseen() {
   wait_for_end
   [ $code = 3 ] || fail "exit $code: $(cat said)"
   goes_well "a headset that shows nothing"
-  [ "$(stops)" = "2 0" ] || fail "the force comes and goes while nothing is shown: $(stops)"
+  [ "$(stops)" = "3 0" ] || fail "the force comes and goes while nothing is shown: $(stops)"
 }
 
 # A squeeze that goes on while something else is seen does not go on with the force: another one does.

@@ -53,6 +53,8 @@ void happen(const Event& event) {
     h.blind = event.what == "blind";
   } else if (event.what == "dark" || event.what == "light") {
     h.dark = event.what == "dark";
+  } else if (event.what == "stall" || event.what == "flow") {
+    h.stalls = event.what == "stall";
   } else if (event.what == "recenter") {
     recenter(fulcrum::xr::pose_of(pose_in(words, 0)));
   } else if (event.what == "size") {

@@ -60,7 +60,7 @@ struct Headset {
   std::string waits_for;  // a file; empty: nothing
   XrTime time = 1'000'000'000;
   int gone = 0;  // so many times it is not found
-  bool blind = false, dark = false, dead = false;
+  bool blind = false, dark = false, dead = false, stalls = false;
   bool has_vulkan = false;
 
   Pose X_LH;                 // head, in local space as it is at first: as all of these are

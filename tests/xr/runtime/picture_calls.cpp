@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "tests/xr/runtime/calls.h"
@@ -65,12 +67,17 @@ XrResult XRAPI_CALL acquire(XrSwapchain handle, const XrSwapchainImageAcquireInf
   return XR_SUCCESS;
 }
 
-XrResult XRAPI_CALL wait(XrSwapchain handle, const XrSwapchainImageWaitInfo*) {
+XrResult XRAPI_CALL wait(XrSwapchain handle, const XrSwapchainImageWaitInfo* info) {
   if (headset->session->lost) return XR_ERROR_SESSION_LOST;
   Swapchain& swapchain = swapchain_of(handle);
   if (!swapchain.acquired) {
     wrong("a picture is waited for that was not acquired");
     return XR_ERROR_CALL_ORDER_INVALID;
+  }
+  if (headset->stalls) {
+    if (info->timeout == XR_INFINITE_DURATION) wrong("a picture is waited for that never comes");
+    std::this_thread::sleep_for(std::chrono::nanoseconds(info->timeout));
+    return XR_TIMEOUT_EXPIRED;
   }
   swapchain.waited = true;
   log("xrWaitSwapchainImage");

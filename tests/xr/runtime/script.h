@@ -16,6 +16,7 @@
 //   N hide, N show                    something else has the focus, and no longer
 //   N blind, N sees                   where the head is is not known, and known again
 //   N dark, N light                   no picture is wanted, and one is again
+//   N stall, N flow                   pictures are not given to draw in, and are again
 //   N recenter X Y Z                  local space moves so far
 //   N size W H                        from the next time that pictures are asked for
 //   N rest                            the headset is taken off, and put on again
