@@ -89,8 +89,9 @@ std::vector<std::string> add_levels_of_detail(render::VisualDesc& desc, const Ba
     mesh.levels = levels_from(kept.value, mesh);
     if (!mesh.levels) continue;
     const bool is_whole_alone = mesh.levels->pieces.size() == 1 && mesh.levels->pieces[0].levels.size() == 1;
-    if (is_whole_alone) mesh.levels.reset();  // it is all edges
-    if (!kept.note.empty()) notes.push_back(kept.note);
+    if (is_whole_alone) mesh.levels.reset();                                  // it is all edges
+    const bool is_told = std::ranges::find(notes, kept.note) != notes.end();  // of the mesh before
+    if (!kept.note.empty() && !is_told) notes.push_back(kept.note);
   }
   return notes;
 }

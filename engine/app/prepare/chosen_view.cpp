@@ -23,7 +23,10 @@ Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const S
   Result<scenario::VisualAssembly> visual =
       scenario::assemble_visual(prepared.scenario, prepared.models, scene);
   if (!visual) return visual;
-  for (const std::string& note : scenario::add_levels_of_detail(visual->desc, BakeCache())) complain(note);
+  const std::vector<std::string>& told =
+      prepared.haptic.warnings;  // a folder that keeps nothing, by the bakes
+  for (const std::string& note : scenario::add_levels_of_detail(visual->desc, BakeCache()))
+    if (std::ranges::find(told, note) == told.end()) complain(note);
   const auto named = std::ranges::find(visual->views, name, &scenario::View::name);
   if (named != visual->views.end()) visual->desc.camera = named->camera;
   return visual;
