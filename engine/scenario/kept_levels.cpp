@@ -80,7 +80,7 @@ std::vector<std::string> add_levels_of_detail(render::VisualDesc& desc, const Ba
   std::vector<std::string> notes;
   for (render::Mesh& mesh : desc.meshes) {
     if (mesh.indices.size() / 3 < render::kTrianglesWorthLevels) continue;
-    if (!mesh.uv.empty()) continue;  // coarser triangles would bend its textures
+    if (!mesh.uv.empty()) continue;  // coarser triangles would bend what is laid onto them
     const auto is_whole = [&mesh](std::span<const std::byte> bytes) {
       return levels_from(bytes, mesh).has_value();
     };

@@ -56,7 +56,8 @@ template <class Choose>
 std::vector<std::uint32_t> chosen(const LevelsOfDetail& all, Choose choose) {
   std::vector<std::uint32_t> indices;
   for (std::size_t i = 0; i < all.pieces.size(); ++i) {
-    const LevelsOfDetail::Level& level = all.pieces[i].levels[choose(i, all.pieces[i].levels.size())];
+    const LevelsOfDetail::Level& level =
+        all.pieces[i].levels[static_cast<std::size_t>(choose(i, all.pieces[i].levels.size()))];
     indices.insert(indices.end(), all.indices.begin() + level.first,
                    all.indices.begin() + level.first + level.count);
   }
