@@ -14,7 +14,7 @@ constexpr float kInner = 0.75F;  // of a level's side: the rest is its border
 constexpr float kMirror =
     0.08F;  // up to this roughness, a pixel of the sharpest level is wider than the lobe
 constexpr float kBrightest = 60000.0F;      // that a half float holds
-constexpr std::uint32_t kLobeSamples = 64;  // of the first rough level; of each after it, four times as many
+constexpr std::uint32_t kLobeSamples = 32;  // of the first rough level; of each after it, four times as many
 
 // The unit direction of a place on the octahedron's map, -1..1; a little beyond, the one beyond the fold.
 glm::vec3 direction_at(glm::vec2 p) {

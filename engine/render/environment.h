@@ -21,8 +21,8 @@ using Surroundings = std::function<glm::vec3(const glm::vec3& from)>;
 
 // Of an octahedral map, +y in its middle: pixels a side of its sharpest level, of a mirror; and levels, each
 // half as large as the one before and of a roughness that grows evenly to 1.
-constexpr std::uint32_t kEnvironmentSize = 128;
-constexpr std::uint32_t kEnvironmentLevels = 5;
+constexpr std::uint32_t kEnvironmentSize = 256;
+constexpr std::uint32_t kEnvironmentLevels = 6;
 
 // Irradiance / pi for a unit normal n: for each colour dot(linear[i], (n, 1)) + dot(quadratic[i], n.xyzz *
 // n.yzzx), and rest * (n.x^2 - n.y^2) on top.

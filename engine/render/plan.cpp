@@ -102,7 +102,7 @@ void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
   plan.built.push_back({"instances", "buffer", facts.instances * sizeof(gpu::InstanceData),
                         std::to_string(facts.instances) + " of them"});
   plan.built.push_back(
-      {"surroundings", "image", environment_bytes(), "the studio as mirrors of five roughnesses show it"});
+      {"surroundings", "image", environment_bytes(), "the studio as mirrors of six roughnesses show it"});
   if (facts.voxels > 1)
     plan.built.push_back({"light volume", "image", 3 * facts.voxels * kSceneTexel,
                           std::to_string(facts.voxels) +

@@ -76,15 +76,16 @@ vec3 light_around(vec3 n) {
 
 // Radiance that a mirror of this roughness shows, where nothing hides it. The rougher it is, the nearer to the normal is where most of its light comes from (Lagarde 2014, 4.9.3).
 vec3 mirrored_from(vec3 n, vec3 v, float roughness) {
-  float smoothness = 1.0 - roughness;
-  return normalize(mix(n, reflect(-v, n), smoothness * (sqrt(smoothness) + roughness)));
+  float alpha = roughness * roughness;
+  float smoothness = 1.0 - alpha;
+  return normalize(mix(n, reflect(-v, n), smoothness * (sqrt(smoothness) + alpha)));
 }
 
 vec3 light_mirrored(vec3 d, float roughness) {
   d /= abs(d.x) + abs(d.y) + abs(d.z);
   vec2 folded = (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
   vec2 at = d.y < 0.0 ? folded : d.xz;
-  float level = max(roughness - 0.08, 0.0) * (4.0 / 0.92);
+  float level = max(roughness - 0.08, 0.0) * (5.0 / 0.92);
   return textureLod(surroundings, 0.5 + 0.375 * at, level).rgb;
 }
 
