@@ -74,13 +74,15 @@ vec3 light_around(vec3 n) {
   return max(sum + frame.around_rest.rgb * (n.x * n.x - n.y * n.y), vec3(0.0));
 }
 
-// Radiance that a mirror of this roughness shows, where nothing hides it. The rougher it is, the nearer to the normal is where most of its light comes from (Lagarde 2014, 4.9.3).
+// Where a mirror of this roughness has most of its light from: the rougher it is, the nearer to its normal (Lagarde 2014,
+// 4.9.3). Unit.
 vec3 mirrored_from(vec3 n, vec3 v, float roughness) {
   float alpha = roughness * roughness;
   float smoothness = 1.0 - alpha;
   return normalize(mix(n, reflect(-v, n), smoothness * (sqrt(smoothness) + alpha)));
 }
 
+// Radiance from all around that a mirror of this roughness shows there, where nothing hides it.
 vec3 light_mirrored(vec3 d, float roughness) {
   d /= abs(d.x) + abs(d.y) + abs(d.z);
   vec2 folded = (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
