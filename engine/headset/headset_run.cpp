@@ -194,12 +194,17 @@ void HeadsetRun::draw() {
   eyes_ = {eye_camera(eyes->front(), placement_, view_.layers),
            eye_camera(eyes->back(), placement_, view_.layers)};
   sound_.hear_from(eyes_->front());
+  const bool live = attempt_.sink().end() == app::RunSink::End::running &&
+                    loop_.newest_timed().sampled_ns > 0;  // the first tick has ended
   const TickRecord& record = shown_record();
   if (const auto error = say(record, *frame)) {
     error_ = error->sentence;
     return;
   }
-  const Result<bool> shown = worn_->show(*frame, *eyes, frame_of(record), panel_place_);
+  const render::FrameState state = frame_of(record);
+  render::LatePoses late;
+  if (live) late = late_tool_.poses(loop_, bridge_, attempt_.sink().afterglow(), state.time_s);
+  const Result<bool> shown = worn_->show(*frame, *eyes, state, panel_place_, late);
   if (!shown) {
     error_ = shown.error().sentence;
     return;
@@ -209,6 +214,7 @@ void HeadsetRun::draw() {
     return;
   }
   unseen_ = 0;
+  if (live) late_tool_.shown(stage_.renderer().last_submission_s());
   frame_rate_.note(now_s());
   auto error = stage_.mirror();  // before another quality makes another picture
   if (!error && quality_ && quality_->add(stage_.renderer().last_frame_s()))

@@ -13,6 +13,7 @@
 
 #include "drivers/registry.h"
 #include "engine/app/picture/bridge.h"
+#include "engine/app/picture/late_tool.h"
 #include "engine/app/run/button_commands.h"
 #include "engine/app/run/run_session.h"
 #include "engine/app/window/frame_rate.h"
@@ -42,7 +43,7 @@ public:
 
   // The last moment, as both eyes saw it, into a PNG.
   Result<std::filesystem::path> save_picture(const std::filesystem::path& file);
-  double frames_per_s() const { return frame_rate_.mean(); }
+  app::PictureFigures figures() const { return {frame_rate_.mean(), late_tool_.figures()}; }
 
 private:
   bool goes_on() const;
@@ -80,6 +81,7 @@ private:
   app::ButtonCommands hand_buttons_{kStopButton, kHoldButton};
   app::WindowSound sound_;
   app::FrameRate frame_rate_;
+  app::LateTool late_tool_;
   std::optional<render::AutoQuality> quality_;  // once the headset's pace is known, where it is automatic
   std::unique_ptr<Worn> worn_;                  // null: the headset is lost, or not found yet
   std::optional<std::array<render::Camera, 2>> eyes_;  // of the newest frame

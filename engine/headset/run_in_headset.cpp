@@ -60,7 +60,7 @@ int run_in_headset(const scenario::Scenario& scenario, const app::RunOptions& op
   run.run();
   const auto picture = run.save_picture(attempt->folder() / record::kPictureName);
   if (!picture) complain("there is no picture: " + picture.error().sentence);
-  const int code = attempt->finish(&(*stage)->renderer().plan(), true, run.frames_per_s());
+  const int code = attempt->finish(&(*stage)->renderer().plan(), true, run.figures());
   for (const std::string& message : (*stage)->validation_messages()) complain(message);
   return (*stage)->validation_messages().empty() ? code : static_cast<int>(kError);
 }

@@ -38,14 +38,15 @@ std::optional<Error> Worn::say(Panel& panel, const ui::OverlayState& state) {
 }
 
 Result<bool> Worn::show(const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
-                        const render::FrameState& state, const PanelPlace& panel) {
+                        const render::FrameState& state, const PanelPlace& panel,
+                        const render::LatePoses& late) {
   if (auto error = fit()) return *error;
   const VkImage target = pictures_->acquire();
   if (target == VK_NULL_HANDLE) return false;
   const auto copy = [&](VkCommandBuffer commands, const vulkan::Image& picture) {
     xr::copy_to(commands, picture.get(), target, picture.extent());
   };
-  if (auto error = stage_.renderer().frame(state, copy)) return *error;
+  if (auto error = stage_.renderer().frame(state, copy, late)) return *error;
   pictures_->release();
   const VkExtent2D eye{pictures_->extent().width / 2, pictures_->extent().height};
   std::array<XrCompositionLayerProjectionView, 2> views;

@@ -33,10 +33,10 @@ public:
   // Writes anew what a panel says, which is shown from then on.
   std::optional<Error> say(Panel& panel, const ui::OverlayState& state);
 
-  // Draws what the eyes see, and shows it, and over it the panel. state: with those eyes' cameras. False: the
-  // runtime took no picture, and the frame has not ended.
+  // Draws what the eyes see, and shows it, and over it the panel. state: with those eyes' cameras. late: the
+  // scene's poses as late as may be. False: the runtime took no picture, and the frame has not ended.
   Result<bool> show(const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
-                    const render::FrameState& state, const PanelPlace& panel);
+                    const render::FrameState& state, const PanelPlace& panel, const render::LatePoses& late);
   // Shows nothing.
   void show_nothing(const xr::Frame& frame) { session_.end_frame(frame, {}); }
 

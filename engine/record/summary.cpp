@@ -45,6 +45,16 @@ Json latency_json(const SoundLatency& latency) {
   return {{"mean", latency.mean_ms}, {"max", latency.max_ms}};
 }
 
+Json hand_to_pixel_json(const HandToPixel& figures) {
+  Json stages = {{"frames", figures.frames}};
+  for (std::size_t i = 0; i < kStageNames.size(); ++i) {
+    const StageFigures& stage = figures.stages[i];
+    stages[std::string(kStageNames[i])] = {
+        {"p50", stage.p50_ms}, {"p99", stage.p99_ms}, {"max", stage.max_ms}};
+  }
+  return stages;
+}
+
 Json heard_json(const HeardScene& heard) {
   return {
       {"device", heard.device},       {"blows", heard.blows},
@@ -132,6 +142,7 @@ std::string summary_json(const Summary& summary) {
   if (summary.left_handed) document["left_handed"] = true;
   if (summary.guided) document["guided"] = true;
   if (summary.frames_per_s) document["frames_per_s"] = *summary.frames_per_s;
+  if (summary.hand_to_pixel) document["hand_to_pixel_ms"] = hand_to_pixel_json(*summary.hand_to_pixel);
   if (summary.sound_latency) document["sound_latency_ms"] = latency_json(*summary.sound_latency);
   if (summary.heard) document["heard"] = heard_json(*summary.heard);
   // A name that is not UTF-8 must not cost the run its summary.

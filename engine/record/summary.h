@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/record/hand_to_pixel.h"
 #include "engine/record/percentiles.h"
 #include "engine/record/run_totals.h"
 #include "haptics/math/result.h"
@@ -69,6 +70,7 @@ struct Summary {
   std::optional<SoundLatency> sound_latency;  // of voice coils; absent where no sound card played them
   std::optional<HeardScene> heard;            // absent where nobody listened
   std::optional<double> frames_per_s;         // that the window drew; absent without one
+  std::optional<HandToPixel> hand_to_pixel;   // of the frames that somebody saw
   std::int64_t late_ticks = 0;
   std::int64_t lost_ticks = 0;
   std::vector<FaultCount> faults;

@@ -286,15 +286,30 @@ void Renderer::fit_shadow() {
   standing_stale_ = true;
 }
 
-std::optional<Error> Renderer::frame(const FrameState& state, const TakePicture& take) {
+std::function<void()> Renderer::placing(const LatePoses& late) {
+  if (!late || !geometry_) return {};
+  return [this, &late] {
+    const std::span<const glm::mat4> X_WM = late();
+    if (X_WM.size() != geometry_->movable_count())
+      throw vulkan::Failure("A frame was told " + std::to_string(X_WM.size()) +
+                            " poses late, but the scene has " + std::to_string(geometry_->movable_count()) +
+                            " movable instances; give one pose for each.");
+    // The shadow of this frame may have been kept from the one before: the next one is drawn for certain.
+    if (geometry_->place(X_WM)) shadow_stale_ = true;
+  };
+}
+
+std::optional<Error> Renderer::frame(const FrameState& state, const TakePicture& take,
+                                     const LatePoses& late) {
   if (auto error = fit(options_.extent, state.inset)) return *error;
   try {
     reload_shaders();
     if (auto error = update(state)) return *error;
-    commands_.run([&](VkCommandBuffer commands) {
+    const auto record_and_take = [&](VkCommandBuffer commands) {
       record(commands, state.overlay);
       if (take) take(commands, picture_);
-    });
+    };
+    commands_.run(record_and_take, {}, placing(late));
     last_frame_s_ = commands_.last_run_s();
     drawn_ = true;
     return {};
@@ -303,15 +318,17 @@ std::optional<Error> Renderer::frame(const FrameState& state, const TakePicture&
   }
 }
 
-Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window, Extent size) {
+Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window, Extent size,
+                             const LatePoses& late) {
   if (size.width == 0 || size.height == 0) return false;
   if (auto error = fit(size, state.inset)) return *error;
   try {
     reload_shaders();
     if (auto error = update(state)) return *error;
     const VkExtent2D extent{size.width, size.height};
-    const bool shown = window.show(commands_, extent, picture_.get(), picture_.extent(),
-                                   [&](VkCommandBuffer commands) { record(commands, state.overlay); });
+    const auto record_all = [&](VkCommandBuffer commands) { record(commands, state.overlay); };
+    const bool shown =
+        window.show(commands_, extent, picture_.get(), picture_.extent(), record_all, placing(late));
     if (shown) {
       last_frame_s_ = commands_.last_run_s();
       drawn_ = true;

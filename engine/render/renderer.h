@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/render/detailed_surfaces.h"
@@ -22,6 +23,11 @@ namespace fulcrum::render {
 // Records what is done with a finished picture, which is in layout TRANSFER_SRC before and after.
 using TakePicture = std::function<void(VkCommandBuffer, const vulkan::Image& picture)>;
 
+// Tells the poses of the movable instances (FrameState::X_WM) once more, as late as it may be: once all is
+// recorded and nothing is submitted. By then they are a picture's recording, and the wait for a window's
+// picture, newer. What is culled, and how far shadows reach, is still by the poses of the frame's state.
+using LatePoses = std::function<std::span<const glm::mat4>()>;
+
 class Renderer {
 public:
   // Plans, then builds the plan. The device must outlive the renderer; `desc` is not needed afterwards.
@@ -34,11 +40,13 @@ public:
 
   // Draws one frame into the picture and waits for it. Fails where the state does not fit the scene, or the
   // device is lost. take: who takes the picture elsewhere with the same submission; none: nobody.
-  std::optional<Error> frame(const FrameState& state, const TakePicture& take = {});
+  std::optional<Error> frame(const FrameState& state, const TakePicture& take = {},
+                             const LatePoses& late = {});
 
   // The same, and shows it. The picture takes the window's size (pixels). False: the window is minimised or
   // changed this very moment, and nothing was drawn.
-  Result<bool> frame(const FrameState& state, vulkan::Swapchain& window, Extent size);
+  Result<bool> frame(const FrameState& state, vulkan::Swapchain& window, Extent size,
+                     const LatePoses& late = {});
 
   // Shows the upper left part of the last frame's picture in a window as well, enlarged or reduced to it;
   // part: pixels. Nothing where there is none yet, or where the window is minimised or changed this very
@@ -47,6 +55,8 @@ public:
 
   // How long the last frame took to record and draw, without waiting for the screen (s).
   double last_frame_s() const { return last_frame_s_; }
+  // The same from its submission alone, which is when late poses are told.
+  double last_submission_s() const { return commands_.last_submission_s(); }
 
   // How many the last frame's camera has seen, of each instance at the level that it was drawn at.
   std::uint64_t triangles() const { return geometry_ ? geometry_->triangles(main_.sight) : 0; }
@@ -74,6 +84,8 @@ private:
   std::optional<Error> fit(Extent extent, const std::optional<Inset>& inset);
   std::optional<Error> update(const FrameState& state);
   void fit_shadow();
+  // Of poses that are told late; null: there are none.
+  std::function<void()> placing(const LatePoses& late);
   void record(VkCommandBuffer commands, OverlayPass* overlay);
   void record_shadow(VkCommandBuffer commands);
   void record_standing_shadow(VkCommandBuffer commands);

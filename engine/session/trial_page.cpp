@@ -156,6 +156,19 @@ std::string trial_html(const TrialPage& of) {
     page.heading("Limits that were applied");
     for (const std::string& sentence : of.limits) page.paragraph(sentence);
   }
+  if (of.age) {
+    page.heading("From hand to pixel");
+    page.paragraph(
+        "How old the tool's pose is when a picture with it is handed to the screen. Tick: from the device's "
+        "own "
+        "measurement until the tick with it has ended. Wait: until a picture takes that pose, which is the "
+        "last "
+        "thing before it is submitted. Draw: until the graphics device is done. Show: until the picture is "
+        "the "
+        "screen's, or the headset's. What these need then to light up is not known here.");
+    page.table(of.age->stages);
+    page.plot(of.age->frames, "Of all pictures of the trial, the part that took no longer.");
+  }
   if (!of.replay_command.empty()) {
     page.heading("To repeat it");
     page.paragraph("The trial's tape holds every tick; this repeats it and compares every bit:");

@@ -4,10 +4,17 @@
 #include <optional>
 #include <string>
 
+#include "engine/report/page.h"
 #include "engine/session/score.h"
 #include "engine/session/trial.h"
 
 namespace fulcrum::session {
+
+// How old the tool is by the time it is seen.
+struct PictureAge {
+  report::Table stages;
+  report::Plot frames;
+};
 
 struct TrialPage {
   const Trial& trial;
@@ -19,7 +26,8 @@ struct TrialPage {
   std::optional<double> expert_time{};          // s
   std::vector<std::string> faults{}, limits{};  // sentences, of what befell it
   std::string replay_command{};
-  std::string heard{};  // how many blows, and how late; empty: nobody listened
+  std::string heard{};              // how many blows, and how late; empty: nobody listened
+  std::optional<PictureAge> age{};  // where somebody saw pictures
 };
 
 std::string trial_html(const TrialPage& page);

@@ -28,8 +28,10 @@ Commands::Commands(Device& device) : device_(device) {
   done_ = FenceHandle(device.get(), fence_object);
 }
 
-void Commands::run(const std::function<void(VkCommandBuffer)>& record, const SubmitSemaphores& semaphores) {
-  const auto start = std::chrono::steady_clock::now();
+void Commands::run(const std::function<void(VkCommandBuffer)>& record, const SubmitSemaphores& semaphores,
+                   const std::function<void()>& before_submission) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   check(vkResetCommandPool(device_.get(), pool_.get(), 0), "reuse a command buffer");
   VkCommandBufferBeginInfo begin{};
   begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
@@ -58,6 +60,8 @@ void Commands::run(const std::function<void(VkCommandBuffer)>& record, const Sub
   submit.pCommandBufferInfos = &commands;
   submit.signalSemaphoreInfoCount = semaphores.signal == VK_NULL_HANDLE ? 0 : 1;
   submit.pSignalSemaphoreInfos = &signal;
+  if (before_submission) before_submission();
+  const Clock::time_point submission = Clock::now();
   const VkResult submitted =
       device_.lost() ? VK_ERROR_DEVICE_LOST : vkQueueSubmit2(device_.queue(), 1, &submit, done_.get());
   check(submitted, "submit a frame");
@@ -65,7 +69,9 @@ void Commands::run(const std::function<void(VkCommandBuffer)>& record, const Sub
   check(vkWaitForFences(device_.get(), 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
         "finish a frame");
   check(vkResetFences(device_.get(), 1, &fence), "reuse a fence");
-  last_run_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const Clock::time_point done = Clock::now();
+  last_run_s_ = std::chrono::duration<double>(done - start).count();
+  last_submission_s_ = std::chrono::duration<double>(done - submission).count();
 }
 
 void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, const ImageUse& from,

@@ -21,11 +21,15 @@ public:
   // Throws Failure.
   explicit Commands(Device& device);
 
-  // Records with `record`, submits, and returns when the device is done. Throws Failure.
-  void run(const std::function<void(VkCommandBuffer)>& record, const SubmitSemaphores& semaphores = {});
+  // Records with `record`, submits, and returns when the device is done. before_submission: writes what the
+  // device is to read at the latest moment; none: nothing. Throws Failure.
+  void run(const std::function<void(VkCommandBuffer)>& record, const SubmitSemaphores& semaphores = {},
+           const std::function<void()>& before_submission = {});
 
   // How long the last run took, from recording to the device being done (s).
   double last_run_s() const { return last_run_s_; }
+  // The same from its submission.
+  double last_submission_s() const { return last_submission_s_; }
 
 private:
   Device& device_;
@@ -33,6 +37,7 @@ private:
   VkCommandBuffer buffer_ = VK_NULL_HANDLE;  // freed with its pool
   FenceHandle done_;
   double last_run_s_ = 0.0;
+  double last_submission_s_ = 0.0;
 };
 
 // One side of an image barrier.

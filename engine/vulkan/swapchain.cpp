@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace fulcrum::vulkan {
 namespace {
@@ -141,13 +142,20 @@ std::optional<std::uint32_t> Swapchain::acquire() {
   return index;
 }
 
-bool Swapchain::show(Commands& commands, VkExtent2D wanted, VkImage source, VkExtent2D source_extent,
-                     const std::function<void(VkCommandBuffer)>& record) {
+bool Swapchain::wait(VkExtent2D wanted) {
   if (wanted.width == 0 || wanted.height == 0) return false;
   if (wanted.width != asked_.width || wanted.height != asked_.height) stale_ = true;
+  if (free_) return true;  // also where the window has changed since: the next picture is of the new size
   if (stale_ && !remake(wanted)) return false;
-  const std::optional<std::uint32_t> index = acquire();
-  if (!index) return false;  // the window changed this very moment: the next frame makes new pictures
+  free_ = acquire();
+  return free_.has_value();
+}
+
+bool Swapchain::show(Commands& commands, VkExtent2D wanted, VkImage source, VkExtent2D source_extent,
+                     const std::function<void(VkCommandBuffer)>& record,
+                     const std::function<void()>& before_submission) {
+  if (!wait(wanted)) return false;
+  const std::optional<std::uint32_t> index = std::exchange(free_, std::nullopt);
   const VkImage target = images_[*index];
   const VkSemaphore drawn = drawn_[*index].get();
   const auto record_and_copy = [&](VkCommandBuffer buffer) {
@@ -159,7 +167,8 @@ bool Swapchain::show(Commands& commands, VkExtent2D wanted, VkImage source, VkEx
     copy_picture(buffer, source, source_extent, target, extent_);
     barrier(buffer, target, VK_IMAGE_ASPECT_COLOR_BIT, use::kCopyTarget, use::kPresented);
   };
-  commands.run(record_and_copy, {acquired_.get(), VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, drawn});
+  commands.run(record_and_copy, {acquired_.get(), VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, drawn},
+               before_submission);
 
   const VkSwapchainKHR swapchain = swapchain_.get();
   VkPresentInfoKHR present{};

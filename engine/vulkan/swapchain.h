@@ -35,11 +35,17 @@ public:
   static Result<std::unique_ptr<Swapchain>> create(Device& device, VkSurfaceKHR surface,
                                                    Pace pace = Pace::screen);
 
+  // Waits until one of the window's pictures is free, for the screen may hold all of them: what is sampled
+  // after that is seen the soonest. wanted, and false: as show(), which waits as well where nobody has.
+  // Throws Failure.
+  bool wait(VkExtent2D wanted);
+
   // Shows `source`, an image in layout TRANSFER_SRC once `record` has run, scaled to the window if it must
   // be. `wanted`: the window's size in pixels; where it is zero (minimised) nothing is drawn and the answer
-  // is false. Made anew whenever the window has changed. Throws Failure.
+  // is false. Made anew whenever the window has changed. before_submission: as of Commands. Throws Failure.
   bool show(Commands& commands, VkExtent2D wanted, VkImage source, VkExtent2D source_extent,
-            const std::function<void(VkCommandBuffer)>& record);
+            const std::function<void(VkCommandBuffer)>& record,
+            const std::function<void()>& before_submission = {});
 
 private:
   Swapchain(Device& device, VkSurfaceKHR surface, VkSurfaceFormatKHR format, VkPresentModeKHR mode)
@@ -55,6 +61,7 @@ private:
   VkExtent2D extent_{};
   VkExtent2D asked_{};  // the window size it was made for
   bool stale_ = true;
+  std::optional<std::uint32_t> free_;  // the picture that was waited for
   SwapchainHandle swapchain_;
   std::vector<VkImage> images_;
   std::vector<SemaphoreHandle>

@@ -16,6 +16,13 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr double kRingSeconds = 8;  // of ticks that the main thread may leave waiting
 
+// When the pose was measured that a tick reads at now_ns; a sample says how old it is.
+std::int64_t measured_ns(std::int64_t now_ns, double age_s) noexcept {
+  constexpr double kOldest = 1000;  // s: older than any that is used, and a number of ns that is one
+  const double age = age_s > 0 ? std::min(age_s, kOldest) : 0;
+  return now_ns - static_cast<std::int64_t>(age * 1e9);
+}
+
 void sleep_until(std::int64_t deadline_ns) noexcept {
   const timespec until{static_cast<time_t>(deadline_ns / kSecond), static_cast<long>(deadline_ns % kSecond)};
   while (clock_nanosleep(AgeClock::kId, TIMER_ABSTIME, &until, nullptr) == EINTR) {
@@ -66,6 +73,7 @@ void LiveLoop::run() {
         commands[count++] = {Command::Kind::caught_up, static_cast<double>(due - lost)};
       while (count < commands.size() && commands_.pop(commands[count])) ++count;
       TickEvent event;
+      const std::int64_t began_ns = AgeClock::now_ns();
       run_tick(world_, device_, {commands.data(), count}, event);
       event.lost_before = n == lost ? lost : 0;
       event.wake_late_ns = wake.late_ns - n * tick_ns;
@@ -73,8 +81,11 @@ void LiveLoop::run() {
       ++histogram_[std::min<std::size_t>(std::bit_width(late_us), histogram_.size() - 1)];
       if (event.wake_late_ns >= tick_ns) late_.fetch_add(1, std::memory_order_relaxed);
       if (!events_.push(event)) unrecorded_.fetch_add(1, std::memory_order_relaxed);
-      if (told_ != nullptr) told_->push({event.record, AgeClock::now_ns()});
-      snapshot_.draft() = event.record;
+      TimedTick& timed = snapshot_.draft();
+      timed.record = event.record;
+      timed.at_ns = AgeClock::now_ns();
+      timed.sampled_ns = measured_ns(began_ns, event.sample.age);
+      if (told_ != nullptr) told_->push(timed);
       snapshot_.publish();
     }
     deadline += due * tick_ns;

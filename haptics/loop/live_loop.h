@@ -45,8 +45,9 @@ public:
   bool send(const Command& command) { return commands_.push(command); }
   // Main thread: every tick, in order. False: none is waiting.
   bool next(TickEvent& event) { return events_.pop(event); }
-  // Main thread: the newest tick.
-  const TickRecord& newest() { return snapshot_.newest(); }
+  // Main thread: the newest tick; it stays as it is until the next call of either.
+  const TickRecord& newest() { return newest_timed().record; }
+  const TimedTick& newest_timed() { return snapshot_.newest(); }
 
   // Ticks that the main thread left in the ring until it was full. They ran, but no record of them is left.
   std::uint64_t unrecorded() const { return unrecorded_.load(std::memory_order_relaxed); }
@@ -66,7 +67,7 @@ private:
   SpscRing<Command> commands_{64};
   SpscRing<TickEvent> events_;
   TimedTicks* told_ = nullptr;  // null: nobody else listens
-  Snapshot<TickRecord> snapshot_;
+  Snapshot<TimedTick> snapshot_;
   std::atomic<bool> running_{false};
   std::atomic<std::uint64_t> unrecorded_{0}, late_{0}, lost_{0};
   RealTimeGrant grant_;

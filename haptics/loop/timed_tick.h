@@ -1,5 +1,5 @@
 #pragma once
-// A tick as a thread beside the main one hears of it: what it left behind, and when.
+// A tick as other threads hear of it: what it left behind, and when.
 
 #include <cstdint>
 
@@ -10,7 +10,8 @@ namespace fulcrum {
 
 struct TimedTick {
   TickRecord record;
-  std::int64_t at_ns = 0;  // by AgeClock, when it had ended
+  std::int64_t at_ns = 0;       // by AgeClock, when it had ended
+  std::int64_t sampled_ns = 0;  // by AgeClock, when the pose that it began with was measured
 };
 
 using TimedTicks = SpscRing<TimedTick>;

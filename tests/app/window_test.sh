@@ -4,6 +4,7 @@
 # is the program.
 set -uo pipefail
 . "$(dirname "$(readlink -f "$0")")/../support/display.sh"
+. "$(dirname "$(readlink -f "$0")")/../support/hand_to_pixel.sh"
 start_display
 
 open_window piping --validate --size 640x360 --set time_limit=3600 --out "$work/W"
@@ -119,6 +120,8 @@ wait_for_end
 column "$work/W" contact/depth_max | awk '$1 > m { m = $1 } END { exit !(m > 0) }' || fail "the push touched nothing"
 column "$work/W" torque_substitution/ghost_gain | uniq | head -n 3 | tr '\n' ' ' | grep -q '^1 0 1 $' || fail "the ghost was not switched off and on"
 [ -s "$work/W/frame.png" ] || fail "no frame.png"
+has_hand_to_pixel "$work/W" 10 || fail "how old the tool was when it was seen is not told: $(grep -A 28 hand_to_pixel "$work/W/summary.json")"
+grep -q 'From hand to pixel' "$work/W/report.html" || fail "the report does not tell how old the tool was when it was seen"
 grep -q 'Picture, trace, summary and report lie in' "$work/said" || fail "it does not say where the results lie"
 
 [ $failures = 0 ] && echo "all good"

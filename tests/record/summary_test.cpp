@@ -58,6 +58,20 @@ TEST(Summary, TellsWhatWasHeardWhereSomebodyListened) {
       "ones; then the device was unplugged; 3 came too late to be heard");
 }
 
+TEST(Summary, TellsHowOldPicturesWereWhereSomebodySawThem) {
+  Summary summary;
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(summary)).contains("hand_to_pixel_ms"));
+  HandToPixelMeter meter;
+  meter.add({0, 1'000'000, 3'000'000, 23'000'000, 24'000'000});
+  summary.hand_to_pixel = meter.figures();
+  const auto told = nlohmann::json::parse(summary_json(summary))["hand_to_pixel_ms"];
+  EXPECT_EQ(told["frames"], 1);
+  const std::pair<const char*, double> stages[] = {
+      {"tick", 1}, {"wait", 2}, {"draw", 20}, {"show", 1}, {"whole", 24}};
+  for (const auto& [name, ms] : stages)
+    for (const char* figure : {"p50", "p99", "max"}) EXPECT_NEAR(told[name][figure], ms, 1e-9) << name;
+}
+
 TEST(RunTotals, IntegratesAndPeaks) {
   RunTotals totals(0.002);
   for (int tick = 0; tick < 500; ++tick) {

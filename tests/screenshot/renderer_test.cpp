@@ -106,6 +106,54 @@ TEST_F(RendererTest, ShadowsOfWhatStandsAreKeptWhileTheBallMoves) {
   }
 }
 
+// The ball is drawn where it is told to be last, and so is its shadow in the frame after.
+TEST_F(RendererTest, ABallThatIsPlacedLateIsDrawnThere) {
+  VisualDesc desc = test::make_scene();
+  desc.ghosts.clear();
+  const glm::mat4 early = desc.instances[2].X_WM;
+  const glm::mat4 newest = glm::translate(glm::mat4(1.0F), {-0.02F, 0.12F, 0.03F});
+  FrameState state;
+  state.X_WM = {&early, 1};
+  state.camera = desc.camera;
+  const test::CompareOptions exact{.max_lsb = 0, .max_pixels = 0, .failure_folder = {}};
+  for (const int shadow : {0, 512}) {
+    RenderOptions options = small_;
+    options.quality.shadow_size = shadow;
+    desc.instances[2].X_WM = newest;
+    const Picture wanted = draw(*make(desc, options), desc);
+    desc.instances[2].X_WM = early;
+    const std::unique_ptr<Renderer> renderer = make(desc, options);
+    const Picture before = draw(*renderer, desc);
+    int asked = 0;
+    const auto late = [&] {
+      ++asked;
+      return std::span(&newest, 1);
+    };
+    ASSERT_FALSE(renderer->frame(state, {}, late));
+    EXPECT_EQ(asked, 1);
+    const Picture placed = *renderer->read_back();
+    EXPECT_FALSE(test::compare(placed, before, exact).passed);
+    if (shadow == 0) EXPECT_TRUE(test::compare(placed, wanted, exact).passed);
+    desc.instances[2].X_WM = newest;
+    EXPECT_TRUE(test::compare(draw(*renderer, desc), wanted, exact).passed);
+  }
+}
+
+TEST_F(RendererTest, PosesThatAreToldLateHaveToBeAsMany) {
+  const VisualDesc desc = test::make_scene();
+  const std::unique_ptr<Renderer> renderer = make(desc, small_);
+  draw(*renderer, desc);
+  FrameState state;
+  state.X_WM = {&desc.instances[2].X_WM, 1};
+  state.camera = desc.camera;
+  const std::vector<glm::mat4> two(2, glm::mat4(1.0F));
+  const std::optional<Error> error = renderer->frame(state, {}, [&] { return std::span(two); });
+  ASSERT_TRUE(error);
+  EXPECT_NE(error->sentence.find("told 2 poses late, but the scene has 1"), std::string::npos)
+      << error->sentence;
+  draw(*renderer, desc);
+}
+
 TEST_F(RendererTest, WhatOnlyStandsOrOnlyMovesNeedsNoSecondShadowMap) {
   VisualDesc desc = test::make_scene();
   desc.ghosts.clear();

@@ -50,6 +50,17 @@ TEST(WindowTest, IsDrawnIntoAtEverySize) {
     EXPECT_FALSE(frame({0, 0}));     // minimised
     EXPECT_TRUE(frame({200, 200}));  // a size that the window no longer has: enlarged to fit
     EXPECT_TRUE(frame({320, 180}));
+    // A place that was waited for is shown in, whatever came in between; and it may be left.
+    const auto wait = [&](std::uint32_t width, std::uint32_t height) {
+      return (*swapchain)->wait({width, height});
+    };
+    EXPECT_TRUE(wait(320, 180));
+    EXPECT_TRUE(wait(320, 180));
+    EXPECT_FALSE(wait(0, 0));
+    EXPECT_TRUE(frame({200, 200}));
+    EXPECT_TRUE(wait(200, 200));
+    EXPECT_TRUE(frame({320, 180}));
+    EXPECT_TRUE(wait(320, 180));
     EXPECT_EQ((*renderer)->read_back()->width, 320U);
     EXPECT_FALSE((*window)->closing());
   }

@@ -60,6 +60,21 @@ TEST(TrialPage, HoldsItsFiguresAndNoMarkupOfOthers) {
     EXPECT_NE(html.find(wanted), html.npos) << wanted;
 }
 
+TEST(TrialPage, TellsHowOldPicturesWere) {
+  const TrialCurves none{Envelope(1e-3), Envelope(1e-3), Envelope(1e-3), Envelope(1e-3)};
+  const Trial trial = hostile_trial();
+  const Score all = score(trial.metrics, nullptr);
+  TrialPage page{.trial = trial, .about = {}, .participant = {}, .score = all, .curves = none};
+  EXPECT_EQ(trial_html(page).find("From hand to pixel"), std::string::npos);
+  page.age.emplace();
+  page.age->stages = {{"", "Median (ms)"}, {{"Draw", "12.5"}}, false};
+  page.age->frames.title = "Age";
+  const std::string html = trial_html(page);
+  expect_self_contained(html);
+  for (const char* wanted : {"From hand to pixel", "Draw", "12.5"})
+    EXPECT_NE(html.find(wanted), html.npos) << wanted;
+}
+
 TEST(TrialPage, SaysThatATrialWasGuided) {
   const TrialCurves none{Envelope(1e-3), Envelope(1e-3), Envelope(1e-3), Envelope(1e-3)};
   Trial trial = hostile_trial();

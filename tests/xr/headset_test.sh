@@ -4,6 +4,7 @@
 #   headset_test.sh WHAT, one of the functions below
 set -uo pipefail
 . "$(dirname "$(readlink -f "$0")")/../support/expect.sh"
+. "$(dirname "$(readlink -f "$0")")/../support/hand_to_pixel.sh"
 work=$(mktemp -d)
 program=
 trap '[ -z "$program" ] || kill -9 $program 2>/dev/null; rm -rf "$work"' EXIT
@@ -98,6 +99,7 @@ frames() {
   [ "$(grep -c '^shown 320x320$' log)" = 600 ] || fail "pictures have another size than the runtime recommends"
   [ "$(identify -format '%wx%h' A/frame.png)" = 640x320 ] || fail "frame.png does not have both eyes"
   [ "$(wc -l <A/trace.csv)" -gt 1 ] || fail "the haptic thread did not run"
+  has_hand_to_pixel A 500 || fail "how old the tool was when it was seen is not told: $(grep -A 28 hand_to_pixel A/summary.json)"
   # What a window says is on a sheet through what the view looks at, 1.1 times as wide as that is away.
   grep -qE '^quad 1\.15[0-9]* 0\.64[0-9]* at -?0\.0* -0\.30* -1\.003' log || fail "the panel is not where it belongs: $(grep -m 1 '^quad' log)"
   [ "$(identify -format '%k' quad.ppm)" -gt 100 ] || fail "nothing is written on the panel"

@@ -136,21 +136,26 @@ glm::mat4 FrameBridge::pose_of(std::size_t body, const TickRecord& record, const
   }
 }
 
-render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow& afterglow,
-                                      const scenario::TaskState& task, const render::Camera& camera,
-                                      double time) {
+std::span<const glm::mat4> FrameBridge::poses(const TickRecord& record, const Afterglow& afterglow,
+                                              double time) {
   const std::vector<Pose>* X_WL = links_ ? &links_->follow(record.X_WH) : nullptr;
   for (std::size_t i = 0; i < X_WM_.size(); ++i) {
     const std::size_t body = follows_[i];
     const bool link = body > 0 && body < scenario::kFirstFollowed;
     X_WM_[i] = link ? scenario::to_glm((*X_WL)[body - 1]) : pose_of(body, record, afterglow, time);
   }
+  return X_WM_;
+}
+
+render::FrameState FrameBridge::frame(const TickRecord& record, const Afterglow& afterglow,
+                                      const scenario::TaskState& task, const render::Camera& camera,
+                                      double time) {
   // After the checkpoints come the places to avoid.
   for (std::size_t i = 0; i < markers_; ++i)
     marker_states_[i] = i < checkpoints_ ? marker_state(task, i)
                                          : render::MarkerState{render::MarkerState::Show::avoid, 0.0F};
   render::FrameState state;
-  state.X_WM = X_WM_;
+  state.X_WM = poses(record, afterglow, time);
   state.markers = marker_states_;
   ghosts_.clear();
   if (ghost_q_HT_)

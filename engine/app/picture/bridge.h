@@ -31,6 +31,10 @@ public:
   render::FrameState frame(const TickRecord& record, const Afterglow& afterglow,
                            const scenario::TaskState& task, const render::Camera& camera, double time);
 
+  // Of what moves, as FrameState::X_WM, in that tick: valid until it is asked for another one, or for a
+  // frame.
+  std::span<const glm::mat4> poses(const TickRecord& record, const Afterglow& afterglow, double time);
+
 private:
   glm::mat4 pose_of(std::size_t body, const TickRecord& record, const Afterglow& afterglow, double time);
 

@@ -102,12 +102,13 @@ void RunSession::play_sound(bool says_why_not) {
              ". Plug one in, or leave the sound out with --mute (docs/sound.md).");
 }
 
-int RunSession::finish(const render::RenderPlan* plan, bool person, std::optional<double> frames_per_s) {
+int RunSession::finish(const render::RenderPlan* plan, bool person, const PictureFigures& figures) {
   RunSink::Outcome outcome = sink_.finish();
   outcome.summary.device = device_in_results(prepared_, options_.device);
   outcome.summary.left_handed = prepared_.scenario.left_handed;
   outcome.summary.hand = is_simulated(options_.device) ? options_.hand : "";
-  outcome.summary.frames_per_s = frames_per_s;
+  outcome.summary.frames_per_s = figures.frames_per_s;
+  outcome.summary.hand_to_pixel = figures.hand_to_pixel;
   if (device_.sound != nullptr) {
     const sound::FeedCounts counts = device_.sound->counts();
     std::fprintf(stderr, "%s\n", sound::sound_text(counts).c_str());

@@ -22,6 +22,12 @@ struct Trainee {
   const session::TrialMetrics* expert = nullptr;  // null: nothing to compare with
 };
 
+// Of the pictures that somebody saw.
+struct PictureFigures {
+  std::optional<double> frames_per_s;
+  std::optional<record::HandToPixel> hand_to_pixel;
+};
+
 class RunSession {
 public:
   // All must outlive it. What is wrong is on stderr, and null is returned.
@@ -39,9 +45,9 @@ public:
   const std::filesystem::path& folder() const { return folder_; }
 
   // The program's exit code. Not of a run that is not recorded. plan: what was drawn with, if anything was.
-  // person: one may acknowledge a stop, or leave; then no fault ended the run. frames_per_s: that a window
-  // drew.
-  int finish(const render::RenderPlan* plan, bool person, std::optional<double> frames_per_s = {});
+  // person: one may acknowledge a stop, or leave; then no fault ended the run. figures: of what a window or
+  // a headset showed.
+  int finish(const render::RenderPlan* plan, bool person, const PictureFigures& figures = {});
 
 private:
   RunSession(const Prepared& prepared, const RunOptions& options, const Trainee& trainee, OpenDevice device,

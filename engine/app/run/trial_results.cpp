@@ -8,6 +8,7 @@
 
 #include "engine/app/cli/terminal.h"
 #include "engine/app/cli/version.h"
+#include "engine/app/run/picture_age.h"
 #include "engine/files/block_file.h"
 #include "engine/record/run_folder.h"
 #include "engine/session/identity.h"
@@ -120,6 +121,7 @@ bool write_trial_page(const FinishedTrial& of, const std::string& participant) {
     if (fault.name != asked_for->name) page.faults.push_back(fault.sentence);
   for (const record::FaultCount& limit : of.summary.limits) page.limits.push_back(limit.sentence);
   if (of.summary.heard) page.heard = record::heard_text(*of.summary.heard);
+  if (of.summary.hand_to_pixel) page.age = picture_age(*of.summary.hand_to_pixel);
   page.replay_command = "fulcrum replay " + quoted(trial.folder + "/" + std::string(record::kTapeName));
   const std::optional<Error> failure =
       write_new_file(of.folder / record::kReportName, session::trial_html(page));

@@ -54,7 +54,7 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
     const auto write_all = [&] {
       const auto picture = (*window)->save_picture(attempt->sink(), attempt->folder() / record::kPictureName);
       if (!picture) complain("there is no picture: " + picture.error().sentence);
-      code = attempt->finish(&(*window)->plan(), true, (*window)->frames_per_s());
+      code = attempt->finish(&(*window)->plan(), true, (*window)->figures());
       return *code != kError;
     };
     const Leave leave = (*window)->run(attempt->world(), attempt->device(), attempt->sink(),

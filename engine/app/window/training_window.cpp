@@ -78,6 +78,7 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   late_ = lost_ = 0;
   trouble_ = TickTrouble(scene_->tick_s);
   frame_rate_ = {};
+  late_tool_ = {};
   resting_ = ended_ = releases_ = edits_ = false;
   if (editor_ != nullptr) editor_->let_go();
   touches_.clear();
@@ -102,6 +103,8 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   draw(sink, loop);  // the first frame takes long, and its picture is where all begins: before the clock runs
   loop.start();
   while (!stage_.window().closing() && !leave_ && !interrupted() && error_.empty()) {
+    // What the hand does from here on can be in the next picture, as soon as the screen has a place for one.
+    if (const auto error = stage_.wait()) error_ = error->sentence;
     stage_.window().poll();
     take_pads();
     TickEvent event;
@@ -252,9 +255,14 @@ void TrainingWindow::show_to_device(const TickRecord& record) {
   if (rate_ != nullptr) rate_->look(seen_frame(seen(), record.X_WT.p, tool_rests() || resting_));
 }
 
+const Afterglow& TrainingWindow::seen_afterglow(const RunSink& sink) const {
+  static const Afterglow nothing;
+  return circle_shown_ ? sink.afterglow() : nothing;
+}
+
 render::FrameState TrainingWindow::frame_of(const TickRecord& record, const RunSink& sink) {
-  render::FrameState frame = bridge_.frame(record, circle_shown_ ? sink.afterglow() : Afterglow(),
-                                           task_shown(sink), camera_.camera(), shown_.time_s);
+  render::FrameState frame =
+      bridge_.frame(record, seen_afterglow(sink), task_shown(sink), camera_.camera(), shown_.time_s);
   if (editor_ != nullptr && editor_->held()) {
     markers_.assign(frame.markers.begin(), frame.markers.end());
     const Handle& held = *editor_->held();
@@ -321,11 +329,12 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   }
   if (minimised_) return;
   // The newest tick; the sink's where there is none yet, and its last one after the end.
-  const TickRecord& newest = loop.newest();
+  const TimedTick newest = loop.newest_timed();
   const bool running = sink.end() == RunSink::End::running;
-  const TickRecord& record = review_.is_shown()                          ? review_.record()
-                             : running && newest.tick > sink.last().tick ? newest
-                                                                         : sink.last();
+  const TickRecord& record = review_.is_shown()                                 ? review_.record()
+                             : running && newest.record.tick > sink.last().tick ? newest.record
+                                                                                : sink.last();
+  const bool live = running && !review_.is_shown() && newest.sampled_ns > 0;  // the first tick has ended
   look_for_touches(record);
   shown_ = overlay_of(record, sink, size);
   show_to_device(record);
@@ -338,11 +347,15 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
     error_ = error->sentence;
     return;
   }
-  const auto drawn = stage_.renderer().frame(frame_of(record, sink), stage_.swapchain(), size);
+  const render::FrameState frame = frame_of(record, sink);
+  render::LatePoses late;
+  if (live) late = late_tool_.poses(loop, bridge_, seen_afterglow(sink), frame.time_s);
+  const auto drawn = stage_.renderer().frame(frame, stage_.swapchain(), size, late);
   if (!drawn) {
     error_ = drawn.error().sentence;
     return;
   }
+  if (*drawn && live) late_tool_.shown(stage_.renderer().last_submission_s());
   if (*drawn && running)
     frame_rate_.note(
         std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count());

@@ -13,8 +13,10 @@
 #include "engine/app/cli/run_options.h"
 #include "engine/app/edit/scene_editor.h"
 #include "engine/app/picture/bridge.h"
+#include "engine/app/picture/late_tool.h"
 #include "engine/app/picture/second_view.h"
 #include "engine/app/run/button_commands.h"
+#include "engine/app/run/run_session.h"
 #include "engine/app/run/run_sink.h"
 #include "engine/app/run/trial_results.h"
 #include "engine/app/window/cue_switches.h"
@@ -65,7 +67,8 @@ public:
   Result<std::filesystem::path> save_picture(const RunSink& sink, const std::filesystem::path& file);
 
   const render::RenderPlan& plan() const { return stage_.renderer().plan(); }
-  double frames_per_s() const { return frame_rate_.mean(); }  // of the attempt, until it ended
+  // Of the attempt, until it ended.
+  PictureFigures figures() const { return {frame_rate_.mean(), late_tool_.figures()}; }
 
 private:
   TrainingWindow(WindowStage& stage, const Prepared& prepared, const scenario::VisualAssembly& visual,
@@ -112,6 +115,7 @@ private:
   ui::TickHealth tick_health() const;
   std::string message(const RunSink& sink) const;
   void draw(const RunSink& sink, LiveLoop& loop);
+  const Afterglow& seen_afterglow(const RunSink& sink) const;
   render::FrameState frame_of(const TickRecord& record, const RunSink& sink);
   // Where the tool is touched in that tick, if that is to be shown.
   void look_for_touches(const TickRecord& record);
@@ -146,6 +150,7 @@ private:
   std::uint64_t late_ = 0, lost_ = 0;  // ticks
   TickTrouble trouble_;
   FrameRate frame_rate_;
+  LateTool late_tool_;
   bool minimised_ = false;
   bool resting_ = false;  // the trial has ended, and the force is told to go
   bool ended_ = false;    // ended() was called

@@ -54,6 +54,16 @@ Result<std::unique_ptr<WindowStage>> WindowStage::create(const std::string& titl
   return self;
 }
 
+std::optional<Error> WindowStage::wait() {
+  const render::Extent size = window_->pixels();
+  try {
+    swapchain_->wait({size.width, size.height});
+    return std::nullopt;
+  } catch (const vulkan::Failure& failure) {
+    return Error{failure.what()};
+  }
+}
+
 Result<bool> WindowStage::show(const ui::Busy& busy) {
   ui::OverlayState state;
   state.look = settings_.look;

@@ -21,6 +21,8 @@ public:
   static Result<std::unique_ptr<WindowStage>> create(const std::string& title, const RunOptions& options,
                                                      const Settings& settings);
 
+  // Until the screen has a place for another picture.
+  std::optional<Error> wait();
   // Delivers events, too. False: the window is to be closed. The first while there is no scene; frame: of the
   // scene there is, or of none.
   Result<bool> show(const ui::Busy& busy);

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "haptics/device/simulated_device.h"
@@ -89,9 +91,53 @@ TEST(LiveLoop, TellsOneMoreThreadOfEveryTick) {
     EXPECT_EQ(tick.record.tick, seen[i].tick);
     EXPECT_EQ(tick.record.X_WT.p, seen[i].X_WT.p);
     EXPECT_GT(tick.at_ns, last_ns);
+    EXPECT_LT(tick.sampled_ns, tick.at_ns);
+    EXPECT_GE(tick.sampled_ns, last_ns);  // this device measures as it is read
     last_ns = tick.at_ns;
   }
   EXPECT_FALSE(told.pop(tick));  // what found no place was left out
+}
+
+// A device whose samples say that they are old.
+class OldDevice final : public Device {
+public:
+  OldDevice(const SimulatedDeviceDesc& desc, const Pose& X_DH, double age) : device_(desc, X_DH), age_(age) {}
+  const DeviceDesc& desc() const override { return device_.desc(); }
+  DeviceSample read() noexcept override {
+    DeviceSample sample = device_.read();
+    sample.age = age_;
+    return sample;
+  }
+  void write(const DeviceCommand& command) noexcept override { device_.write(command); }
+  void miss(int ticks) noexcept override { device_.miss(ticks); }
+
+private:
+  SimulatedDevice device_;
+  double age_;
+};
+
+TEST(LiveLoop, ASampleIsAsOldAsItSays) {
+  SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
+  SimulatedDeviceDesc device_desc;
+  device_desc.device = desc.device;
+  struct Case {
+    double age, least, most;  // s
+  };
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const Case& of :
+       {Case{0.004, 0.004, 60}, Case{-5, 0, 60}, Case{std::nan(""), 0, 60}, Case{infinite, 1000, 1060}}) {
+    World world = expect(World::build(desc));
+    OldDevice device(device_desc, Pose{Quat::Identity(), Vec3(0, 0.02, 0)}, of.age);
+    LiveLoop loop(world, device);
+    EXPECT_EQ(loop.newest_timed().sampled_ns, 0);  // before the first tick
+    loop.start();
+    drain(loop, [&](const TickEvent& event) { return event.record.tick == 5; });
+    loop.stop();
+    const TimedTick& tick = loop.newest_timed();
+    EXPECT_EQ(tick.record.tick, loop.newest().tick);
+    EXPECT_GE(tick.at_ns - tick.sampled_ns, static_cast<std::int64_t>(1e9 * of.least)) << of.age;
+    EXPECT_LE(tick.at_ns - tick.sampled_ns, static_cast<std::int64_t>(1e9 * of.most)) << of.age;
+  }
 }
 
 // A device whose driver hangs once for a while.
