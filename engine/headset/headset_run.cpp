@@ -19,6 +19,9 @@ namespace {
 
 constexpr auto kNoFrames = std::chrono::milliseconds(5);  // between looks at a headset that shows nothing
 constexpr XrDuration kBetweenWords = 100'000'000;         // ns, between two writings of the panel
+// s, after which the force goes: in a call that OpenXR sets no limit to; and of a whole picture, which a slow
+// machine may take long for.
+constexpr double kLongestWait = 1, kLongestFrame = 10;
 constexpr double kPartOfFrame = 0.8;  // of the time between two pictures, that drawing may take
 
 double now_s() {
@@ -126,11 +129,20 @@ bool HeadsetRun::show() {
     look_after_session();
     if (!worn_ || !worn_->session().runs()) return false;
     draw();
+    take_stop();
     return true;
   } catch (const xr::Lost&) {
+    take_stop();
     lose_session();
     return false;
   }
+}
+
+// The haptic thread has stopped the force, for the headset's runtime did not answer: as a pause.
+void HeadsetRun::take_stop() {
+  if (loop_.gives_word() || !began_) return;
+  grasp_.let_go();
+  paused_ = !resting_;
 }
 
 void HeadsetRun::look_after_session() {
@@ -181,8 +193,11 @@ const TickRecord& HeadsetRun::shown_record() {
 }
 
 void HeadsetRun::draw() {
+  loop_.expect_word_within(kLongestWait);
   const std::optional<xr::Frame> frame = worn_->begin_frame();
+  take_stop();
   if (!frame) return;
+  loop_.expect_word_within(kLongestFrame);
   if (!quality_ && !settings_.picture && frame->period > 0)
     quality_.emplace(kPartOfFrame * 1e-9 * static_cast<double>(frame->period));
   move_hands(*frame);

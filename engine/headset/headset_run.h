@@ -52,6 +52,7 @@ private:
   void look_after_session();  // makes one where there is none, takes its events, pauses where it is not seen
   bool is_seen() const;       // the scene, by whoever wears the headset and would be heard
   void pause();
+  void take_stop();     // that the haptic thread made while this one was held up
   void lose_session();  // another one is made once the headset is found again
   bool show();          // draws if it is time to; false: there is nothing to draw for
   void draw();

@@ -50,6 +50,16 @@ void LiveLoop::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
+void LiveLoop::expect_word_within(double limit) {
+  word_due_ns_.store(AgeClock::now_ns() + std::llround(limit * 1e9), std::memory_order_relaxed);
+}
+
+bool LiveLoop::misses_word(std::int64_t now_ns) noexcept {
+  std::int64_t due = word_due_ns_.load(std::memory_order_relaxed);
+  return due > 0 && now_ns >= due &&
+         word_due_ns_.compare_exchange_strong(due, kWordMissed, std::memory_order_relaxed);
+}
+
 // Each turn: sleep to the deadline, see how many ticks are due, run at most kCatchUp of them with the newest
 // sample.
 void LiveLoop::run() {
@@ -71,6 +81,7 @@ void LiveLoop::run() {
       if (n == lost && wake.long_stall) commands[count++] = {Command::Kind::watchdog};
       if (n == lost && due > 1)
         commands[count++] = {Command::Kind::caught_up, static_cast<double>(due - lost)};
+      if (misses_word(deadline)) commands[count++] = {Command::Kind::stop};
       while (count < commands.size() && commands_.pop(commands[count])) ++count;
       TickEvent event;
       const std::int64_t began_ns = AgeClock::now_ns();

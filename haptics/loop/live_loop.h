@@ -43,6 +43,12 @@ public:
 
   // Main thread. False: the queue is full and the command was not taken.
   bool send(const Command& command) { return commands_.push(command); }
+  // Main thread: it is about to do what may never end, such as to wait for a headset. Where it does not say
+  // within limit (s) that it has done so, the force is stopped, as by Command::stop.
+  void expect_word_within(double limit);
+  // Main thread: it has. False: too late, and the force was stopped.
+  bool gives_word() { return word_due_ns_.exchange(kNoWord, std::memory_order_relaxed) != kWordMissed; }
+
   // Main thread: every tick, in order. False: none is waiting.
   bool next(TickEvent& event) { return events_.pop(event); }
   // Main thread: the newest tick; it stays as it is until the next call of either.
@@ -60,7 +66,11 @@ public:
   const LateHistogram& late_histogram() const { return histogram_; }
 
 private:
+  static constexpr std::int64_t kNoWord = 0, kWordMissed = -1;  // of word_due_ns_: none is expected; too late
+
   void run();
+  // Whether it is due at that time: true once.
+  bool misses_word(std::int64_t now_ns) noexcept;
 
   World& world_;
   Device& device_;
@@ -69,6 +79,7 @@ private:
   TimedTicks* told_ = nullptr;  // null: nobody else listens
   Snapshot<TimedTick> snapshot_;
   std::atomic<bool> running_{false};
+  std::atomic<std::int64_t> word_due_ns_{kNoWord};  // by AgeClock
   std::atomic<std::uint64_t> unrecorded_{0}, late_{0}, lost_{0};
   RealTimeGrant grant_;
   LateHistogram histogram_{};

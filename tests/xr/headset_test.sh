@@ -194,6 +194,24 @@ unseen() {
   [ "$(stops)" = "3 0" ] || fail "the force comes and goes while nothing is shown: $(stops)"
 }
 
+# A runtime that does not say when to draw, for three times as long as it may: the force goes all the same, which is seen once
+# it does, and comes back.
+hung() {
+  printf '%s\n' 'size 64 64' "30 hang $work/go1" "40 wait $work/on1" "50 hang $work/go2" "60 wait $work/on2" '61 exit' >script
+  start piping --device simulated --out A
+  for n in 1 2; do
+    until_seen grep -q "^xrWaitFrame hangs for $work/go$n" log || fail "hang $n does not come: $(tail -1 log)"
+    sleep 3
+    touch go$n
+    until_seen back $n || fail "the force did not go, or is not back, after hang $n: $(stops)"
+    touch on$n
+  done
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well "a runtime that hangs"
+  [ "$(stops)" = "2 0" ] || fail "the force comes and goes while the runtime hangs: $(stops)"
+}
+
 # A squeeze that goes on while something else is seen does not go on with the force: another one does.
 held() {
   printf '%s\n' 'size 64 64' 'pace 5' '5 hand right 0.1 -0.2 -0.4' '6 press right select' '30 hide' "40 wait $work/off" '41 show' \

@@ -140,6 +140,41 @@ TEST(LiveLoop, ASampleIsAsOldAsItSays) {
   }
 }
 
+// A main thread that does not come back: the force is stopped once, and whoever comes back is told so.
+TEST(LiveLoop, AWordThatDoesNotComeStopsTheForce) {
+  SceneDesc desc = floor_scene({Vec3::Zero()}, 0.02);
+  World world = expect(World::build(desc));
+  SimulatedDeviceDesc device_desc;
+  device_desc.device = desc.device;
+  SimulatedDevice device(device_desc, Pose{Quat::Identity(), Vec3(0, 0.02, 0)});
+  LiveLoop loop(world, device);
+  EXPECT_TRUE(loop.gives_word());  // none was expected
+  loop.expect_word_within(3600);
+  loop.start();
+  drain(loop, [&](const TickEvent& event) {
+    EXPECT_FALSE(event.record.stopped);
+    return event.record.tick == 50;
+  });
+  EXPECT_TRUE(loop.gives_word());
+  loop.expect_word_within(0.05);
+  int commands = 0;
+  drain(loop, [&](const TickEvent& event) {
+    for (const Command& command : event.commands()) commands += command.kind == Command::Kind::stop ? 1 : 0;
+    return event.record.stopped;
+  });
+  EXPECT_FALSE(loop.gives_word());
+  EXPECT_TRUE(loop.gives_word());  // that is said once
+  ASSERT_TRUE(loop.send({Command::Kind::acknowledge}));
+  std::int64_t back = -1;
+  drain(loop, [&](const TickEvent& event) {
+    for (const Command& command : event.commands()) commands += command.kind == Command::Kind::stop ? 1 : 0;
+    if (back < 0 && !event.record.stopped) back = event.record.tick;
+    return back >= 0 && event.record.tick == back + 50;
+  });
+  loop.stop();
+  EXPECT_EQ(commands, 1);
+}
+
 // A device whose driver hangs once for a while.
 class HangingDevice final : public Device {
 public:

@@ -74,6 +74,8 @@ void happen(const Event& event) {
     h.dead = true;
   } else if (event.what == "wait") {
     h.waits_for = words.at(0);
+  } else if (event.what == "hang") {
+    h.hangs_for = words.at(0);
   }
 }
 

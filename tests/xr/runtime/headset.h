@@ -57,7 +57,7 @@ struct Headset {
   Script script = read_script();
   std::size_t next_event = 0;
   std::uint64_t frame = 0;
-  std::string waits_for;  // a file; empty: nothing
+  std::string waits_for, hangs_for;  // a file; empty: nothing
   XrTime time = 1'000'000'000;
   int gone = 0;  // so many times it is not found
   bool blind = false, dark = false, dead = false, stalls = false;

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "engine/xr/pose.h"
 #include "tests/xr/runtime/calls.h"
@@ -151,6 +154,10 @@ XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* 
     return XR_ERROR_SESSION_LOST;
   }
   session().waited = true;
+  if (const std::string file = std::exchange(headset->hangs_for, {}); !file.empty()) {
+    log("xrWaitFrame hangs for " + file);
+    while (!std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   state->predictedDisplayTime = headset->time;
   state->predictedDisplayPeriod = 11'111'111;
   state->shouldRender = headset->dark ? XR_FALSE : XR_TRUE;
