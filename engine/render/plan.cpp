@@ -206,6 +206,13 @@ void add_ghosts(const SceneFacts& facts, RenderPlan& plan) {
   plan.built.push_back({"ghost", "pipeline", 0, "its lines over the picture"});
 }
 
+// Of a scene that is tone mapped before it is enlarged.
+std::uint64_t finished_bytes(const RenderPlan& plan) {
+  if (!plan.enlarged()) return 0;
+  const Extent wide{plan.eye.width, plan.scene.height};
+  return (texels(plan.scene) + texels(wide)) * kPictureTexel;
+}
+
 // Of one more view.
 std::uint64_t view_bytes(const SceneFacts& facts, const RenderPlan& plan, Extent scene, Extent picture) {
   const auto each = static_cast<std::uint64_t>(plan.samples);
@@ -232,7 +239,8 @@ void add_stereo(const SceneFacts& facts, RenderPlan& plan) {
     return;
   }
   const std::string size = size_of(plan.eye);
-  plan.built.push_back({"second eye", "image", view_bytes(facts, plan, plan.scene, plan.picture),
+  plan.built.push_back({"second eye", "image",
+                        view_bytes(facts, plan, plan.scene, plan.picture) + finished_bytes(plan),
                         size_of(plan.scene) + ", the same passes once more; the shadow map is for both"});
   plan.built.push_back(
       {"eyes", "image", 2 * texels(plan.eye) * kPictureTexel, size + ", twice: tone mapped"});
@@ -256,8 +264,7 @@ void add_targets(RenderPlan& plan) {
   plan.built.push_back(
       {"picture", "image", texels(plan.picture) * kPictureTexel, size_of(plan.picture) + ", sRGB"});
   if (plan.enlarged()) {
-    const Extent wide{plan.eye.width, plan.scene.height};
-    plan.built.push_back({"finished scene", "image", (texels(plan.scene) + texels(wide)) * kPictureTexel,
+    plan.built.push_back({"finished scene", "image", finished_bytes(plan),
                           size + ", sRGB in ten bits, before it is enlarged to " + size_of(plan.eye)});
     plan.built.push_back({"enlargement", "pipeline", 0, "Catmull-Rom along rows, without ringing"});
     plan.built.push_back({"enlargement", "pipeline", 0, "the same along columns"});

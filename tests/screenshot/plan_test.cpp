@@ -54,6 +54,10 @@ TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 960U * 540U * 8U * 4U);
   EXPECT_NE(find(all.built, "levels of detail", "buffer"), nullptr);
   EXPECT_EQ(find(all.built, "finished scene", "image")->bytes, (960U + 1280U) * 540U * 4U);
+  // As the second view, of the whole picture, and what is tone mapped before it is enlarged.
+  EXPECT_EQ(find(all.built, "second eye", "image")->bytes,
+            960U * 540U * (4U * 8U + 8U + 4U * 4U) + 1280U * 720U * (4U + 2U) + 480U * 270U * (4U + 2U * 4U) +
+                (960U + 1280U) * 540U * 4U);
 }
 
 TEST(Plan, LeavesOutLevelsAndEnlargementWhereNothingAsksForThem) {
