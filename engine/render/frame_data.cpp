@@ -19,9 +19,10 @@ glm::vec4 with(const glm::vec3& xyz, float w = 0.0F) {
 void write_light(gpu::FrameData& data, const KeyLight& light) {
   const bool spot = light.kind == KeyLight::Kind::spot;
   const float half = 0.5F * light.cone_rad;
+  const float at_one_metre = spot ? 1.0F + 0.25F * light.diameter * light.diameter : 1.0F;
   data.key_position = with(light.position, spot ? 1.0F : 0.0F);
   data.key_direction = with(glm::normalize(light.direction), std::cos(half));
-  data.key_colour = with(light.colour * light.intensity, std::cos(0.8F * half));
+  data.key_colour = with(light.colour * (light.intensity * at_one_metre), std::cos(0.8F * half));
 }
 
 float aspect_of(const Camera& camera, Extent picture) {
@@ -74,7 +75,8 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
   data.lens = {tangent * aspect_of(state.camera, picture), tangent, state.camera.lean.x, state.camera.lean.y};
   const Extent hidden = occlusion_extent(scene);
   data.occlusion = {static_cast<float>(hidden.width), static_cast<float>(hidden.height), kNear_m, 0.0F};
-  data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel_m, 0.0F, 0.0F};
+  data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel_m, light.spread,
+                 setting.key_light ? 0.5F * setting.key_light->diameter : 0.0F};
   return data;
 }
 

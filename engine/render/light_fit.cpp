@@ -21,7 +21,8 @@ glm::mat4 look_along(const glm::vec3& eye, const glm::vec3& direction) {
   return glm::lookAt(eye, eye + direction, up);
 }
 
-LightFit fit_directional(const glm::vec3& direction, std::span<const Bounds> casters, int map_size) {
+LightFit fit_directional(const KeyLight& light, const glm::vec3& direction, std::span<const Bounds> casters,
+                         int map_size) {
   const glm::mat4 view = look_along(glm::vec3(0.0F), direction);
   Bounds seen = transformed(casters.front(), view);
   for (const Bounds& caster : casters.subspan(1)) seen = united(seen, transformed(caster, view));
@@ -36,7 +37,7 @@ LightFit fit_directional(const glm::vec3& direction, std::span<const Bounds> cas
   // The view looks along -z: what is nearest to the light has the greatest z.
   const glm::mat4 clip = glm::orthoRH_ZO(x - side / 2, x + side / 2, y - side / 2, y + side / 2,
                                          -(seen.high.z + margin), -(seen.low.z - margin));
-  return {clip * view, texel};
+  return {clip * view, texel, 0.5F * light.diameter * (size.z + 2.0F * margin) / side};
 }
 
 LightFit fit_spot(const KeyLight& light, const glm::vec3& direction, std::span<const Bounds> casters,
@@ -54,7 +55,11 @@ LightFit fit_spot(const KeyLight& light, const glm::vec3& direction, std::span<c
   const float cone = std::clamp(light.cone_rad, 0.05F, 2.8F);
   const glm::mat4 clip = glm::perspectiveRH_ZO(cone, 1.0F, nearest, farthest);
   const float width = 2.0F * std::tan(cone / 2.0F) * 0.5F * (nearest + farthest);
-  return {clip * view, width / static_cast<float>(map_size)};
+  // Seen from a place, what is at depth z hides the light out to a way beside that grows as 1 / z - 1 / its
+  // own, measured by the width of the map there; the map's depth changes as 1 / z, too.
+  const float per_depth = 1.0F / nearest - 1.0F / farthest;
+  const float spread = 0.5F * light.diameter * per_depth / (2.0F * std::tan(cone / 2.0F));
+  return {clip * view, width / static_cast<float>(map_size), spread};
 }
 
 }  // namespace
@@ -62,7 +67,7 @@ LightFit fit_spot(const KeyLight& light, const glm::vec3& direction, std::span<c
 LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int map_size) {
   const glm::vec3 direction = glm::normalize(light.direction);
   return light.kind == KeyLight::Kind::spot ? fit_spot(light, direction, casters, map_size)
-                                            : fit_directional(direction, casters, map_size);
+                                            : fit_directional(light, direction, casters, map_size);
 }
 
 bool still_fits(const LightFit& fit, const KeyLight& light, std::span<const Bounds> casters, int map_size) {

@@ -305,7 +305,8 @@ glm::vec3 key_irradiance(const KeyLight& key, float voxel, const glm::vec3& at, 
   if (key.kind == KeyLight::Kind::spot) {
     const glm::vec3 way = key.position - at;
     towards = glm::normalize(way);
-    strength /= std::max(glm::dot(way, way), voxel * voxel);
+    const float radius2 = 0.25F * key.diameter * key.diameter;
+    strength *= (1.0F + radius2) / std::max(glm::dot(way, way) + radius2, voxel * voxel);
     if (glm::dot(-towards, glm::normalize(key.direction)) < std::cos(0.5F * key.cone_rad)) strength = 0.0F;
   }
   return key.colour * (strength * std::max(glm::dot(n, towards), 0.0F) * std::min(in(open, towards), 1.0F));

@@ -42,7 +42,10 @@ void read_vertices(PipelineDesc& desc, bool shaded) {
 
 // The name of the fragment shader that knows what the plan has.
 std::string lit_as_planned(std::string name, const RenderPlan& plan) {
-  if (plan.shadow_size > 0) name += "_shadowed";
+  if (plan.soft_shadows)
+    name += "_softly_shadowed";
+  else if (plan.shadow_size > 0)
+    name += "_shadowed";
   if (plan.occlusion) name += "_occluded";
   return name += ".frag";
 }

@@ -19,6 +19,7 @@ constexpr std::uint32_t kOcclusionBinding = 5;
 constexpr std::uint32_t kOpenBinding = 6;
 constexpr std::uint32_t kReceivedBinding = 7;
 constexpr std::uint32_t kSentOnBinding = 8;
+constexpr std::uint32_t kShadowDepthBinding = 9;
 
 // Bindings of the ghost's descriptor set.
 constexpr std::uint32_t kGhostChosenBinding = 0;

@@ -143,6 +143,7 @@ void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& pla
   if (!why_not.empty()) {
     plan.left_out.push_back({"shadow map", "image", 0, why_not});
     plan.left_out.push_back({"shadows", "pipeline", 0, why_not});
+    plan.left_out.push_back({"soft shadows", "pipeline", 0, why_not});
     return;
   }
   plan.shadow_size = quality.shadow_size;
@@ -159,6 +160,14 @@ void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& pla
                              facts.moving_casters > 0 ? "all that throws a shadow may move"
                                                       : "nothing that throws a shadow moves"});
   plan.built.push_back({"shadows", "pipeline", 0, "depth as the key light sees it"});
+  plan.soft_shadows = facts.key_light_wide && quality.soft_shadows;
+  if (plan.soft_shadows)
+    plan.built.push_back({"soft shadows", "pipeline", 0,
+                          "in those of surfaces: edges as wide as the light's diameter makes them"});
+  else
+    plan.left_out.push_back({"soft shadows", "pipeline", 0,
+                             facts.key_light_wide ? "the quality setting switches them off"
+                                                  : "the scene's key light has no diameter"});
 }
 
 void add_occlusion(const Quality& quality, RenderPlan& plan) {
@@ -331,6 +340,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
   }
   facts.key_light = desc.key_light.has_value();
   facts.key_light_casts = desc.key_light && desc.key_light->casts_shadow;
+  facts.key_light_wide = desc.key_light && desc.key_light->diameter > 0.0F;
   return facts;
 }
 

@@ -53,6 +53,7 @@ struct RenderPlan {
   float coarseness = 0.0F;        // pixels of the scene that coarser triangles may be off by
   int shadow_size = 0;            // pixels on a side; 0: nothing is built for shadows
   bool standing_shadows = false;  // those of what never moves have a map of their own
+  bool soft_shadows = false;      // with edges as wide as the light's size makes them
   bool occlusion = false;         // ambient
   bool surfaces = false;
   bool plain_surfaces = false;            // of one colour, one metallic and one roughness
@@ -89,6 +90,7 @@ struct SceneFacts {
   std::vector<std::uint64_t> ghost_edges;  // of each ghost that has some
   bool key_light = false;
   bool key_light_casts = false;
+  bool key_light_wide = false;  // it has a size
 };
 
 SceneFacts facts_of(const VisualDesc& desc);

@@ -37,14 +37,15 @@ vulkan::SamplerHandle make_environment_sampler(vulkan::Device& device) {
   return vulkan::make_sampler(device, info);
 }
 
-vulkan::SamplerHandle make_shadow_sampler(vulkan::Device& device) {
+// compared: it gives four comparisons' mean, else depth. Beyond the map nothing throws a shadow.
+vulkan::SamplerHandle make_shadow_sampler(vulkan::Device& device, bool compared) {
   VkSamplerCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-  info.magFilter = VK_FILTER_LINEAR;  // of four comparisons
-  info.minFilter = VK_FILTER_LINEAR;
-  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  info.compareEnable = VK_TRUE;
+  info.magFilter = info.minFilter = compared ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
+  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
+  info.borderColor = VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE;
+  info.compareEnable = compared ? VK_TRUE : VK_FALSE;
   info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
   return vulkan::make_sampler(device, info);
 }
@@ -119,10 +120,10 @@ void Renderer::take_ghosts(const VisualDesc& desc) {
 void Renderer::build(const RenderPlan& plan) {
   const bool first = generation_ == 0;
   const bool other_shadow = first || !ready_ || plan.shadow_size != plan_.shadow_size;
-  const bool other_pipelines = first || !ready_ || plan.samples != plan_.samples ||
-                               plan.ghosts != plan_.ghosts || plan.occlusion != plan_.occlusion ||
-                               (plan.enlarged() && !plan_.enlarged()) ||
-                               (plan.shadow_size > 0) != (plan_.shadow_size > 0);
+  const bool other_pipelines =
+      first || !ready_ || plan.samples != plan_.samples || plan.ghosts != plan_.ghosts ||
+      plan.occlusion != plan_.occlusion || plan.soft_shadows != plan_.soft_shadows ||
+      (plan.enlarged() && !plan_.enlarged()) || (plan.shadow_size > 0) != (plan_.shadow_size > 0);
   ready_ = false;
   drawn_ = false;
   plan_ = plan;
@@ -158,11 +159,13 @@ void Renderer::build_shadow_map() {
   if (plan_.shadow_size == 0) return;
   shadow_map_ = make_shadow_map(device_, plan_);
   if (plan_.standing_shadows) standing_map_ = make_shadow_map(device_, plan_);
-  shadow_sampler_ = make_shadow_sampler(device_);
+  shadow_sampler_ = make_shadow_sampler(device_, true);
+  shadow_depth_sampler_ = make_shadow_sampler(device_, false);
   shadow_stale_ = standing_stale_ = true;
   light_ = {};
   shared_.shadow_map = shadow_map_.view();
   shared_.shadow_sampler = shadow_sampler_.get();
+  shared_.shadow_depth_sampler = shadow_depth_sampler_.get();
 }
 
 std::optional<Error> Renderer::rebuild(const RenderOptions& options) {

@@ -117,6 +117,7 @@ private:
   std::vector<VolumeOnDevice> volumes_;
   vulkan::SamplerHandle environment_sampler_;
   vulkan::SamplerHandle shadow_sampler_;
+  vulkan::SamplerHandle shadow_depth_sampler_;
   vulkan::SamplerHandle scene_sampler_;
 
   SharedParts shared_;

@@ -40,6 +40,11 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
                         VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, shared.shadow_map,
                         shared.shadow_sampler});
   }
+  if (plan.soft_shadows) {
+    bindings.push_back({kShadowDepthBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                        VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, shared.shadow_map,
+                        shared.shadow_depth_sampler});
+  }
   if (occlusion) {
     bindings.push_back({kOcclusionBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
                         VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, occlusion->view(),

@@ -28,6 +28,7 @@ struct SharedParts {
   VkBuffer markers = VK_NULL_HANDLE;
   VkImageView shadow_map = VK_NULL_HANDLE;
   VkSampler shadow_sampler = VK_NULL_HANDLE;
+  VkSampler shadow_depth_sampler = VK_NULL_HANDLE;
   VkImageView environment = VK_NULL_HANDLE;
   VkSampler environment_sampler = VK_NULL_HANDLE;  // and of the three volumes
   std::span<const VolumeOnDevice> volumes;         // none without instances

@@ -49,6 +49,9 @@ struct Instance {
   std::size_t follows = 0;   // of a movable one: 0 the tool, which a ghost copies; else what poses it knows
 };
 
+// Of a disc that is 1 degree across, seen from 1 m away (m).
+inline constexpr float kSunDiameter = 0.017455065F;
+
 // The one light that throws shadows.
 struct KeyLight {
   enum class Kind { directional, spot };
@@ -59,6 +62,7 @@ struct KeyLight {
   float intensity =
       3.0F;  // irradiance / pi: a white matt surface facing it reads this value; for a spot at 1 m
   float cone_rad = 0.9F;  // full angle; spot only
+  float diameter = kSunDiameter;  // m, of its disc; of a directional one as seen from 1 m away
   bool casts_shadow = true;
 };
 

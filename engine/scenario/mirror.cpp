@@ -79,7 +79,7 @@ void mirror(View& view) {
 }
 
 void mirror(render::KeyLight& light) {
-  auto& [kind, position, direction, colour, intensity, cone_rad, casts_shadow] = light;
+  auto& [kind, position, direction, colour, intensity, cone_rad, diameter, casts_shadow] = light;
   mirror(position);
   mirror(direction);
 }

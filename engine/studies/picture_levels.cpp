@@ -43,7 +43,8 @@ Result<std::vector<DrawnLevel>> draw_levels(vulkan::Device& device, render::Visu
 
 std::string words_of(const render::Quality& quality) {
   std::string words = quality.samples == 1 ? "1 sample" : std::to_string(quality.samples) + " samples";
-  words += quality.shadow_size > 0 ? ", shadows of " + std::to_string(quality.shadow_size) : ", no shadows";
+  words += quality.shadow_size == 0 ? ", no shadows" : quality.soft_shadows ? ", soft shadows" : ", shadows";
+  if (quality.shadow_size > 0) words += " of " + std::to_string(quality.shadow_size);
   if (quality.occlusion) words += ", ambient occlusion";
   const auto percent = std::lround(100 * quality.resolution_scale);
   if (percent < 100) words += ", " + std::to_string(percent) + " % of the resolution";

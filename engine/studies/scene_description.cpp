@@ -36,7 +36,8 @@ Json light_json(const std::optional<render::KeyLight>& light) {
           {"direction", triple(light->direction)},
           {"colour", triple(light->colour)},
           {"intensity", light->intensity},
-          {"cone_rad", light->cone_rad}};
+          {"cone_rad", light->cone_rad},
+          {"diameter", light->diameter}};
 }
 
 // Arithmetic alone: the same bits everywhere, which a panorama's sines are not.

@@ -135,7 +135,8 @@ void main() {
   }
 
   vec3 l;
-  vec3 arriving = key_light(world_position, l);
+  float half_width;
+  vec3 arriving = key_light(world_position, l, half_width);
   float n_dot_l = dot(n, l);
   float lit = dot(geometric, l);
 #ifdef FULCRUM_SHADOWED
@@ -147,7 +148,7 @@ void main() {
   if (n_dot_l > 0.0) {
     float n_dot_h = max(dot(n, h), 0.0);
     vec3 fresnel = f0 + (f90 - f0) * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
-    vec3 specular = fresnel * (kPi * ggx(n_dot_h, alpha) * visibility(n_dot_l, n_dot_v, alpha));
+    vec3 specular = fresnel * (kPi * ggx(n_dot_h, widened(alpha, half_width)) * visibility(n_dot_l, n_dot_v, alpha));
     vec3 sent = (diffuse * (1.0 - fresnel) + specular) * below_sheen;
     if (has(FULCRUM_LOOK_SHEEN)) {
       sent += material.sheen.rgb * (kPi * sheen_lobe(n_dot_h, n_dot_l, n_dot_v, max(material.coat.w, kLeastSheen)));
@@ -171,7 +172,7 @@ void main() {
     if (lit > 0.0) {
       float fresnel = 0.04 + 0.96 * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
       float g_dot_h = max(dot(geometric, h), 0.0);
-      on_top += arriving * lit * (fresnel * kPi * ggx(g_dot_h, rough * rough) * visibility(lit, g_dot_v, rough * rough));
+      on_top += arriving * lit * (fresnel * kPi * ggx(g_dot_h, widened(rough * rough, half_width)) * visibility(lit, g_dot_v, rough * rough));
     }
     float taken = material.coat.x * (0.04 + 0.96 * pow(1.0 - g_dot_v, 5.0));
     radiance = radiance * (1.0 - taken) + material.coat.x * on_top;

@@ -30,26 +30,11 @@ layout(location = 0) out vec4 colour;
 const float kPi = 3.14159265;
 
 #ifdef FULCRUM_SHADOWED
-// The mean of 3 x 3 bilinear comparisons, taken with four gathers: their 4 x 4 texels are all that the nine would read,
-// on a software rasteriser the nine alone cost half a frame. A texel between two samples counts fully, one at the rim by
-// how far the filter reaches into it.
-float filtered_shadow(vec2 uv, float depth) {
-  vec2 texel = uv / frame.shadow.x - 0.5;
-  vec2 first = floor(texel);
-  vec2 part = texel - first;
-  vec2 low = first * frame.shadow.x;  // the corner that the texels of a gather have in common
-  vec2 high = low + 2.0 * frame.shadow.x;
-  vec4 a = textureGather(shadow_map, low, depth);
-  vec4 b = textureGather(shadow_map, vec2(high.x, low.y), depth);
-  vec4 c = textureGather(shadow_map, vec2(low.x, high.y), depth);
-  vec4 d = textureGather(shadow_map, high, depth);
-  // A gather's order: lower left, lower right, upper right, upper left, where lower is the greater v.
-  vec4 left = vec4(1.0 - part.x, 1.0, 1.0, 1.0 - part.x);
-  vec4 right = vec4(1.0, part.x, part.x, 1.0);
-  vec4 top = vec4(1.0, 1.0, 1.0 - part.y, 1.0 - part.y);
-  vec4 bottom = vec4(part.y, part.y, 1.0, 1.0);
-  return (dot(a, left * top) + dot(b, right * top) + dot(c, left * bottom) + dot(d, right * bottom)) / 9.0;
-}
+#ifdef FULCRUM_SOFT
+#include "soft_shadow.glsl"
+#else
+#include "hard_shadow.glsl"
+#endif
 
 // 0 in shadow .. 1 lit.
 float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
@@ -57,11 +42,7 @@ float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
   vec3 moved = position + n * frame.shadow.y * (0.6 + 1.8 * (1.0 - n_dot_l));
   vec4 clip = frame.shadow_from_world * vec4(moved, 1.0);
   vec3 at = clip.xyz / clip.w;
-  vec2 uv = vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y);
-  if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) {
-    return 1.0;
-  }
-  return filtered_shadow(uv, min(at.z, 1.0));
+  return filtered_shadow(vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y), at.z);
 }
 #endif
 
@@ -166,16 +147,26 @@ vec3 environment_brdf(vec3 f0, float roughness, float n_dot_v) {
   return f0 * scale_bias.x + scale_bias.y;
 }
 
-// Radiance that arrives from the key light, and the direction to it.
-vec3 key_light(vec3 position, out vec3 l) {
+// Light that arrives from the key light, the direction to it, and half its width as it is seen from there.
+vec3 key_light(vec3 position, out vec3 l, out float half_width) {
+  half_width = frame.shadow.w;
   if (frame.key_position.w == 0.0) {
     l = -frame.key_direction.xyz;
     return frame.key_colour.rgb;
   }
   vec3 to_light = frame.key_position.xyz - position;
   float distance2 = max(dot(to_light, to_light), 1e-4);
-  l = to_light * inversesqrt(distance2);
+  float inverse = inversesqrt(distance2);
+  l = to_light * inverse;
   float cone = smoothstep(frame.key_direction.w, frame.key_colour.w, dot(-l, frame.key_direction.xyz));
-  return frame.key_colour.rgb * (cone / distance2);
+  float received = cone / (distance2 + half_width * half_width);  // of a disc that faces the place
+  half_width *= inverse;
+  return frame.key_colour.rgb * received;
+}
+
+// The alpha with which a light of no size looks as one of this half width does, which a mirror shows as a disc: the mean
+// of GGX over half vectors up to half as far from its middle is the middle of GGX with this alpha.
+float widened(float alpha, float half_width) {
+  return sqrt(alpha * alpha + 0.25 * half_width * half_width);
 }
 

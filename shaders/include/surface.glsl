@@ -19,7 +19,8 @@ void main() {
   radiance += environment_brdf(f0, roughness, n_dot_v) * mix(reached.sent_on, light_mirrored(mirrored, roughness), reached.mirrored);
 
   vec3 l;
-  vec3 arriving = key_light(world_position, l);
+  float half_width;
+  vec3 arriving = key_light(world_position, l, half_width);
   float n_dot_l = dot(n, l);
   if (n_dot_l > 0.0) {
 #ifdef FULCRUM_SHADOWED
@@ -30,7 +31,7 @@ void main() {
     // Clamped on both sides: seen along the light, rounding takes the product above 1, and no power is defined there.
     vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
     // Intensity is irradiance / pi, so pi stands before the specular lobe and not under the diffuse one.
-    vec3 specular = fresnel * (kPi * ggx(n_dot_h, alpha) * visibility(n_dot_l, n_dot_v, alpha));
+    vec3 specular = fresnel * (kPi * ggx(n_dot_h, widened(alpha, half_width)) * visibility(n_dot_l, n_dot_v, alpha));
     radiance += arriving * n_dot_l * (diffuse * (1.0 - fresnel) + specular);
   }
   colour = vec4(to_target(radiance), 1.0);

@@ -41,7 +41,7 @@ TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   const RenderPlan all = planned(full, everything);
   for (const char* pipeline :
        {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers", "ghost depth",
-        "ghost lines", "ghost", "background", "tone mapping", "ambient occlusion", "enlargement"})
+        "ghost lines", "ghost", "background", "tone mapping", "ambient occlusion", "enlargement", "soft shadows"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);

@@ -43,6 +43,7 @@ TEST(AutoQuality, EachLevelAsksForNoMoreThanTheOneAbove) {
     EXPECT_LE(cheaper.shadow_size, better.shadow_size);
     EXPECT_LE(cheaper.resolution_scale, better.resolution_scale);
     EXPECT_GE(cheaper.coarseness, better.coarseness);
+    EXPECT_LE(cheaper.soft_shadows, better.soft_shadows);
   }
 }
 

@@ -5,8 +5,8 @@
 For each DESCRIBED/NAME.json and NAME.bin: REFERENCES/NAME.png, the radiance of the scene as engine/render/radiance_png.h
 reads it, and NAME.json, which says of what. tools/references does all of it.
 
-Fulcrum's (x, y, z) is Blender's (x, -z, y). A light of intensity I is a sun of strength pi I, 1 degree across: seen from
-a metre, a lamp of 17 mm. The material is that of glTF 2.0, appendix B: a matt layer below a reflecting one, or a metal.
+Fulcrum's (x, y, z) is Blender's (x, -z, y). A light of intensity I is a sun of strength pi I, as wide as a disc
+of its diameter a metre away. The material is that of glTF 2.0, appendix B: a matt layer below a reflecting one, or a metal.
 Surfaces have one side: their backs are not seen, but keep light off.
 """
 import json
@@ -21,7 +21,6 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
-SUN = math.radians(1.0)
 WIDTH, HEIGHT = 640, 360
 KEPT_BITS = 11  # of the 16: what is below is noise, which no file gets smaller with
 TURN = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
@@ -136,15 +135,16 @@ def add_light(entry):
     light = bpy.data.lights.new("key", "SPOT" if spot else "SUN")
     light.color = entry["colour"]
     light.use_shadow = True
+    radius = entry["diameter"] / 2
     if spot:
         half = entry["cone_rad"] / 2
         light.spot_size = entry["cone_rad"]
         light.spot_blend = (math.cos(0.8 * half) - math.cos(half)) / (1 - math.cos(half))
-        light.energy = 4 * math.pi * math.pi * entry["intensity"]
-        light.shadow_soft_size = math.tan(SUN / 2)
+        light.energy = 4 * math.pi * math.pi * entry["intensity"] * (1 + radius * radius)
+        light.shadow_soft_size = radius
     else:
         light.energy = math.pi * entry["intensity"]
-        light.angle = SUN
+        light.angle = 2 * math.atan(radius)
     lamp = bpy.data.objects.new("key", light)
     towards = turned(entry["direction"]).normalized()
     lamp.matrix_world = towards.to_track_quat("-Z", "Y").to_matrix().to_4x4()
