@@ -42,6 +42,7 @@ StageFigures HandToPixelMeter::figures_of(const Counts& counts) const {
   std::size_t points = 0;  // of the curve that have been passed
   for (std::size_t i = 0; i < kSteps; ++i) {
     if (counts.frames[i] == 0) continue;
+    if (so_far == 0) figures.within.push_back({kStep * static_cast<double>(i), 0});
     const bool last = i + 1 == kSteps;
     const double end =
         last ? counts.largest_ms : std::min(kStep * static_cast<double>(i + 1), counts.largest_ms);

@@ -27,7 +27,7 @@ inline constexpr std::array kStageNames =
 // Of all frames. Nearest rank, and too large by less than HandToPixelMeter::kStep.
 struct StageFigures {
   double p50_ms = 0, p99_ms = 0, max_ms = 0;
-  std::vector<std::array<double, 2>> within;  // (at most 100 x 2): ms, and the part of the frames within that
+  std::vector<std::array<double, 2>> within;  // (at most 101 x 2): ms, and the part of the frames within that
 };
 
 struct HandToPixel {

@@ -53,7 +53,8 @@ TEST(HandToPixel, StagesAreWhatCountingGives) {
         EXPECT_LT(got, wanted + HandToPixelMeter::kStep) << count << ' ' << kStageNames[i];
       }
       EXPECT_NEAR(stage.max_ms, *std::ranges::max_element(times[i]), 1e-9);
-      EXPECT_LE(stage.within.size(), 100u);
+      EXPECT_LE(stage.within.size(), 101u);
+      EXPECT_EQ(stage.within.front()[1], 0);
       for (const auto& [ms, part] : stage.within) {
         const auto within = std::ranges::count_if(times[i], [&](double time) { return time <= ms + 1e-9; });
         EXPECT_DOUBLE_EQ(part * static_cast<double>(count), static_cast<double>(within)) << count;

@@ -163,10 +163,10 @@ TEST_F(SoftShadowTest, ABallIsNotItsOwnShadowWhereTheLightDoesNotGrazeIt) {
 TEST_F(SoftShadowTest, AtTheFootOfABoxItIsDark) {
   for (const float diameter : {kSunDiameter, 0.2F}) {
     VisualDesc desc = floor(diameter);
-    desc.meshes.push_back(test::make_box({0.05F, 0.05F, 0.05F}));
+    desc.meshes.push_back(test::make_box({0.05F, 0.05F, 0.3F}));
     desc.instances.push_back({1, 0, "box", glm::translate(glm::mat4(1.0F), {-0.05F, 0.05F, 0}), true});
     desc.key_light->direction = {1.0F, -1.0F, 0.0F};
-    desc.camera = {{0.5F, 0.3F, 0.0F}, {0.05F, 0.0F, 0.0F}, 0.15F};
+    desc.camera = {{0.5F, 0.3F, 0.0F}, {0.05F, 0.0F, 0.0F}, 0.3F};
     const Picture picture = drawn(desc);
     const float lit = row_at(picture, desc.camera, {0.13F, 0, 0});
     const float dark = diameter > 0.1F ? 0.06F : 0.09F;  // where its whole shadow ends
