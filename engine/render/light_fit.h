@@ -13,7 +13,7 @@ struct LightFit {
   glm::mat4 clip_from_world{1.0F};  // depth 0 near the light, 1 far
   float texel_m = 0.0F;  // width of one texel in the world; of a spot, at the middle of the casters
   float spread = 0.0F;   // how wide half the light is, in the map's width per unit of depth: seen from a
-                        // place, what is that much nearer to the light hides some of it out to so far beside
+                         // place, what is that much nearer to the light hides some of it out to so far beside
 };
 
 // `casters`: at least one box in the world. Shadows that fall beyond them are kept: a point outside the

@@ -61,7 +61,7 @@ struct KeyLight {
   glm::vec3 colour{1.0F, 0.96F, 0.90F};      // linear
   float intensity =
       3.0F;  // irradiance / pi: a white matt surface facing it reads this value; for a spot at 1 m
-  float cone_rad = 0.9F;  // full angle; spot only
+  float cone_rad = 0.9F;          // full angle; spot only
   float diameter = kSunDiameter;  // m, of its disc; of a directional one as seen from 1 m away
   bool casts_shadow = true;
 };

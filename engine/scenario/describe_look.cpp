@@ -56,9 +56,10 @@ void describe_beam(KeyVisitor& visitor, render::KeyLight& light) {
   visitor.vector({"direction", "", "the way the light travels; of any length"}, light.direction, kPosition);
   visitor.rule("direction", light.direction != glm::vec3(0.0F), "must not be [0, 0, 0]");
   visitor.colour({"colour", "", "of the light"}, light.colour);
-  visitor.real({"diameter", "m",
-                "of its disc, if directional as seen from 1 m; the wider, the softer are shadows; 0: all hard"},
-               light.diameter, from_to(0, 2));
+  visitor.real(
+      {"diameter", "m",
+       "of its disc, if directional as seen from 1 m; the wider, the softer are shadows; 0: all hard"},
+      light.diameter, from_to(0, 2));
   visitor.boolean({"shadow", "", "it throws shadows"}, light.casts_shadow);
 }
 

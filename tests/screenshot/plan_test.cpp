@@ -39,9 +39,9 @@ TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   full.meshes.front().levels->indices = full.meshes.front().indices;
   everything.quality.resolution_scale = 0.75F;
   const RenderPlan all = planned(full, everything);
-  for (const char* pipeline :
-       {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers", "ghost depth",
-        "ghost lines", "ghost", "background", "tone mapping", "ambient occlusion", "enlargement", "soft shadows"})
+  for (const char* pipeline : {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers",
+                               "ghost depth", "ghost lines", "ghost", "background", "tone mapping",
+                               "ambient occlusion", "enlargement", "soft shadows"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);

@@ -79,8 +79,8 @@ protected:
     return low;
   }
 
-  // How dark it gets where nothing but itself could hide the light: the most of all pixels, 0..255. Drawn without
-  // shadows as well.
+  // How dark it gets where nothing but itself could hide the light: the most of all pixels, 0..255. Drawn
+  // without shadows as well.
   int most_shaded(VisualDesc desc) {
     const Picture with = drawn(desc);
     desc.key_light->casts_shadow = false;
@@ -121,7 +121,8 @@ TEST_F(SoftShadowTest, APenumbraIsAsWideAsTheDiscBehindTheEdgeMakesIt) {
     }
 }
 
-// The same disc in a place: what is nearer to it than the floor by a third throws a wider penumbra than the sun.
+// The same disc in a place: what is nearer to it than the floor by a third throws a wider penumbra than the
+// sun.
 TEST_F(SoftShadowTest, ALampNearByThrowsThePenumbraOfItsDiameter) {
   constexpr float kHeight = 0.1F, kAbove = 0.4F, kDiameter = 0.05F;
   constexpr float kHalf = 0.5F * kDiameter * kHeight / (kAbove - kHeight);
