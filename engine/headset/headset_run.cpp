@@ -20,8 +20,8 @@ namespace {
 constexpr auto kNoFrames = std::chrono::milliseconds(5);  // between looks at a headset that shows nothing
 constexpr XrDuration kBetweenWords = 100'000'000;         // ns, between two writings of the panel
 // s, after which the force goes: in a call that OpenXR sets no limit to; and of a whole picture, which a slow
-// machine may take long for.
-constexpr double kLongestWait = 1, kLongestFrame = 10;
+// machine may take long for, but less than ticks can wait for this thread.
+constexpr double kLongestWait = 1, kLongestFrame = 5;
 constexpr double kPartOfFrame = 0.8;  // of the time between two pictures, that drawing may take
 
 double now_s() {
@@ -102,8 +102,10 @@ void HeadsetRun::ask_for(const std::optional<Command>& command) {
 void HeadsetRun::take_ticks() {
   app::RunSink& sink = attempt_.sink();
   TickEvent event;
+  const bool was_held_up = std::exchange(held_up_, false);
   while (loop_.next(event)) {
-    ask_for(device_buttons_.pressed(event.sample.buttons));
+    const std::optional<Command> pressed = device_buttons_.pressed(event.sample.buttons);
+    if (!was_held_up || (pressed && pressed->kind == Command::Kind::stop)) ask_for(pressed);
     if (sink.end() != app::RunSink::End::running) continue;
     sink.take(event);
     sound_.note(sink.task());
@@ -126,7 +128,9 @@ void HeadsetRun::come_to_rest() {
 
 bool HeadsetRun::show() {
   try {
+    if (worn_) loop_.expect_word_within(kLongestWait);
     look_after_session();
+    take_stop();
     if (!worn_ || !worn_->session().runs()) return false;
     draw();
     take_stop();
@@ -138,11 +142,16 @@ bool HeadsetRun::show() {
   }
 }
 
-// The haptic thread has stopped the force, for the headset's runtime did not answer: as a pause.
+// The haptic thread has stopped the force, for the headset's runtime did not answer: as a pause, during which
+// nothing was seen, so that what was squeezed or pressed meanwhile does not go on.
 void HeadsetRun::take_stop() {
   if (loop_.gives_word() || !began_) return;
   grasp_.let_go();
+  unseen_ = kBlink;
+  held_up_ = true;
   paused_ = !resting_;
+  if (paused_)
+    app::complain("the headset's runtime did not answer in time: the force is off, and the trial rests.");
 }
 
 void HeadsetRun::look_after_session() {
@@ -244,6 +253,8 @@ void HeadsetRun::show_nothing(const xr::Frame& frame) {
 
 void HeadsetRun::move_hands(const xr::Frame& frame) {
   const std::array<xr::Hand, xr::kHands> hands = worn_->hands(frame);
+  take_stop();
+  loop_.expect_word_within(kLongestFrame);
   if (worn_->session().was_recentred(frame)) grasp_.let_go();
   std::array<input::GraspingHand, xr::kHands> grasping;
   std::uint32_t down = 0;

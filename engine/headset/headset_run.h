@@ -89,6 +89,7 @@ private:
   int unseen_ = kBlink;   // so many pictures in a row showed nothing; at first, none has shown anything
   bool began_ = false;    // the haptic thread
   bool paused_ = false;   // the stop that there is, is that of a headset that showed nothing
+  bool held_up_ = false;  // by the headset's runtime, for too long, since ticks were taken last
   bool resting_ = false;  // the trial has ended, and the force is told to go
   bool closing_ = false;  // the headset's runtime has ended the session
   std::string error_;     // why drawing stopped

@@ -317,6 +317,7 @@ std::optional<Error> Renderer::frame(const FrameState& state, const TakePicture&
     drawn_ = true;
     return {};
   } catch (const vulkan::Failure& failure) {
+    shadow_stale_ = standing_stale_ = true;  // what was recorded of them was not drawn
     return Error{failure.what()};
   }
 }
@@ -338,6 +339,7 @@ Result<bool> Renderer::frame(const FrameState& state, vulkan::Swapchain& window,
     }
     return shown;
   } catch (const vulkan::Failure& failure) {
+    shadow_stale_ = standing_stale_ = true;  // what was recorded of them was not drawn
     return Error{failure.what()};
   }
 }

@@ -11,6 +11,8 @@ start_display 1920x1080
 export XDG_CONFIG_HOME=$work/config
 mkdir -p "$work/config/fulcrum"
 
+# Its time is over, or its task, after which the window stays.
+done_with() { more_rows "$1" $((seconds * 1000 - 1)) || [ -s "$1/summary.json" ]; }
 figure() { sed -n "s/.*\"$2\": \([0-9.]*\).*/\1/p" "$1/summary.json" | cut -c 1-5; }
 
 printf '%-10s %-8s %-10s %8s %13s %13s %13s %13s %13s\n' scenario level size frames/s tick wait draw show whole
@@ -20,7 +22,7 @@ for scene in "$@"; do
     for size in 640x360 1280x720; do
       out=$work/$scene-$level-$size
       open_window "$scene" --device simulated --hand expert --size $size --seconds $seconds --out "$out"
-      until_seen more_rows "$out" $((seconds * 1000 - 1))
+      until_seen done_with "$out"
       kill -INT "$program"
       wait_for_end
       printf '%-10s %-8s %-10s %8s%s\n' "$scene" $level $size "$(figure "$out" frames_per_s)" "$(stages_of "$out" | awk '{ printf " %13s", sprintf("%.1f / %.1f", $2, $3) }')"

@@ -212,6 +212,30 @@ hung() {
   [ "$(stops)" = "2 0" ] || fail "the force comes and goes while the runtime hangs: $(stops)"
 }
 
+# A squeeze that begins while the runtime hangs does not go on with the force: the next one does.
+hung_squeeze() {
+  printf '%s\n' 'size 64 64' 'pace 5' '5 hand right 0.1 -0.2 -0.4' '6 press right select' '15 release right select' \
+    '30 press right select' "30 hang $work/go" "40 wait $work/off" '45 release right select' '50 press right select' "60 wait $work/on" \
+    '61 exit' >script
+  start piping --out A
+  until_seen grep -q '^xrWaitFrame hangs for' log || fail "it does not hang: $(tail -1 log)"
+  sleep 3
+  touch go
+  until_seen stopped 1 || fail "the force stays on while the runtime hangs: $(stops)"
+  local ticks
+  ticks=$(wc -l <A/trace.csv)
+  later() { [ "$(wc -l <A/trace.csv)" -gt $((ticks + 500)) ]; }
+  until_seen later || fail "no ticks come after the hang"
+  stopped 1 || fail "a squeeze that began while the runtime hung goes on: $(stops)"
+  grep -q "^fulcrum: the headset's runtime did not answer in time" said || fail "nothing is said of the hang: $(cat said)"
+  touch off
+  until_seen back 1 || fail "the next squeeze does not go on: $(stops)"
+  touch on
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well "a squeeze while the runtime hangs"
+}
+
 # A squeeze that goes on while something else is seen does not go on with the force: another one does.
 held() {
   printf '%s\n' 'size 64 64' 'pace 5' '5 hand right 0.1 -0.2 -0.4' '6 press right select' '30 hide' "40 wait $work/off" '41 show' \

@@ -6,6 +6,7 @@ namespace fulcrum::app {
 
 render::LatePoses LateTool::poses(LiveLoop& loop, FrameBridge& bridge, const Afterglow& afterglow,
                                   double time) {
+  at_ = {};
   return [this, &loop, &bridge, &afterglow, time] {
     const TimedTick& newest = loop.newest_timed();
     const std::span<const glm::mat4> X_WM = bridge.poses(newest.record, afterglow, time);
@@ -15,6 +16,7 @@ render::LatePoses LateTool::poses(LiveLoop& loop, FrameBridge& bridge, const Aft
 }
 
 void LateTool::shown(double submission_s) {
+  if (at_.taken == 0) return;  // nothing in the scene moves
   at_.drawn = at_.taken + static_cast<std::int64_t>(1e9 * submission_s);
   at_.shown = AgeClock::now_ns();
   meter_.add(at_);

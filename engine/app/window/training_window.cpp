@@ -131,7 +131,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
       trouble_.note(static_cast<std::uint64_t>(loop.newest().tick), late_, lost_);
     }
     if (editor_ != nullptr) edit_on(loop);
-    draw(sink, loop);
+    if (error_.empty()) draw(sink, loop);
     if (rests && !ended_ && error_.empty()) {
       ended_ = true;
       if (!ended())

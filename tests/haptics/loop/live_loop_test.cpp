@@ -152,7 +152,7 @@ TEST(LiveLoop, AWordThatDoesNotComeStopsTheForce) {
   loop.expect_word_within(3600);
   loop.start();
   drain(loop, [&](const TickEvent& event) {
-    EXPECT_FALSE(event.record.stopped);
+    for (const Command& command : event.commands()) EXPECT_NE(command.kind, Command::Kind::stop);
     return event.record.tick == 50;
   });
   EXPECT_TRUE(loop.gives_word());
