@@ -56,7 +56,8 @@ TEST(HandToPixel, StagesAreWhatCountingGives) {
       EXPECT_LE(stage.within.size(), 101u);
       EXPECT_EQ(stage.within.front()[1], 0);
       for (const auto& [ms, part] : stage.within) {
-        const auto within = std::ranges::count_if(times[i], [&](double time) { return time <= ms + 1e-9; });
+        const auto within =
+            std::ranges::count_if(times[i], [most = ms + 1e-9](double time) { return time <= most; });
         EXPECT_DOUBLE_EQ(part * static_cast<double>(count), static_cast<double>(within)) << count;
       }
       EXPECT_EQ(stage.within.back()[1], 1);
