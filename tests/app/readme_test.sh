@@ -24,8 +24,8 @@ while IFS= read -r line; do
   seen=$((seen + 1))
   read -r -a word <<<"$command"
   case $command in
-    "tools/run" | "tools/test" | "tools/bench contact" | "tools/bench parts" | "tools/bench window")
-      [ -x "$top/${word[0]}" ] || fail "$command: there is no such program" ;; # tests/tools, bench.*Long and app.WindowBenchLong run them
+    "tools/run" | "tools/test" | "tools/bench contact" | "tools/bench parts" | "tools/bench window" | "tools/bench latency")
+      [ -x "$top/${word[0]}" ] || fail "$command: there is no such program" ;; # tests/tools, bench.*Long and app.*BenchLong run them
     "fulcrum run "*--headless*) expect 0 'Completed' "${word[@]}" ;;
     "fulcrum run "*) expect 3 'Not completed' "${word[@]}" --headless --seconds 0.1 --out "run_$seen" ;;
     "fulcrum check FILE") expect 0 'good' fulcrum check "$FULCRUM_CONTENT/scenarios/piping/scenario.yaml" ;;
