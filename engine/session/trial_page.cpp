@@ -160,12 +160,9 @@ std::string trial_html(const TrialPage& of) {
     page.heading("From hand to pixel");
     page.paragraph(
         "How old the tool's pose is when a picture with it is handed to the screen. Tick: from the device's "
-        "own "
-        "measurement until the tick with it has ended. Wait: until a picture takes that pose, which is the "
-        "last "
-        "thing before it is submitted. Draw: until the graphics device is done. Show: until the picture is "
-        "the "
-        "screen's, or the headset's. What these need then to light up is not known here.");
+        "own measurement until the tick with it has ended. Wait: until a picture takes that pose, which is "
+        "the last thing before it is submitted. Draw: until the graphics device is done. Show: until the "
+        "picture is the screen's, or the headset's. What these need then to light up is not known here.");
     page.table(of.age->stages);
     page.plot(of.age->frames, "Of all pictures of the trial, the part that took no longer.");
   }
