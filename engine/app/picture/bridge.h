@@ -27,7 +27,8 @@ public:
 
   // The tool as it was in that tick, the device's arms where the handle held them, the markers as the task
   // stands. The hand's ghost, if the scene has one, is put where the tool is and not where the handle is, so
-  // that what is seen between the two is pure rotation; the expert's, where the expert's tool would be.
+  // that what is seen between the two is pure rotation, but for what the tool moves until poses() places it
+  // last; the expert's, where the expert's tool would be.
   render::FrameState frame(const TickRecord& record, const Afterglow& afterglow,
                            const scenario::TaskState& task, const render::Camera& camera, double time);
 
