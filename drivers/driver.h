@@ -29,13 +29,14 @@ struct Driver {
   std::span<const hid::HidId> (*usb)() = nullptr;  // of one that speaks USB without HID
   std::uint32_t stop_buttons = 0, go_buttons = 0;
   DeviceWords words{};
-  bool in_hand = false;     // a person holds it
-  bool table = false;       // content/devices has its figures
-  bool vibrates = false;    // beside another device, too
-  bool senses = false;      // where another device is held, beside that one alone
-  bool motors = false;      // it pushes back
-  bool by_service = false;  // a service on this machine has it
-  bool by_headset = false;  // a headset's runtime has it, while a scene is shown there
+  bool in_hand = false;       // a person holds it
+  bool table = false;         // content/devices has its figures
+  bool vibrates = false;      // beside another device, too
+  bool senses = false;        // where another device is held, beside that one alone
+  bool motors = false;        // it pushes back
+  bool by_service = false;    // a service on this machine has it
+  bool by_headset = false;    // a headset's runtime has it, while a scene is shown there
+  bool tracks_hands = false;  // by cameras that see hands without controllers
   bool simulated = false;
 };
 

@@ -177,6 +177,16 @@ bool is_simulated(const std::string& name) {
   return driver != nullptr && driver->simulated;
 }
 
+bool is_of_headset(const std::string& name) {
+  const Driver* const driver = driver_of(name.substr(0, name.find('+')));
+  return driver != nullptr && driver->by_headset;
+}
+
+bool tracks_hands(const std::string& name) {
+  const Driver* const driver = driver_of(name.substr(0, name.find('+')));
+  return driver != nullptr && driver->tracks_hands;
+}
+
 bool plays_sound(const std::string& name) {
   const Result<DeviceName> parts = read_device_name(name);
   const Driver* const beside = parts ? driver_of(parts->beside) : nullptr;

@@ -93,6 +93,12 @@ std::string table_of(const std::string& part);
 // The handle is moved by a simulated hand.
 bool is_simulated(const std::string& name);
 
+// The handle is moved by hands that a headset's runtime sees.
+bool is_of_headset(const std::string& name);
+
+// The handle is moved by a hand without a controller, as a headset's cameras see it.
+bool tracks_hands(const std::string& name);
+
 // What vibrates beside is played on a sound card.
 bool plays_sound(const std::string& name);
 

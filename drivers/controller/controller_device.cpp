@@ -3,24 +3,25 @@
 #include <utility>
 
 namespace fulcrum {
-namespace {
-
-// A headset's runtime tells where a hand will be when the picture is seen, 20 to 40 ms ahead: following takes
-// a part of that, and none of it is felt.
-constexpr double kLag = 8e-3;  // s
-
-}  // namespace
 
 ControllerDevice::ControllerDevice(const DeviceDesc& desc, std::shared_ptr<Controllers> controllers,
-                                   const Pose& X_DH, double tick_s)
-    : desc_(desc), controllers_(std::move(controllers)), follower_(X_DH, kLag, tick_s) {
-  controllers_->move(X_DH);
+                                   const Pose& X_DH, double lag, double tick_s)
+    : desc_(desc), controllers_(std::move(controllers)), follower_(X_DH, lag, tick_s), tick_s_(tick_s) {
+  controllers_->move({X_DH});
 }
 
+// By ticks: pictures come when the headset wants them, and a late one makes no hand unseen.
 DeviceSample ControllerDevice::read() noexcept {
+  const WantedHandle& wanted = controllers_->wanted();
+  unseen_ = wanted.seen ? 0 : unseen_ + 1;
   DeviceSample sample;
-  sample.X_DH = follower_.follow(controllers_->wanted_X_DH());
+  sample.X_DH = follower_.follow(wanted.X_DH);
+  sample.age = unseen_ * tick_s_;
   return sample;
+}
+
+void ControllerDevice::miss(int ticks) noexcept {
+  if (unseen_ > 0) unseen_ += ticks;
 }
 
 }  // namespace fulcrum

@@ -2,9 +2,9 @@
 
 namespace fulcrum {
 
-void Controllers::move(const Pose& X_DH) noexcept {
-  wanted_X_DH_.draft() = X_DH;
-  wanted_X_DH_.publish();
+void Controllers::move(const WantedHandle& handle) noexcept {
+  wanted_.draft() = handle;
+  wanted_.publish();
 }
 
 std::array<double, kHands> Controllers::strengths() const noexcept {

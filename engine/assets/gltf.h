@@ -1,6 +1,6 @@
 #pragma once
-// glTF 2.0 -> Model, through tinygltf. Animation, skins, morph targets and lights are left out; which
-// extensions of materials are drawn, model_material.h says.
+// glTF 2.0 -> Model, through tinygltf. Animation, skins and morph targets are left out; which extensions of
+// materials are drawn, model_material.h says, and of lights model_light.h.
 
 #include <cstddef>
 #include <filesystem>

@@ -5,9 +5,11 @@
 namespace fulcrum {
 namespace {
 
+// target: what a view is for, or 0.
 template <typename Item>
 int add_view(tinygltf::Model& gltf, const std::vector<Item>& items, int target) {
   std::vector<unsigned char>& bytes = gltf.buffers[0].data;
+  bytes.resize((bytes.size() + 3) / 4 * 4);  // accessors begin at multiples of their components' size
   tinygltf::BufferView view;
   view.buffer = 0;
   view.byteOffset = bytes.size();
@@ -37,6 +39,17 @@ int add_vectors(tinygltf::Model& gltf, const std::vector<Eigen::Vector3f>& vecto
     accessor.minValues.push_back(low[k]);
     accessor.maxValues.push_back(high[k]);
   }
+  gltf.accessors.push_back(accessor);
+  return static_cast<int>(gltf.accessors.size() - 1);
+}
+
+int add_coordinates(tinygltf::Model& gltf, const std::vector<Eigen::Vector2f>& uv) {
+  static_assert(sizeof(Eigen::Vector2f) == 2 * sizeof(float));
+  tinygltf::Accessor accessor;
+  accessor.bufferView = add_view(gltf, uv, TINYGLTF_TARGET_ARRAY_BUFFER);
+  accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+  accessor.count = uv.size();
+  accessor.type = TINYGLTF_TYPE_VEC2;
   gltf.accessors.push_back(accessor);
   return static_cast<int>(gltf.accessors.size() - 1);
 }
@@ -75,6 +88,18 @@ tinygltf::Material gltf_material(const std::string& name, const std::array<doubl
   return material;
 }
 
+int add_picture(tinygltf::Model& gltf, const std::string& name, const std::vector<std::uint8_t>& png) {
+  tinygltf::Image image;
+  image.name = name;
+  image.mimeType = "image/png";
+  image.bufferView = add_view(gltf, png, 0);
+  gltf.images.push_back(image);
+  tinygltf::Texture texture;
+  texture.source = static_cast<int>(gltf.images.size() - 1);
+  gltf.textures.push_back(texture);
+  return static_cast<int>(gltf.textures.size() - 1);
+}
+
 void add_part(tinygltf::Model& gltf, const GltfPart& part) {
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -82,6 +107,7 @@ void add_part(tinygltf::Model& gltf, const GltfPart& part) {
   primitive.attributes["POSITION"] = add_vectors(gltf, part.positions);
   primitive.attributes["NORMAL"] = add_vectors(gltf, part.normals);
   if (!part.colours.empty()) primitive.attributes["COLOR_0"] = add_vectors(gltf, part.colours);
+  if (!part.uv.empty()) primitive.attributes["TEXCOORD_0"] = add_coordinates(gltf, part.uv);
   primitive.indices = add_indices(gltf, part.indices);
   tinygltf::Mesh mesh;
   mesh.name = part.name;

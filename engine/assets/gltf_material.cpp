@@ -9,6 +9,7 @@
 
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/image.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -55,10 +56,11 @@ constexpr std::size_t kMostTold = 12;  // of what is left out, so that a sentenc
 
 // What this program draws of extensions; the pictures that some of a material's may have are not drawn.
 const std::set<std::string>& drawn_extensions() {
-  static const std::set<std::string> known{
-      "KHR_texture_transform",      "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-      "KHR_materials_ior",          "KHR_materials_sheen",     "KHR_materials_specular",
-      "KHR_materials_transmission", "KHR_materials_unlit"};
+  static const std::set<std::string> known{"KHR_lights_punctual",     "KHR_texture_transform",
+                                           "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+                                           "KHR_materials_ior",       "KHR_materials_sheen",
+                                           "KHR_materials_specular",  "KHR_materials_transmission",
+                                           "KHR_materials_unlit",     "KHR_materials_volume"};
   return known;
 }
 
@@ -71,10 +73,7 @@ public:
       model_.materials.push_back(material_from(material));
     model_.materials.push_back({});
     for (const std::string& extension : file_.extensionsUsed)
-      if (extension == "KHR_lights_punctual")
-        leave_out("its lights (KHR_lights_punctual): a scenario has its own");
-      else if (!drawn_extensions().contains(extension))
-        leave_out(printable(extension));
+      if (!drawn_extensions().contains(extension)) leave_out(printable(extension));
     for (const tinygltf::Mesh& mesh : file_.meshes)
       for (const tinygltf::Primitive& primitive : mesh.primitives) tell_of_faint_vertices(primitive);
   }
@@ -238,6 +237,21 @@ private:
       detail.sheen_roughness = number_in(sheen, "sheenRoughnessFactor", 0.0F, 1.0F, 0.0F);
     detail.transmission =
         number_in(get("KHR_materials_transmission"), "transmissionFactor", 0.0F, 1.0F, 0.0F);
+    const tinygltf::Value& volume = get("KHR_materials_volume");
+    if (detail.transmission > 0) detail.passed = passed_by(volume);
+  }
+
+  // What is left of light behind the volume's thickness, which is the file's colour behind its distance.
+  static std::array<float, 3> passed_by(const tinygltf::Value& volume) {
+    constexpr float kShortest = 1e-6F;
+    const float thickness = number_in(volume, "thicknessFactor", 0.0F, kLargestFactor, 0.0F);
+    const float distance = number_in(volume, "attenuationDistance", kShortest, kLargestFactor, 0.0F);
+    if (thickness == 0.0F || distance == 0.0F) return {1, 1, 1};  // a wall, or clear however thick
+    std::array<float, 3> passed = colour_in(volume, "attenuationColor", {1, 1, 1}, 1.0F);
+    for (float& part : passed)
+      part = static_cast<float>(math::pow(static_cast<double>(part),
+                                          static_cast<double>(thickness) / static_cast<double>(distance)));
+    return passed;
   }
 
   const tinygltf::Model& file_;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_light.h"
 #include "engine/assets/gltf_material.h"
 
 namespace fulcrum {
@@ -176,7 +177,8 @@ class Walk {
 public:
   explicit Walk(const tinygltf::Model& file) : file_(file), seen_(file.nodes.size(), false) {}
 
-  std::vector<ModelPart> parts() {
+  // All that its nodes hold, in their order.
+  void read(Model& model) {
     std::vector<std::pair<int, Eigen::Affine3d>> waiting;
     const auto add = [&waiting](const std::vector<int>& nodes, const Eigen::Affine3d& X_MP) {
       for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) waiting.emplace_back(*node, X_MP);
@@ -188,9 +190,14 @@ public:
       const tinygltf::Node& node = visit(index);
       const Eigen::Affine3d X_MN = X_MP * local_transform(node);
       if (node.mesh >= 0) add_mesh(node, X_MN);
+      if (auto light = light_of(file_, node, X_MN)) {
+        light->marked_role = property(node, "fulcrum_role");
+        light->marked_material = property(node, "fulcrum_material");
+        model.lights.push_back(std::move(*light));
+      }
       add(node.children, X_MN);
     }
-    return std::move(parts_);
+    model.parts = std::move(parts_);
   }
 
 private:
@@ -236,7 +243,7 @@ private:
 
 Model model_from_gltf(const tinygltf::Model& file) {
   Model model;
-  model.parts = Walk(file).parts();
+  Walk(file).read(model);
   if (model.parts.empty()) throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
   read_materials(file, model);
   return model;

@@ -25,8 +25,13 @@ std::string to_glb(const Model& model, const std::string& name, const std::strin
   }
   for (const ModelPart& part : model.parts) {
     if (part.indices.empty()) continue;
-    add_part(gltf, {part.name, static_cast<int>(part.material), single(part.positions), single(part.normals),
-                    single(part.colours), part.indices});
+    add_part(gltf, {part.name,
+                    static_cast<int>(part.material),
+                    single(part.positions),
+                    single(part.normals),
+                    single(part.colours),
+                    part.indices,
+                    {}});
   }
   std::ostringstream bytes;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, bytes, false, true);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/assets/model_light.h"
 #include "engine/assets/model_material.h"
 #include "haptics/geometry/triangle_mesh.h"
 
@@ -33,6 +34,7 @@ struct Model {
   std::vector<ModelPart> parts;
   std::vector<ModelMaterial> materials;  // at least one
   std::vector<ModelImage> images{};      // what materials name
+  std::vector<ModelLight> lights{};      // in the order of the file's nodes
   std::vector<std::string> left_out{};   // what of the file's looks is not drawn: a clause each
   std::vector<std::string> beside{};     // files that its file names, from the folder of that
 };

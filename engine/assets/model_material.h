@@ -59,7 +59,9 @@ struct MaterialDetail {
   float clearcoat = 0, clearcoat_roughness = 0;   // KHR_materials_clearcoat
   std::array<float, 3> sheen{0, 0, 0};            // KHR_materials_sheen
   float sheen_roughness = 0;
-  float transmission = 0;  // KHR_materials_transmission, of a thin wall
+  float transmission = 0;  // KHR_materials_transmission: what is behind is seen through it
+  std::array<float, 3> passed{1, 1,
+                              1};  // KHR_materials_volume: the part of that which its thickness lets through
 
   bool operator==(const MaterialDetail&) const = default;
 };

@@ -9,10 +9,8 @@
 
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
-#include "engine/app/picture/target_view.h"
 #include "engine/app/run/headless_run.h"
-#include "engine/render/picture.h"
-#include "engine/ui/look.h"
+#include "engine/headset/panel_words.h"
 
 namespace fulcrum::headset {
 namespace {
@@ -22,11 +20,6 @@ constexpr XrDuration kBetweenWords = 100'000'000;         // ns, between two wri
 // s, after which the force goes: in a call that OpenXR sets no limit to; and of a whole picture, which a slow
 // machine may take long for, but less than ticks can wait for this thread.
 constexpr double kLongestWait = 1, kLongestFrame = 5;
-constexpr double kPartOfFrame = 0.8;  // of the time between two pictures, that drawing may take
-
-double now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 // The force is stopped, and has gone.
 bool is_off(const TickRecord& record) {
@@ -37,7 +30,8 @@ bool is_off(const TickRecord& record) {
 
 HeadsetRun::HeadsetRun(HeadsetStage& stage, const app::Prepared& prepared,
                        const scenario::VisualAssembly& visual, const app::RunOptions& options,
-                       const app::Settings& settings, app::RunSession& attempt, std::unique_ptr<Panel> panel)
+                       const app::Settings& settings, app::RunSession& attempt, std::unique_ptr<Panel> panel,
+                       std::unique_ptr<Colocated> colocated, const app::Comparison& with)
     : stage_(stage),
       prepared_(prepared),
       options_(options),
@@ -48,10 +42,12 @@ HeadsetRun::HeadsetRun(HeadsetStage& stage, const app::Prepared& prepared,
       placement_(place_scene(view_, options.headset)),
       panel_place_(place_panel(view_, placement_)),
       panel_(std::move(panel)),
-      bridge_(visual.desc, prepared.scenario, attempt.world().desc()),
-      grasp_(attempt.world().desc().tool.X_WT_start * attempt.world().desc().tool.X_HT.inverse()),
+      colocated_(std::move(colocated)),
+      pictures_(stage, prepared, visual, options, settings, attempt),
+      tool_(attempt.world().desc().tool.X_WT_start * attempt.world().desc().tool.X_HT.inverse()),
       device_buttons_(attempt.device().stop_buttons, attempt.device().go_buttons),
-      sound_(options, static_cast<double>(settings.volume)) {}
+      sound_(options, static_cast<double>(settings.volume)),
+      with_(with) {}
 
 bool HeadsetRun::goes_on() const {
   const ui::Window* const window = stage_.window();
@@ -92,10 +88,16 @@ void HeadsetRun::listen() {
 }
 
 void HeadsetRun::ask_for(const std::optional<Command>& command) {
-  if (!command || !began_ || resting_) return;
+  if (!command || !began_) return;
+  if (resting_) {
+    leaves_ = leaves_ || card_said_;
+    return;
+  }
   // Who goes on has to see it.
-  if (command->kind == Command::Kind::acknowledge && !is_seen()) return;
+  if (command->kind == Command::Kind::acknowledge && (!is_seen() || (colocated_ && colocated_->is_asked())))
+    return;
   paused_ = false;
+  stopped_by_.clear();
   loop_.send(*command);
 }
 
@@ -105,6 +107,7 @@ void HeadsetRun::take_ticks() {
   const bool was_held_up = std::exchange(held_up_, false);
   while (loop_.next(event)) {
     const std::optional<Command> pressed = device_buttons_.pressed(event.sample.buttons);
+    if (colocated_) colocated_->note(event);
     if (!was_held_up || (pressed && pressed->kind == Command::Kind::stop)) ask_for(pressed);
     if (sink.end() != app::RunSink::End::running) continue;
     sink.take(event);
@@ -114,11 +117,15 @@ void HeadsetRun::take_ticks() {
   if (sink.end() != app::RunSink::End::running) come_to_rest();
 }
 
-// The force goes as after a stop; then the session is ended in its own order.
+// The force goes as after a stop. What came of the trial is shown until whoever sees it puts it away, or sees
+// nothing any more; then the session is ended in its own order.
 void HeadsetRun::come_to_rest() {
   sound_.rest();
   if (!resting_) resting_ = loop_.send({Command::Kind::stop});
   if (!is_off(loop_.newest())) return;
+  if (panel_ && !card_) card_ = headset_card(prepared_, options_, attempt_.sink(), with_);
+  leaves_ = leaves_ || !card_ || !is_seen();
+  if (!leaves_) return;
   loop_.stop();
   if (worn_ && worn_->session().runs())
     worn_->session().end();
@@ -146,7 +153,7 @@ bool HeadsetRun::show() {
 // nothing was seen, so that what was squeezed or pressed meanwhile does not go on.
 void HeadsetRun::take_stop() {
   if (loop_.gives_word() || !began_) return;
-  grasp_.let_go();
+  tool_.let_go();
   unseen_ = kBlink;
   held_up_ = true;
   paused_ = !resting_;
@@ -158,7 +165,9 @@ void HeadsetRun::look_after_session() {
   if (!worn_) {
     if (!stage_.runtime().find_headset()) return;
     const bool stage_space = options_.headset.space == app::kStageSpace;
-    worn_ = std::make_unique<Worn>(stage_, stage_space ? xr::Space::stage : xr::Space::local);
+    worn_ = std::make_unique<Worn>(
+        stage_, stage_space ? xr::Space::stage : xr::Space::local,
+        Worn::Asked{colocated_ && colocated_->is_asked(), tracks_hands(options_.device)});
     unseen_ = kBlink;
   }
   xr::Session& session = worn_->session();
@@ -167,19 +176,28 @@ void HeadsetRun::look_after_session() {
   if (closing_) return;
   if (is_seen() && !began_) {
     began_ = true;
+    // Points are touched while nothing pushes; who has touched them goes on as after any other stop.
+    if (colocated_ && colocated_->is_asked() && loop_.send({Command::Kind::stop}))
+      stopped_by_ = "the device was laid onto the headset's space";
     loop_.start();
   }
-  if (!is_seen()) pause();
+  if (!is_seen()) pause("the headset did not show the scene");
   // A simulated hand has nobody who could go on.
-  if (is_seen() && paused_ && is_simulated(options_.device) && is_off(loop_.newest()))
+  if (is_seen() && paused_ && !resting_ && is_simulated(options_.device) && is_off(loop_.newest()))
     ask_for(Command{Command::Kind::acknowledge});
   if (session.is_lost()) lose_session();
 }
 
 void HeadsetRun::lose_session() {
-  pause();
+  pause("the headset was lost");
   if (worn_) app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
   worn_.reset();
+  // Another session may have another space, and says nothing of it.
+  if (!colocated_) return;
+  if (colocated_->is_asked())
+    colocated_->space_moved();
+  else if (colocated_->placement() && options_.headset.space == app::kLocalSpace)
+    app::complain("local space may be elsewhere then: see that the tool is at the hand before you go on.");
 }
 
 // A headset may have the focus and show nothing: its runtime wants no picture, or does not know where the
@@ -188,9 +206,11 @@ bool HeadsetRun::is_seen() const {
   return worn_ && worn_->session().is_focused() && unseen_ < kBlink;
 }
 
-void HeadsetRun::pause() {
-  grasp_.let_go();
-  if (began_ && !paused_ && !resting_) paused_ = loop_.send({Command::Kind::stop});
+void HeadsetRun::pause(const char* why) {
+  tool_.let_go();
+  if (!began_ || paused_ || resting_) return;
+  paused_ = loop_.send({Command::Kind::stop});
+  if (paused_) stopped_by_ = why;
 }
 
 // The newest tick; the sink's where there is none yet, and its last one after the end.
@@ -207,43 +227,26 @@ void HeadsetRun::draw() {
   take_stop();
   if (!frame) return;
   loop_.expect_word_within(kLongestFrame);
-  if (!quality_ && !settings_.picture && frame->period > 0)
-    quality_.emplace(kPartOfFrame * 1e-9 * static_cast<double>(frame->period));
   move_hands(*frame);
+  place();
   const std::optional<std::array<xr::EyeView, 2>> eyes = worn_->eyes(*frame);
   if (!eyes || worn_->session().is_lost()) {
     show_nothing(*frame);
     return;
   }
-  eyes_ = {eye_camera(eyes->front(), placement_, view_.layers),
-           eye_camera(eyes->back(), placement_, view_.layers)};
-  sound_.hear_from(eyes_->front());
-  const bool live = attempt_.sink().end() == app::RunSink::End::running &&
-                    loop_.newest_timed().sampled_ns > 0;  // the first tick has ended
+  sound_.hear_from(pictures_.look_from(*eyes, placement_));
   const TickRecord& record = shown_record();
   if (const auto error = say(record, *frame)) {
     error_ = error->sentence;
     return;
   }
-  const render::FrameState state = frame_of(record);
-  render::LatePoses late;
-  if (live) late = late_tool_.poses(loop_, bridge_, attempt_.sink().afterglow(), state.time_s);
-  const Result<bool> shown = worn_->show(*frame, *eyes, state, panel_place_, late);
-  if (!shown) {
+  const Result<bool> shown = pictures_.show(*worn_, *frame, *eyes, panel_place_, record, loop_);
+  if (!shown)
     error_ = shown.error().sentence;
-    return;
-  }
-  if (!*shown) {
+  else if (*shown)
+    unseen_ = 0;
+  else
     show_nothing(*frame);
-    return;
-  }
-  unseen_ = 0;
-  if (live) late_tool_.shown(stage_.renderer().last_submission_s());
-  frame_rate_.note(now_s());
-  auto error = stage_.mirror();  // before another quality makes another picture
-  if (!error && quality_ && quality_->add(stage_.renderer().last_frame_s()))
-    error = stage_.renderer().set_quality(quality_->quality());
-  if (error) error_ = error->sentence;
 }
 
 void HeadsetRun::show_nothing(const xr::Frame& frame) {
@@ -251,64 +254,65 @@ void HeadsetRun::show_nothing(const xr::Frame& frame) {
   worn_->show_nothing(frame);
 }
 
+void HeadsetRun::place() {
+  const std::optional<Placement> placement = colocated_ ? colocated_->placement() : std::nullopt;
+  if (!placement) return;
+  placement_ = *placement;
+  panel_place_ = place_panel(view_, placement_);
+}
+
+// Nobody feels what is seen elsewhere: where the space moves, a device that was laid onto it is let go of.
+void HeadsetRun::follow_space(const xr::Frame& frame) {
+  if (!worn_->session().was_recentred(frame)) return;
+  tool_.let_go();
+  if (!colocated_) return;
+  if (colocated_->placement()) {
+    pause("the headset's space has moved");
+    unseen_ = kBlink;  // a squeeze now is by who has not seen yet where the scene is: it asks for nothing
+  }
+  colocated_->space_moved();
+  placement_ = place_scene(view_, options_.headset);
+  panel_place_ = place_panel(view_, placement_);
+}
+
 void HeadsetRun::move_hands(const xr::Frame& frame) {
   const std::array<xr::Hand, xr::kHands> hands = worn_->hands(frame);
   take_stop();
   loop_.expect_word_within(kLongestFrame);
-  if (worn_->session().was_recentred(frame)) grasp_.let_go();
-  std::array<input::GraspingHand, xr::kHands> grasping;
-  std::uint32_t down = 0;
-  for (std::size_t i = 0; i < hands.size(); ++i) {
-    if (hands[i].X_LG) grasping[i].X_WG = placement_.in_world(*hands[i].X_LG);
-    grasping[i].holds = hands[i].holds;
-    down |= (hands[i].holds ? kHoldButton : 0U) | (hands[i].stops ? kStopButton : 0U);
-  }
-  // A squeeze that began, or went on, while nobody saw the scene asks for nothing: it has to end first.
-  if (!is_seen()) down |= kHoldButton;
-  ask_for(hand_buttons_.pressed(down));
-  const std::shared_ptr<Controllers>& controllers = attempt_.device().controllers;
-  if (!controllers) return;
+  follow_space(frame);
   // A stop is a pause: what a hand does then moves nothing.
   const bool rests = !began_ || loop_.newest().stopped;
-  controllers->move(grasp_.follow(grasping, rests));
-  const std::array<double, kHands> strengths = controllers->strengths();
-  for (std::size_t i = 0; i < kHands; ++i) worn_->vibrate(i, strengths[i], controllers->carrier_Hz());
+  const std::optional<Command> pressed = tool_.follow(hands, placement_, is_seen(), rests);
+  // Before a hand goes on: what a tick takes of both is of this picture.
+  if (const std::shared_ptr<Controllers>& controllers = attempt_.device().controllers) {
+    controllers->move(tool_.wanted());
+    const std::array<double, kHands> strengths = controllers->strengths();
+    for (std::size_t i = 0; i < kHands; ++i) worn_->vibrate(i, strengths[i], controllers->carrier_Hz());
+  }
+  if (colocated_ && colocated_->is_asked())
+    touch(frame, hands);
+  else
+    ask_for(pressed);
 }
 
-render::FrameState HeadsetRun::frame_of(const TickRecord& record) {
-  const app::RunSink& sink = attempt_.sink();
-  render::FrameState frame = bridge_.frame(record, sink.afterglow(), sink.task(), view_, sink.time());
-  frame.eyes = eyes_;
-  frame.marker_colours = ui::marker_colours(settings_.look);
-  if (options_.overlay == app::kNoOverlay) {
-    frame.markers = {};
-    frame.ghosts = {};
-  }
-  return frame;
+// What nobody sees is no touch.
+void HeadsetRun::touch(const xr::Frame& frame, const std::array<xr::Hand, xr::kHands>& hands) {
+  if (is_seen())
+    colocated_->touch(1e-9 * static_cast<double>(frame.display_time), hands);
+  else
+    colocated_->look_away();
+}
+
+app::PictureFigures HeadsetRun::figures() const {
+  return pictures_.figures(colocated_ ? colocated_->figures() : std::nullopt);
 }
 
 std::optional<Error> HeadsetRun::say(const TickRecord& record, const xr::Frame& frame) {
   if (!panel_ || frame.display_time - said_ < kBetweenWords) return std::nullopt;
   said_ = frame.display_time;
-  const app::RunSink& sink = attempt_.sink();
-  const SceneDesc& scene = attempt_.world().desc();
-  ui::OverlayState state = app::overlay_state(prepared_, scene, record, sink.afterglow(), sink.task());
-  state.look = settings_.look;
-  if (state.trial) state.trial->limit_s = sink.limit();
-  const DeviceWords words = device_words(options_.device);
-  if (state.force == ui::Force::stopped)
-    state.message.append("To go on: ").append(words.go_on).append(".");
-  else
-    state.message = app::advice(prepared_.haptic.task, sink.task(), words);
-  return worn_->say(*panel_, state);
-}
-
-Result<std::filesystem::path> HeadsetRun::save_picture(const std::filesystem::path& file) {
-  if (auto error = stage_.renderer().frame(frame_of(attempt_.sink().last()))) return *error;
-  const auto picture = stage_.renderer().read_back();
-  if (!picture) return picture.error();
-  if (auto error = render::write_png(file, *picture)) return *error;
-  return file;
+  const PanelMoment moment{record, colocated_.get(), stopped_by_, tool_.is_hand_in_sight(), card_};
+  card_said_ = card_.has_value();
+  return worn_->say(*panel_, panel_words(prepared_, options_, settings_, attempt_, moment));
 }
 
 }  // namespace fulcrum::headset

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "drivers/registry.h"
+
 namespace fulcrum::headset {
 namespace {
 
@@ -24,7 +26,7 @@ Result<std::unique_ptr<HeadsetStage>> HeadsetStage::create(const std::string& ti
 }
 
 std::optional<Error> HeadsetStage::build(const std::string& title, const app::RunOptions& options) {
-  auto runtime = xr::Instance::create();
+  auto runtime = xr::Instance::create(tracks_hands(options.device));
   if (!runtime) return runtime.error();
   runtime_ = std::move(*runtime);
   vulkan::InstanceOptions instance_options;

@@ -74,8 +74,12 @@ std::optional<Error> Panel::draw(const ui::OverlayState& state, VkImage target) 
 PanelPlace place_panel(const render::Camera& view, const Placement& placement) {
   const Vec3 target_W(static_cast<double>(view.target.x), static_cast<double>(view.target.y),
                       static_cast<double>(view.target.z));
+  const glm::vec3 ahead = glm::normalize(view.target - view.eye);
+  const Vec3 ahead_W(static_cast<double>(ahead.x), static_cast<double>(ahead.y),
+                     static_cast<double>(ahead.z));
   const double away = static_cast<double>(glm::length(view.target - view.eye)) * placement.scale;
-  return {{Quat::Identity(), placement.scale * (placement.X_WL.inverse() * target_W)},
+  return {{heading(placement.X_WL.q.conjugate() * ahead_W),
+           placement.scale * (placement.X_WL.inverse() * target_W)},
           kWide * std::max(away, kNearest)};
 }
 

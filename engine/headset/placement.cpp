@@ -13,13 +13,12 @@ Vec3 widened(const glm::vec3& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-// The turn about the vertical that takes -z to where `ahead` goes; of one that is vertical itself, none.
+}  // namespace
+
 Quat heading(const Vec3& ahead) {
   if (ahead.x() * ahead.x() + ahead.z() * ahead.z() < 1e-6) return Quat::Identity();
   return turn_by(math::atan2(-ahead.x(), -ahead.z()), Vec3::UnitY());
 }
-
-}  // namespace
 
 Placement place_scene(const render::Camera& view, const app::HeadsetOptions& options) {
   const Vec3 target_W = widened(view.target), eye_W = widened(view.eye);
@@ -32,6 +31,11 @@ Placement place_scene(const render::Camera& view, const app::HeadsetOptions& opt
     placement.X_WL.p = target_W - ahead * (away / options.scale);
   }
   return placement;
+}
+
+Placement place_on_device(const Pose& X_WD, double position_scale, const Pose& X_LD) {
+  const Quat q_WL = X_WD.q * X_LD.q.conjugate();
+  return {{q_WL, X_WD.p - q_WL * (position_scale * X_LD.p)}, 1 / position_scale};
 }
 
 render::Camera eye_camera(const xr::EyeView& eye, const Placement& placement, std::uint32_t layers) {

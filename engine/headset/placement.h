@@ -11,6 +11,9 @@
 
 namespace fulcrum::headset {
 
+// The turn about the vertical that takes -z to where `ahead` goes; of one that is vertical itself, none.
+Quat heading(const Vec3& ahead);
+
 struct Placement {
   Pose X_WL;
   double scale = 1;  // so many m in L are one in W
@@ -23,6 +26,10 @@ struct Placement {
 // local space the head begins where the view's eye is, on its line to the target, and never nearer to that
 // than kNearest. In stage space the target is above the middle of the floor, at kBench.
 Placement place_scene(const render::Camera& view, const app::HeadsetOptions& options);
+
+// The device's base D, which the scene has at X_WD, is at X_LD; what the device maps to the scene
+// position_scale times as large is seen as large as it is felt.
+Placement place_on_device(const Pose& X_WD, double position_scale, const Pose& X_LD);
 
 inline constexpr double kNearest = 0.4;  // m in L: what is nearer tires the eyes
 inline constexpr double kBench = 1.1;    // m in L: for the hands of who stands

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/interrupt.h"
@@ -13,10 +14,26 @@
 #include "engine/record/run_folder.h"
 
 namespace fulcrum::headset {
+namespace {
+
+// Null: the scene is before who wears the headset.
+std::unique_ptr<Colocated> colocated(const app::RunOptions& options, std::optional<scenario::Colocation> kept,
+                                     const MappingDesc& mapping) {
+  if (options.headset.colocate)
+    return std::make_unique<Colocated>(options.headset, app::device_on_desk(options.device), mapping);
+  return kept ? std::make_unique<Colocated>(std::move(*kept), mapping) : nullptr;
+}
+
+}  // namespace
 
 int run_in_headset(const scenario::Scenario& scenario, const app::RunOptions& options,
                    app::Participation* participation) {
   using namespace app;
+  Result<std::optional<scenario::Colocation>> kept = kept_colocation(options.headset, options.device);
+  if (!kept) {
+    complain(kept.error().sentence);
+    return kError;
+  }
   // First: without a headset nothing is baked.
   const Result<std::unique_ptr<HeadsetStage>> stage =
       HeadsetStage::create("Fulcrum: " + scenario.title, options);
@@ -56,7 +73,10 @@ int run_in_headset(const scenario::Scenario& scenario, const app::RunOptions& op
   const std::unique_ptr<RunSession> attempt = RunSession::begin(*prepared, options, trainee);
   if (!attempt) return kError;
   attempt->play_sound(!options.muted);
-  HeadsetRun run(**stage, *prepared, *visual, options, settings, *attempt, std::move(panel));
+  HeadsetRun run(**stage, *prepared, *visual, options, settings, *attempt, std::move(panel),
+                 colocated(options, std::move(*kept), attempt->world().desc().mapping),
+                 {trainee.expert, participation != nullptr ? earlier_trials(*participation, *prepared)
+                                                           : std::optional<EarlierTrials>()});
   run.run();
   const auto picture = run.save_picture(attempt->folder() / record::kPictureName);
   if (!picture) complain("there is no picture: " + picture.error().sentence);

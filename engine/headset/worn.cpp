@@ -4,8 +4,11 @@
 
 namespace fulcrum::headset {
 
-Worn::Worn(HeadsetStage& stage, xr::Space space)
-    : stage_(stage), session_(stage.runtime(), stage.gpu(), space), hands_(session_) {}
+Worn::Worn(HeadsetStage& stage, xr::Space space, Asked asked)
+    : stage_(stage),
+      session_(stage.runtime(), stage.gpu(), space),
+      hands_(session_, asked.tips),
+      tracking_(asked.hands ? std::make_unique<xr::HandTracking>(session_) : nullptr) {}
 
 std::optional<xr::Frame> Worn::begin_frame() {
   return session_.begin_frame();
@@ -14,6 +17,21 @@ std::optional<xr::Frame> Worn::begin_frame() {
 std::optional<std::array<xr::EyeView, 2>> Worn::eyes(const xr::Frame& frame) {
   if (!frame.should_render) return std::nullopt;
   return session_.eyes(frame);
+}
+
+std::array<xr::Hand, xr::kHands> Worn::hands(const xr::Frame& frame) {
+  std::array<xr::Hand, xr::kHands> hands = hands_.read(frame);
+  if (tracking_) {
+    const auto joints = tracking_->read(frame);
+    for (std::size_t i = 0; i < hands.size(); ++i) {
+      const bool stops = hands[i].stops;
+      hands[i] = pinches_[i].follow(joints[i]);
+      hands[i].stops = hands[i].stops || stops;
+    }
+  }
+  for (std::size_t i = 0; i < hands.size(); ++i)
+    hands[i].X_LG = sightings_[i].follow(hands[i].X_LG, frame.display_time);
+  return hands;
 }
 
 std::optional<Error> Worn::fit() {

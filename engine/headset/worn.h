@@ -8,7 +8,10 @@
 
 #include "engine/headset/headset_stage.h"
 #include "engine/headset/panel.h"
+#include "engine/xr/credible.h"
+#include "engine/xr/hand_tracking.h"
 #include "engine/xr/hands.h"
+#include "engine/xr/pinch.h"
 #include "engine/xr/session.h"
 #include "engine/xr/swapchain.h"
 
@@ -16,8 +19,14 @@ namespace fulcrum::headset {
 
 class Worn {
 public:
+  // What is asked for of hands beside what controllers do.
+  struct Asked {
+    bool tips = false;   // where the controllers' tips are
+    bool hands = false;  // without controllers: what they do is what counts, but for controllers' stops
+  };
+
   // The stage has a scene, and outlives it. Throws xr::Failure.
-  Worn(HeadsetStage& stage, xr::Space space);
+  Worn(HeadsetStage& stage, xr::Space space, Asked asked);
 
   xr::Session& session() { return session_; }
 
@@ -25,7 +34,7 @@ public:
   std::optional<xr::Frame> begin_frame();
   // Of that frame. None: nobody knows where the head is.
   std::optional<std::array<xr::EyeView, 2>> eyes(const xr::Frame& frame);
-  std::array<xr::Hand, xr::kHands> hands(const xr::Frame& frame) { return hands_.read(frame); }
+  std::array<xr::Hand, xr::kHands> hands(const xr::Frame& frame);
   void vibrate(std::size_t hand, double strength, double frequency_Hz) {
     hands_.vibrate(hand, strength, frequency_Hz);
   }
@@ -47,6 +56,9 @@ private:
   HeadsetStage& stage_;
   xr::Session session_;
   xr::Hands hands_;
+  std::unique_ptr<xr::HandTracking> tracking_;  // null: not asked for
+  std::array<xr::Pinch, xr::kHands> pinches_;
+  std::array<xr::Sighting, xr::kHands> sightings_;
   std::unique_ptr<xr::Swapchain> pictures_;  // both eyes side by side; null before the first
   std::unique_ptr<xr::Swapchain> sheet_;     // null: nothing is said
   int fitted_ = 0;                           // Session::times_begun() that they are of

@@ -4,6 +4,11 @@ namespace fulcrum::input {
 
 const Pose& Grasp::follow(const std::array<GraspingHand, 2>& hands, bool rests) {
   const auto can_hold = [&](const GraspingHand& hand) { return !rests && hand.holds && hand.X_WG; };
+  if (lost_) {
+    const GraspingHand& other = hands[1 - *lost_];
+    if (hands[*lost_].X_WG || (other.X_WG && other.holds)) lost_.reset();
+  }
+  if (hand_ && !hands[*hand_].X_WG) lost_ = hand_;
   if (hand_ && !can_hold(hands[*hand_])) hand_.reset();
   if (hand_) {
     // About itself: a turn of the hand that holds it from afar does not swing it around.

@@ -55,6 +55,12 @@ Json hand_to_pixel_json(const HandToPixel& figures) {
   return stages;
 }
 
+Json colocation_json(const Colocated& colocation) {
+  return {{"space", colocation.space},
+          {"residual_m", colocation.residual_m},
+          {"residuals_m", colocation.residuals_m}};
+}
+
 Json heard_json(const HeardScene& heard) {
   return {
       {"device", heard.device},       {"blows", heard.blows},
@@ -143,6 +149,7 @@ std::string summary_json(const Summary& summary) {
   if (summary.guided) document["guided"] = true;
   if (summary.frames_per_s) document["frames_per_s"] = *summary.frames_per_s;
   if (summary.hand_to_pixel) document["hand_to_pixel_ms"] = hand_to_pixel_json(*summary.hand_to_pixel);
+  if (summary.colocation) document["colocation"] = colocation_json(*summary.colocation);
   if (summary.sound_latency) document["sound_latency_ms"] = latency_json(*summary.sound_latency);
   if (summary.heard) document["heard"] = heard_json(*summary.heard);
   // A name that is not UTF-8 must not cost the run its summary.

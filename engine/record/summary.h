@@ -43,6 +43,13 @@ struct HeardScene {
 // "12 blows on Built-in Audio: 17 ms from a blow to the loudspeaker, at most 20 ms".
 std::string heard_text(const HeardScene& heard);
 
+// The device was seen in a headset where it was felt: how well, and in which of its spaces.
+struct Colocated {
+  std::string space;
+  double residual_m = 0;            // RMS, of the points that were touched
+  std::vector<double> residuals_m;  // (n) of each
+};
+
 struct Summary {
   std::string scenario;
   std::string device;
@@ -71,6 +78,7 @@ struct Summary {
   std::optional<HeardScene> heard;            // absent where nobody listened
   std::optional<double> frames_per_s;         // that the window drew; absent without one
   std::optional<HandToPixel> hand_to_pixel;   // of the frames that somebody saw
+  std::optional<Colocated> colocation;        // absent where the scene stood elsewhere
   std::int64_t late_ticks = 0;
   std::int64_t lost_ticks = 0;
   std::vector<FaultCount> faults;

@@ -6,6 +6,7 @@
 #include "engine/render/look.h"
 #include "engine/render/mip_chain.h"
 #include "engine/render/recording.h"
+#include "engine/render/scatter_taps.h"
 #include "shaders/shared/material.h"
 
 namespace fulcrum::render {
@@ -25,6 +26,8 @@ gpu::MaterialData numbers_of(const SurfaceDetail& detail) {
   made.specular = glm::vec4(detail.f0, detail.f90);
   made.coat = {detail.clearcoat, detail.clearcoat_roughness, 0.0F, detail.sheen_roughness};
   made.sheen = glm::vec4(detail.sheen, 0.0F);
+  made.passed = glm::vec4(detail.passed, 0.0F);
+  made.scattering = with_greatest(detail.scatter_distance);
   for (std::size_t i = 0; i < SurfaceDetail::kKinds; ++i) {
     const TextureLayer layer = detail.layers[i].value_or(TextureLayer{});
     made.uv_turn[i] = {layer.turn[0].x, layer.turn[1].x, layer.turn[0].y, layer.turn[1].y};
@@ -137,6 +140,21 @@ void DetailedSurfaces::record_occluders(VkCommandBuffer commands, const Pipeline
       const VkDescriptorSet set = materials_[piece.material]->set.get();
       vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
     }
+    vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+    geometry.draw(commands, piece, sight);
+  }
+}
+
+void DetailedSurfaces::record_entering(VkCommandBuffer commands, const Pipelines& pipelines,
+                                       const SceneGeometry& geometry, VkDescriptorSet scene_set,
+                                       const Sight& sight) const {
+  geometry.bind(commands);
+  const VkPipelineLayout layout = pipelines.detailed_layout.get();
+  for (const SceneGeometry::Piece& piece : geometry.detailed(sight.layers)) {
+    if (!is_scattering(piece.look)) continue;
+    render::bind(commands, pipelines.entering.at(piece.look).get(), layout, scene_set);
+    const VkDescriptorSet set = materials_[piece.material]->set.get();
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
     vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     geometry.draw(commands, piece, sight);
   }

@@ -29,6 +29,9 @@ public:
   // In depth alone, with their holes, those that are not blended.
   void record_occluders(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
                         VkDescriptorSet scene_set, const Sight& sight) const;
+  // The light that enters those that it spreads below, with their numbers.
+  void record_entering(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
+                       VkDescriptorSet scene_set, const Sight& sight) const;
   // The shadows of those that have holes.
   void record_shadows(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
                       VkDescriptorSet scene_set, SceneGeometry::Casters which, const Sight& light) const;

@@ -22,8 +22,9 @@ struct CoarserPatch {
   double error = 0.0;  // m, see LevelsOfDetail::Level
 };
 
-// Each has about half the triangles of the one before. Vertices at a rim, at a seam, or where more than two
-// triangles share an edge stay: the last is as coarse as these allow.
+// Each has about half the triangles of the one before. Vertices at a seam, where two of them with other
+// normals or colours lie at one place, go along it, both at once. Those at a rim, where seams end or meet, or
+// where more than two triangles share an edge stay: the last is as coarse as these allow.
 std::vector<CoarserPatch> collapse_edges(Patch patch);
 
 }  // namespace fulcrum::render

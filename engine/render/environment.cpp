@@ -6,55 +6,20 @@
 #include <glm/gtc/packing.hpp>
 #include <numbers>
 
+#include "engine/render/octahedral_map.h"
+
 namespace fulcrum::render {
 namespace {
 
 constexpr float kFullTurn = 2.0F * std::numbers::pi_v<float>;
-constexpr float kInner = 0.75F;  // of a level's side: the rest is its border
+constexpr float kInner = 0.75F;  // of a level's side: the rest is its border (octahedral_map.h)
 constexpr float kMirror =
     0.08F;  // up to this roughness, a pixel of the sharpest level is wider than the lobe
-constexpr float kBrightest = 60000.0F;      // that a half float holds
-constexpr std::uint32_t kLobeSamples = 32;  // of the first rough level; of each after it, four times as many
-
-// The unit direction of a place on the octahedron's map, -1..1; a little beyond, the one beyond the fold.
-glm::vec3 direction_at(glm::vec2 p) {
-  if (std::abs(p.x) > 1.0F) p = {std::copysign(2.0F, p.x) - p.x, -p.y};
-  if (std::abs(p.y) > 1.0F) p = {-p.x, std::copysign(2.0F, p.y) - p.y};
-  const float y = 1.0F - std::abs(p.x) - std::abs(p.y);
-  glm::vec2 flat = p;
-  if (y < 0.0F) flat = {std::copysign(1.0F - std::abs(p.y), p.x), std::copysign(1.0F - std::abs(p.x), p.y)};
-  return glm::normalize(glm::vec3(flat.x, y, flat.y));
-}
-
-glm::vec2 place_of(const glm::vec3& d) {
-  const glm::vec3 on = d / (std::abs(d.x) + std::abs(d.y) + std::abs(d.z));
-  if (on.y >= 0.0F) return {on.x, on.z};
-  return {std::copysign(1.0F - std::abs(on.z), on.x), std::copysign(1.0F - std::abs(on.x), on.z)};
-}
-
-// One level while it is made.
-struct OctahedralMap {
-  std::uint32_t side = 0;
-  std::vector<glm::vec3> pixels{};
-
-  glm::vec3 direction(std::uint32_t column, std::uint32_t row) const {
-    const glm::vec2 middle(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
-    return direction_at((middle * (2.0F / static_cast<float>(side)) - 1.0F) / kInner);
-  }
-
-  glm::vec3 at(const glm::vec3& d) const {
-    const glm::vec2 p = (place_of(d) * (0.5F * kInner) + 0.5F) * static_cast<float>(side) - 0.5F;
-    const glm::vec2 low = glm::floor(p), part = p - low;
-    const auto column = static_cast<std::size_t>(low.x), row = static_cast<std::size_t>(low.y);
-    const glm::vec3* first = pixels.data() + row * side + column;
-    return glm::mix(glm::mix(first[0], first[1], part.x), glm::mix(first[side], first[side + 1], part.x),
-                    part.y);
-  }
-};
+constexpr float kBrightest = 60000.0F;  // that a half float holds
 
 template <typename Value>
 OctahedralMap map_of(std::uint32_t side, const Value& value) {
-  OctahedralMap made{side};
+  OctahedralMap made{side, {}};
   made.pixels.reserve(std::size_t{side} * side);
   for (std::uint32_t row = 0; row < side; ++row)
     for (std::uint32_t column = 0; column < side; ++column)
@@ -67,7 +32,7 @@ std::vector<OctahedralMap> coarser_and_coarser(const OctahedralMap& sharpest) {
   std::vector<OctahedralMap> made{sharpest};
   while (made.back().side > 8) {
     const OctahedralMap& fine = made.back();
-    OctahedralMap coarse{fine.side / 2};
+    OctahedralMap coarse{fine.side / 2, {}};
     for (std::uint32_t row = 0; row < coarse.side; ++row)
       for (std::uint32_t column = 0; column < coarse.side; ++column) {
         const glm::vec3* first = fine.pixels.data() + std::size_t{2} * row * fine.side + 2 * column;
@@ -136,39 +101,37 @@ std::vector<std::uint8_t> as_halves(const OctahedralMap& level) {
 // Directions spread evenly: rings of equal height, each with a turn of its own.
 constexpr std::uint32_t kRings = 64, kOnRing = 64;
 
-// The nine real harmonics, each with pi / (2 l + 1) of its own sum as the cosine leaves of it, over pi.
-Irradiance irradiance_of(const Surroundings& radiance) {
-  std::array<glm::vec3, 9> sums{};
+std::vector<Beam> beams_in_rings(const Surroundings& around) {
+  std::vector<Beam> beams;
   for (std::uint32_t ring = 0; ring < kRings; ++ring) {
     const float y = 1.0F - 2.0F * (static_cast<float>(ring) + 0.5F) / static_cast<float>(kRings);
     const float across = std::sqrt(1.0F - y * y);
     for (std::uint32_t i = 0; i < kOnRing; ++i) {
       const float turn = kFullTurn * (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) / kOnRing;
       const glm::vec3 d(across * std::cos(turn), y, across * std::sin(turn));
-      const std::array<float, 9> basis{1.0F,
-                                       d.x,
-                                       d.y,
-                                       d.z,
-                                       d.x * d.y,
-                                       d.y * d.z,
-                                       d.z * d.x,
-                                       3.0F * d.z * d.z - 1.0F,
-                                       d.x * d.x - d.y * d.y};
-      const glm::vec3 light = radiance(d);
-      for (std::size_t k = 0; k < basis.size(); ++k) sums[k] += light * basis[k];
+      beams.push_back({d, around.radiance(d), 1.0F / static_cast<float>(kRings * kOnRing)});
     }
   }
+  return beams;
+}
+
+// The nine real harmonics, each with pi / (2 l + 1) of its own sum as the cosine leaves of it, over pi.
+Irradiance irradiance_of(const std::vector<Beam>& beams) {
+  std::array<glm::vec3, 9> sums{};
+  for (const auto& [d, light, share] : beams) {
+    const std::array<float, 9> basis{
+        1.0F, d.x, d.y, d.z, d.x * d.y, d.y * d.z, d.z * d.x, 3.0F * d.z * d.z - 1.0F, d.x * d.x - d.y * d.y};
+    for (std::size_t k = 0; k < basis.size(); ++k) sums[k] += light * (basis[k] * share);
+  }
   // Of l = 0, 1, 2 the cosine leaves pi, 2 pi / 3 and pi / 4; the harmonics' own squares are 1 / (4 pi),
-  // 3 / (4 pi), 15 / (4 pi) (of 3 z^2 - 1: 5 / (16 pi); of x^2 - y^2: 15 / (16 pi)); a direction stands for
-  // 4 pi / count, and the whole is over pi.
-  const float each = 1.0F / static_cast<float>(kRings * kOnRing);
-  const float flat = each, first = 2.0F * each, second = 3.75F * each, zonal = 0.3125F * each,
-              last = 0.9375F * each;
+  // 3 / (4 pi), 15 / (4 pi) (of 3 z^2 - 1: 5 / (16 pi); of x^2 - y^2: 15 / (16 pi)); all directions are
+  // 4 pi, and the whole is over pi.
+  constexpr float first = 2.0F, second = 3.75F, zonal = 0.3125F, last = 0.9375F;
   Irradiance made;
   for (int i = 0; i < 3; ++i) {
     const auto c = static_cast<std::size_t>(i);
     made.linear[c] = {first * sums[1][i], first * sums[2][i], first * sums[3][i],
-                      flat * sums[0][i] - zonal * sums[7][i]};
+                      sums[0][i] - zonal * sums[7][i]};
     made.quadratic[c] = {second * sums[4][i], second * sums[5][i], 3.0F * zonal * sums[7][i],
                          second * sums[6][i]};
   }
@@ -201,15 +164,16 @@ std::uint64_t environment_bytes() {
   return texels * sizeof(std::uint64_t);
 }
 
-Environment make_environment(const Surroundings& radiance) {
+Environment make_environment(const Surroundings& around, std::optional<std::uint32_t> samples) {
   Environment made;
-  made.irradiance = irradiance_of(radiance);
-  const std::vector<OctahedralMap> sources = coarser_and_coarser(map_of(kEnvironmentSize, radiance));
+  made.irradiance = irradiance_of(around.beams.empty() ? beams_in_rings(around) : around.beams);
+  const std::vector<OctahedralMap> sources = coarser_and_coarser(map_of(kEnvironmentSize, around.radiance));
   made.levels.push_back(as_halves(sources.front()));
+  const std::uint32_t first = samples.value_or(around.beams.empty() ? kLobeSamples : kLobeSamplesOfPicture);
   for (std::uint32_t level = 1; level < kEnvironmentLevels; ++level) {
-    const std::vector<Sample> samples = lobe(environment_roughness(level), kLobeSamples << (2 * (level - 1)));
+    const std::vector<Sample> each = lobe(environment_roughness(level), first << (2 * (level - 1)));
     made.levels.push_back(as_halves(
-        map_of(kEnvironmentSize >> level, [&](const glm::vec3& d) { return blurred(sources, samples, d); })));
+        map_of(kEnvironmentSize >> level, [&](const glm::vec3& d) { return blurred(sources, each, d); })));
   }
   return made;
 }

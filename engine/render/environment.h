@@ -5,21 +5,20 @@
 // Irradiance by spherical harmonics: R. Ramamoorthi and P. Hanrahan, "An Efficient Representation for
 // Irradiance Environment Maps", SIGGRAPH 2001; packed for shaders as in P.-P. Sloan, "Stupid Spherical
 // Harmonics Tricks", 2008. Mirrors that grow rough: B. Karis, "Real Shading in Unreal Engine 4", 2013 (split
-// sum). Octahedral map: Z. Cigolle et al., "A Survey of Efficient Representations for Independent Unit
-// Vectors", JCGT 2014.
+// sum), each sample from a level as coarse as what it stands for: M. Colbert and J. Krivanek, "GPU-Based
+// Importance Sampling", GPU Gems 3, 2007.
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
+
+#include "engine/render/surroundings.h"
 
 namespace fulcrum::render {
 
-// Radiance that arrives from a unit direction in the world; linear.
-using Surroundings = std::function<glm::vec3(const glm::vec3& from)>;
-
-// Of an octahedral map, +y in its middle: pixels a side of its sharpest level, of a mirror; and levels, each
+// Of the map (octahedral_map.h): pixels a side of its sharpest level, of a mirror; and levels, each
 // half as large as the one before and of a roughness that grows evenly to 1.
 constexpr std::uint32_t kEnvironmentSize = 256;
 constexpr std::uint32_t kEnvironmentLevels = 6;
@@ -37,12 +36,16 @@ glm::vec3 irradiance(const Irradiance& around, const glm::vec3& n);
 
 struct Environment {
   Irradiance irradiance;
-  // RGBA, half floats, row by row. Along each side of a level an eighth of its pixels repeats what lies
-  // beyond the fold, so that a filter never meets an edge.
+  // RGBA, half floats, row by row.
   std::vector<std::vector<std::uint8_t>> levels;
 };
 
-Environment make_environment(const Surroundings& radiance);
+// Samples of a lobe, for each pixel of the first rough level; of each level after it, four times as many. Of
+// light that changes little, and of a picture, in which there may be a sun.
+constexpr std::uint32_t kLobeSamples = 32, kLobeSamplesOfPicture = 128;
+
+// samples: of the first rough level; none: what its light needs.
+Environment make_environment(const Surroundings& around, std::optional<std::uint32_t> samples = {});
 
 // The roughness that a level is made for.
 float environment_roughness(std::uint32_t level);

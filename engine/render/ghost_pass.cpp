@@ -19,14 +19,6 @@ float srgb_encoded(float linear) {
   return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
-vulkan::SamplerHandle make_texel_sampler(vulkan::Device& device) {
-  VkSamplerCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  return vulkan::make_sampler(device, info);
-}
-
 }  // namespace
 
 GhostPass::GhostPass(vulkan::Device& device, const Ghost& look, std::shared_ptr<GhostEdges> edges,

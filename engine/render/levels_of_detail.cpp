@@ -106,12 +106,14 @@ LevelsOfDetail levels_of_detail(const Mesh& mesh) {
   std::vector<PieceLevels> made(pieces.size());
   std::atomic<std::size_t> next{0};
   {
-    std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-      workers.emplace_back([&] {
-        for (std::size_t piece = next++; piece < pieces.size(); piece = next++)
-          made[piece] = levels_of(mesh, pieces[piece]);
-      });
+    const auto work = [&] {
+      for (std::size_t piece = next++; piece < pieces.size(); piece = next++)
+        made[piece] = levels_of(mesh, pieces[piece]);
+    };
+    std::vector<std::jthread> others;
+    const std::size_t workers = std::min<std::size_t>(std::thread::hardware_concurrency(), pieces.size());
+    for (std::size_t i = 1; i < workers; ++i) others.emplace_back(work);
+    work();
   }
   LevelsOfDetail all;
   const auto add = [&all](LevelsOfDetail::Piece& piece, const PieceLevels& levels, std::size_t level) {

@@ -36,7 +36,7 @@ struct LevelsOfDetail {
 };
 
 // Below this a mesh is drawn as it is.
-inline constexpr std::size_t kTrianglesWorthLevels = 4096;
+inline constexpr std::size_t kTrianglesWorthLevels = 200;
 
 // The same for the same mesh, however many cores there are.
 LevelsOfDetail levels_of_detail(const Mesh& mesh);

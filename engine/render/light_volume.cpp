@@ -8,13 +8,14 @@
 
 #include "engine/render/bounds.h"
 #include "engine/render/look.h"
+#include "engine/render/mip_chain.h"
 
 namespace fulcrum::render {
 namespace {
 
 constexpr float kMostVoxels = 64.0F;  // along the longest side
 constexpr std::size_t kDirections = 64;
-constexpr std::size_t kFineDirections = 4096;  // that those stand for
+constexpr std::size_t kFineDirections = 4096;  // that those stand for, of light that changes little
 constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F};
 
 struct Grid {
@@ -128,6 +129,13 @@ private:
   std::vector<Matter> matter_;
 };
 
+// What a surface of it sends on of what it receives, in the mean of its picture.
+glm::vec3 sent_on_by(const VisualDesc& desc, const Material& material) {
+  if (!material.detail) return material.base_colour;
+  const auto& layer = material.detail->layers[SurfaceDetail::base_colour];
+  return layer ? material.base_colour * mean_colour(desc.textures[layer->texture]) : material.base_colour;
+}
+
 // An instance that hides light, its vertices in the world.
 struct Standing {
   const Mesh* mesh;
@@ -136,10 +144,12 @@ struct Standing {
 
 std::vector<Standing> standing_in(const VisualDesc& desc, std::uint32_t layers) {
   std::vector<Standing> found;
+  std::vector<glm::vec3> colours;  // of each material
+  for (const Material& material : desc.materials) colours.push_back(sent_on_by(desc, material));
   for (const Instance& instance : desc.instances) {
     if (!hides_light(desc, instance, layers)) continue;
     const Mesh& mesh = desc.meshes[instance.mesh];
-    const glm::vec3 colour = desc.materials[instance.material].base_colour;
+    const glm::vec3 colour = colours[instance.material];
     Standing& standing = found.emplace_back(Standing{&mesh, {}});
     standing.corners.reserve(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
@@ -196,18 +206,25 @@ std::array<glm::vec3, n> directions() {
   return made;
 }
 
+std::vector<Beam> spread_beams(const Surroundings& around) {
+  std::vector<Beam> beams;
+  for (const glm::vec3& d : directions<kFineDirections>())
+    beams.push_back({d, around.radiance(d), 1.0F / static_cast<float>(kFineDirections)});
+  return beams;
+}
+
 struct Ray {
   glm::vec3 from;   // unit: where the light comes from
   float luminance;  // in the mean of all directions that this one stands for, times their share of all
 };
 
-std::vector<Ray> rays_of(const Surroundings& radiance) {
+std::vector<Ray> rays_of(const Surroundings& around) {
   std::vector<Ray> rays;
   for (const glm::vec3& d : directions<kDirections>()) rays.push_back({d, 0.0F});
-  for (const glm::vec3& d : directions<kFineDirections>()) {
+  for (const Beam& beam : around.beams.empty() ? spread_beams(around) : around.beams) {
     const auto nearest =
-        std::ranges::max_element(rays, {}, [&](const Ray& ray) { return glm::dot(ray.from, d); });
-    nearest->luminance += glm::dot(radiance(d), kLuminance) / static_cast<float>(kFineDirections);
+        std::ranges::max_element(rays, {}, [&](const Ray& ray) { return glm::dot(ray.from, beam.from); });
+    nearest->luminance += glm::dot(beam.radiance, kLuminance) * beam.share;
   }
   return rays;
 }
@@ -379,10 +396,10 @@ std::uint64_t light_volume_voxels(const VisualDesc& desc) {
   return all;
 }
 
-LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, const Surroundings& radiance,
-                              const Irradiance& around) {
+LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, const Surroundings& around,
+                              const Irradiance& received) {
   LightVolume made;
-  const std::vector<Ray> rays = rays_of(radiance);
+  const std::vector<Ray> rays = rays_of(around);
   for (const Ray& ray : rays) made.unhidden += glm::vec4(2.0F * ray.from, 1.0F) * ray.luminance;
   made.received = {made.unhidden};
   const std::optional<Grid> grid = grid_over(desc, layers);
@@ -393,7 +410,7 @@ LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, cons
   const std::vector<Matter> matter = matter_of(desc, layers, *grid);
   const std::vector<float> passes = passing(*grid, matter);
   let_in(made, *grid, passes, rays);
-  send_on(made, *grid, matter, passes, rays, radiance_of(made, *grid, matter, desc, around));
+  send_on(made, *grid, matter, passes, rays, radiance_of(made, *grid, matter, desc, received));
   return made;
 }
 

@@ -32,9 +32,9 @@ struct LightVolume {
 std::vector<std::uint32_t> light_volume_layers(const VisualDesc& desc);
 
 // Of what stands and is in one of these layers; without any one voxel, which is open.
-// around: of the same radiance.
-LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, const Surroundings& radiance,
-                              const Irradiance& around);
+// received: irradiance of the same surroundings.
+LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, const Surroundings& around,
+                              const Irradiance& received);
 
 // Voxels of all of them, before they are made; 1 where nothing stands.
 std::uint64_t light_volume_voxels(const VisualDesc& desc);

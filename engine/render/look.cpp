@@ -23,6 +23,8 @@ std::optional<std::uint32_t> look_of(const Material& material) {
   has(detail.clearcoat > 0.0F, FULCRUM_LOOK_COAT);
   has(detail.sheen != glm::vec3(0.0F), FULCRUM_LOOK_SHEEN);
   has(detail.transmission > 0.0F, FULCRUM_LOOK_TRANSMISSION);
+  has(detail.scatter_distance != glm::vec3(0.0F) && !detail.unlit && !is_blended(look),
+      FULCRUM_LOOK_SCATTERING);
   return look;
 }
 
@@ -34,6 +36,14 @@ bool is_masked(std::uint32_t look) {
   return (look & FULCRUM_LOOK_MASK) != 0 && !is_blended(look);
 }
 
+bool is_scattering(std::uint32_t look) {
+  return (look & FULCRUM_LOOK_SCATTERING) != 0;
+}
+
+std::uint32_t without_scattering(std::uint32_t look) {
+  return look & ~FULCRUM_LOOK_SCATTERING;
+}
+
 bool is_two_sided(std::uint32_t look) {
   return (look & FULCRUM_LOOK_DOUBLE_SIDED) != 0;
 }
@@ -43,7 +53,7 @@ std::string describe_look(std::uint32_t look) {
     std::uint32_t bit;
     const char* text;
   };
-  constexpr std::array<Word, 13> kWords = {{{1U << FULCRUM_TEXTURE_BASE, "base colour texture"},
+  constexpr std::array<Word, 14> kWords = {{{1U << FULCRUM_TEXTURE_BASE, "base colour texture"},
                                             {1U << FULCRUM_TEXTURE_METAL_ROUGH, "metal-rough texture"},
                                             {1U << FULCRUM_TEXTURE_NORMAL, "normal texture"},
                                             {1U << FULCRUM_TEXTURE_OCCLUSION, "occlusion texture"},
@@ -55,7 +65,8 @@ std::string describe_look(std::uint32_t look) {
                                             {FULCRUM_LOOK_UNLIT, "no light"},
                                             {FULCRUM_LOOK_COAT, "clear coat"},
                                             {FULCRUM_LOOK_SHEEN, "sheen"},
-                                            {FULCRUM_LOOK_TRANSMISSION, "transmission"}}};
+                                            {FULCRUM_LOOK_TRANSMISSION, "transmission"},
+                                            {FULCRUM_LOOK_SCATTERING, "subsurface scattering"}}};
   std::string text;
   for (const Word& word : kWords)
     if ((look & word.bit) != 0) text.append(text.empty() ? "" : ", ").append(word.text);

@@ -111,6 +111,19 @@ std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture) {
   return levels;
 }
 
+glm::vec3 mean_colour(const Texture& texture) {
+  const FirstLevel pixels(texture);
+  glm::dvec3 sum(0.0);
+  double weight = 0.0;
+  for (std::uint32_t y = 0; y < pixels.height; ++y)
+    for (std::uint32_t x = 0; x < pixels.width; ++x) {
+      const glm::vec4 pixel = pixels.at(x, y);
+      sum += glm::dvec3(pixel);
+      weight += texture.holes ? static_cast<double>(pixel.a + kNothing) : 1.0;
+    }
+  return glm::vec3(sum / weight);
+}
+
 std::uint32_t mip_levels(const Texture& texture) {
   return static_cast<std::uint32_t>(std::bit_width(std::max(texture.width, texture.height)));
 }

@@ -12,6 +12,9 @@ namespace fulcrum::render {
 // mean of what it covers: of light where the texture is sRGB, of colours that are there where it has holes.
 std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture);
 
+// Of all its pixels; linear.
+glm::vec3 mean_colour(const Texture& texture);
+
 // How many that are, and their bytes together.
 std::uint32_t mip_levels(const Texture& texture);
 std::uint64_t mip_bytes(const Texture& texture);

@@ -4,24 +4,13 @@
 #include "engine/render/targets.h"
 
 namespace fulcrum::render {
-namespace {
-
-vulkan::SamplerHandle make_occlusion_sampler(vulkan::Device& device) {
-  VkSamplerCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  return vulkan::make_sampler(device, info);
-}
-
-}  // namespace
 
 Extent occlusion_extent(Extent scene) {
   return {(scene.width + 1) / 2, (scene.height + 1) / 2};
 }
 
 OcclusionPass::OcclusionPass(vulkan::Device& device, Extent scene, VkBuffer frame)
-    : sampler_(make_occlusion_sampler(device)) {
+    : sampler_(make_texel_sampler(device)) {
   const Extent half = occlusion_extent(scene);
   const VkExtent2D extent{half.width, half.height};
   depth_ = vulkan::Image(device, {kDepthFormat, extent,

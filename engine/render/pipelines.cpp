@@ -47,13 +47,14 @@ std::string lit_as_planned(std::string name, const RenderPlan& plan) {
   else if (plan.shadow_size > 0)
     name += "_shadowed";
   if (plan.occlusion) name += "_occluded";
-  return name += ".frag";
+  if (plan.lights) name += "_lamplit";
+  return name;
 }
 
 PipelineHandle make_surfaces(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                              VkPipelineLayout layout) {
   PipelineDesc desc = scene_desc(plan, layout);
-  desc.stages = stages(shaders, "surface.vert", lit_as_planned("surface", plan).c_str());
+  desc.stages = stages(shaders, "surface.vert", (lit_as_planned("surface", plan) + ".frag").c_str());
   read_vertices(desc, true);
   desc.cull = VK_CULL_MODE_BACK_BIT;
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, true, false};
@@ -69,7 +70,10 @@ void read_uv(PipelineDesc& desc) {
 PipelineHandle make_detailed(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                              VkPipelineLayout layout, std::uint32_t look) {
   PipelineDesc desc = scene_desc(plan, layout);
-  desc.stages = stages(shaders, "detailed.vert", lit_as_planned("detailed", plan).c_str());
+  const std::string fragment = plan.scattering > 0 && is_scattering(look)
+                                   ? "detailed_scattered.frag"
+                                   : lit_as_planned("detailed", plan) + ".frag";
+  desc.stages = stages(shaders, "detailed.vert", fragment.c_str());
   desc.stages.back().constant = look;
   read_vertices(desc, true);
   read_uv(desc);
@@ -133,11 +137,43 @@ void add_occlusion(Pipelines& made, vulkan::Device& device, const RenderPlan& pl
   made.occlusion_smooth = make_pipeline(device, found);
 }
 
+// One sample a pixel: what it draws is spread over many.
+PipelineHandle make_entering(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
+                             VkPipelineLayout layout, std::uint32_t look) {
+  PipelineDesc desc;
+  desc.layout = layout;
+  desc.colour = kEnteringFormat;
+  desc.depth = kDepthFormat;
+  desc.stages =
+      stages(shaders, "detailed.vert", (lit_as_planned("detailed", plan) + "_entering.frag").c_str());
+  desc.stages.back().constant = look;
+  read_vertices(desc, true);
+  read_uv(desc);
+  desc.cull.reset();
+  desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, true, false};
+  return make_pipeline(device, desc);
+}
+
+void add_scattering(Pipelines& made, vulkan::Device& device, const RenderPlan& plan,
+                    const ShaderLibrary& shaders, VkDescriptorSetLayout set) {
+  for (const std::uint32_t look : plan.looks)
+    if (is_scattering(look))
+      made.entering[look] = make_entering(device, plan, shaders, made.detailed_layout.get(), look);
+  made.scatter_layout = vulkan::make_pipeline_layout(device, {&set, 1}, {});
+  PipelineDesc spread;
+  spread.layout = made.scatter_layout.get();
+  spread.stages = stages(shaders, "screen.vert", "scatter.frag");
+  spread.stages.back().constant = static_cast<std::uint32_t>(plan.scattering);
+  spread.colour = kSpreadFormat;
+  made.scatter = make_pipeline(device, spread);
+}
+
 // Behind everything: it passes where nothing has been drawn, so hidden parts of it cost nothing.
 PipelineHandle make_background(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                                VkPipelineLayout layout) {
   PipelineDesc desc = scene_desc(plan, layout);
-  desc.stages = stages(shaders, "screen.vert", "background.frag");
+  desc.stages =
+      stages(shaders, "screen.vert", plan.seen_around ? "background_around.frag" : "background.frag");
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_EQUAL, false, false};
   return make_pipeline(device, desc);
 }
@@ -228,6 +264,7 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
       made.masked_shadow = make_masked_shadow(device, shaders, made.detailed_layout.get());
   }
   if (plan.occlusion) add_occlusion(made, device, plan, shaders, sets.occlusion);
+  if (plan.scattering > 0) add_scattering(made, device, plan, shaders, sets.scatter);
   if (plan.markers) made.markers = make_markers(device, plan, shaders, layout);
   if (plan.ghosts) add_ghosts(made, device, plan, shaders, sets.ghost);
   if (plan.stereo) add_stereo(made, device, *plan.stereo, shaders, sets.stereo);

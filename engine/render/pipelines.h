@@ -20,6 +20,9 @@ constexpr std::uint32_t kOpenBinding = 6;
 constexpr std::uint32_t kReceivedBinding = 7;
 constexpr std::uint32_t kSentOnBinding = 8;
 constexpr std::uint32_t kShadowDepthBinding = 9;
+constexpr std::uint32_t kLightsBinding = 10;
+constexpr std::uint32_t kScatteredBinding = 11;
+constexpr std::uint32_t kEnteringBinding = 12;
 
 // Bindings of the ghost's descriptor set.
 constexpr std::uint32_t kGhostChosenBinding = 0;
@@ -45,6 +48,9 @@ struct Pipelines {
   vulkan::PipelineHandle masked_occluders;
   vulkan::PipelineHandle occlusion;
   vulkan::PipelineHandle occlusion_smooth;
+  std::map<std::uint32_t, vulkan::PipelineHandle> entering;  // by look, of those that light spreads below
+  vulkan::PipelineLayoutHandle scatter_layout;
+  vulkan::PipelineHandle scatter;
   vulkan::PipelineHandle markers;
   vulkan::PipelineLayoutHandle ghost_layout;
   vulkan::PipelineHandle ghost_depth;
@@ -59,6 +65,7 @@ struct SetLayouts {
   VkDescriptorSetLayout material = VK_NULL_HANDLE;  // read only if the plan has detailed surfaces
   VkDescriptorSetLayout tone = VK_NULL_HANDLE;
   VkDescriptorSetLayout occlusion = VK_NULL_HANDLE;  // read only if the plan has ambient occlusion
+  VkDescriptorSetLayout scatter = VK_NULL_HANDLE;    // read only if the plan has subsurface scattering
   VkDescriptorSetLayout ghost = VK_NULL_HANDLE;      // read only if the plan has a ghost
   VkDescriptorSetLayout stereo = VK_NULL_HANDLE;     // read only if the plan is for two eyes
 };

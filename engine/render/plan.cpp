@@ -10,11 +10,13 @@
 #include "engine/render/look.h"
 #include "engine/render/mip_chain.h"
 #include "engine/render/occlusion_pass.h"
+#include "engine/render/scatter_taps.h"
 #include "engine/render/validate.h"
 #include "engine/render/vertex.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/ghost.h"
 #include "shaders/shared/instance.h"
+#include "shaders/shared/light.h"
 #include "shaders/shared/marker.h"
 
 namespace fulcrum::render {
@@ -25,6 +27,7 @@ constexpr std::uint64_t kDepthTexel = 4;      // D32_SFLOAT
 constexpr std::uint64_t kPictureTexel = 4;    // R8G8B8A8_UNORM
 constexpr std::uint64_t kGhostTexel = 2;      // R8G8_UNORM
 constexpr std::uint64_t kOcclusionTexel = 4;  // R16G16_SFLOAT
+constexpr std::uint64_t kScatterTexel = 16;   // R32G32B32A32_UINT, and _SFLOAT
 
 std::uint64_t texels(Extent extent) {
   return std::uint64_t{extent.width} * extent.height;
@@ -51,6 +54,10 @@ std::optional<Error> check_options(const RenderOptions& options) {
   }
   if (!(quality.resolution_scale >= 0.25F && quality.resolution_scale <= 1.0F))
     return Error{"The resolution scale is " + std::to_string(quality.resolution_scale) + "; use 0.25 to 1."};
+  if (quality.scattering < 0 || quality.scattering > kMostScatterTaps) {
+    return Error{"Light cannot spread below surfaces with " + std::to_string(quality.scattering) +
+                 " samples per pixel; use 0 (it does not) to " + std::to_string(kMostScatterTaps) + "."};
+  }
   if (!(quality.coarseness >= 0.0F && quality.coarseness <= 16.0F))
     return Error{"Triangles may be off by " + std::to_string(quality.coarseness) +
                  " pixels; use 0 (none are coarser) to 16."};
@@ -102,7 +109,11 @@ void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
   plan.built.push_back({"instances", "buffer", facts.instances * sizeof(gpu::InstanceData),
                         std::to_string(facts.instances) + " of them"});
   plan.built.push_back(
-      {"surroundings", "image", environment_bytes(), "the studio as mirrors of six roughnesses show it"});
+      {"surroundings", "image", environment_bytes(),
+       std::string(facts.picture ? "a picture" : "the studio") + " as mirrors of six roughnesses show it"});
+  if (!facts.picture)
+    plan.left_out.push_back(
+        {"picture of the surroundings", "image", 0, "the scene has its light from the studio"});
   if (facts.voxels > 1)
     plan.built.push_back({"light volume", "image", 3 * facts.voxels * kSceneTexel,
                           std::to_string(facts.voxels) +
@@ -122,7 +133,8 @@ void add_detail(const SceneFacts& facts, RenderPlan& plan) {
     return;
   }
   for (const std::uint32_t look : plan.looks)
-    plan.built.push_back({"detailed surfaces", "pipeline", 0, describe_look(look)});
+    plan.built.push_back({"detailed surfaces", "pipeline", 0,
+                          describe_look(plan.scattering > 0 ? look : without_scattering(look))});
   plan.built.push_back({"places in textures", "buffer", facts.detailed_vertices * sizeof(glm::vec4),
                         "of " + std::to_string(facts.detailed_vertices) + " vertices"});
   if (facts.textures > 0)
@@ -170,6 +182,18 @@ void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& pla
                                                   : "the scene's key light has no diameter"});
 }
 
+void add_lights(const SceneFacts& facts, RenderPlan& plan) {
+  plan.lights = plan.surfaces && facts.lights > 0;
+  if (!plan.lights) {
+    plan.left_out.push_back(
+        {"lights of models", "buffer", 0,
+         facts.lights == 0 ? "no model brings one (KHR_lights_punctual)" : "the scene has no instances"});
+    return;
+  }
+  plan.built.push_back({"lights of models", "buffer", sizeof(gpu::LightsData),
+                        std::to_string(facts.lights) + ", in those of surfaces: without shadows"});
+}
+
 void add_occlusion(const Quality& quality, RenderPlan& plan) {
   plan.occlusion = plan.surfaces && quality.occlusion;
   if (!plan.occlusion) {
@@ -184,6 +208,31 @@ void add_occlusion(const Quality& quality, RenderPlan& plan) {
                         size_of(half) + ": depth, what it hides, and that made smooth"});
   plan.built.push_back(
       {"ambient occlusion", "pipeline", 0, "what near things hide of the light from all around"});
+}
+
+std::uint64_t scatter_bytes(Extent scene) {
+  return texels(scene) * (2 * kScatterTexel + kDepthTexel);
+}
+
+void add_scattering(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {
+  plan.scattering = facts.scattering > 0 ? quality.scattering : 0;
+  if (plan.scattering == 0) {
+    const std::string why = facts.scattering > 0 ? "the quality setting switches it off"
+                                                 : "no material says how far light spreads below it";
+    for (const char* kind : {"image", "buffer", "pipeline"})
+      plan.left_out.push_back({"subsurface scattering", kind, 0, why});
+    return;
+  }
+  const std::uint64_t numbers =
+      facts.scattering + kScatterPatterns * static_cast<std::uint64_t>(plan.scattering);
+  plan.built.push_back({"subsurface scattering", "image", scatter_bytes(plan.scene),
+                        size_of(plan.scene) + ": depth, the light that enters, and that spread"});
+  plan.built.push_back({"subsurface scattering", "buffer", numbers * sizeof(glm::vec4),
+                        std::to_string(facts.scattering) + " distances, and " +
+                            std::to_string(plan.scattering) + " samples in " +
+                            std::to_string(kScatterPatterns) + " patterns"});
+  plan.built.push_back(
+      {"subsurface scattering", "pipeline", 0, "the light that enters surfaces, and spreads"});
 }
 
 void add_markers(const SceneFacts& facts, RenderPlan& plan) {
@@ -228,7 +277,8 @@ std::uint64_t view_bytes(const SceneFacts& facts, const RenderPlan& plan, Extent
   const std::uint64_t colour = kSceneTexel * (each > 1 ? each + 1 : 1), depth = kDepthTexel * each;
   const std::uint64_t hidden =
       plan.occlusion ? texels(occlusion_extent(scene)) * (kDepthTexel + 2 * kOcclusionTexel) : 0;
-  return texels(scene) * (colour + depth) + hidden +
+  const std::uint64_t scattered = plan.scattering > 0 ? scatter_bytes(scene) : 0;
+  return texels(scene) * (colour + depth) + hidden + scattered +
          texels(picture) * facts.ghost_edges.size() * (kDepthTexel + kGhostTexel);
 }
 
@@ -282,7 +332,7 @@ void add_targets(RenderPlan& plan) {
     plan.left_out.push_back({"finished scene", "image", 0, whole});
     plan.left_out.push_back({"enlargement", "pipeline", 0, whole});
   }
-  plan.built.push_back({"background", "pipeline", 0, "a gradient"});
+  plan.built.push_back({"background", "pipeline", 0, plan.seen_around ? "the surroundings" : "a gradient"});
   plan.built.push_back({"tone mapping", "pipeline", 0, "AgX, with a little contrast"});
   plan.built.push_back({"frame", "buffer", sizeof(gpu::FrameData), "camera and lights"});
 }
@@ -324,6 +374,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
       continue;
     }
     looks.insert(*look);
+    facts.scattering += is_scattering(*look) ? 1 : 0;
     meshes.insert(instance.mesh);
     for (const auto& layer : material.detail->layers)
       if (layer) textures.insert(layer->texture);
@@ -332,12 +383,15 @@ SceneFacts facts_of(const VisualDesc& desc) {
   for (const std::size_t mesh : meshes) facts.detailed_vertices += desc.meshes[mesh].positions.size();
   facts.textures = textures.size();
   for (const std::size_t texture : textures) facts.texture_bytes += mip_bytes(desc.textures[texture]);
+  facts.lights = desc.lights.size();
   facts.markers = desc.markers.size();
   for (const Ghost& ghost : desc.ghosts) {
     // All of them copy the same instances: if one has no edges, none has.
     if (const std::size_t edges = GhostEdges(desc, ghost).size(); edges > 0)
       facts.ghost_edges.push_back(edges);
   }
+  facts.picture = desc.ambient.picture.has_value();
+  facts.picture_seen = facts.picture && desc.ambient.picture->seen;
   facts.key_light = desc.key_light.has_value();
   facts.key_light_casts = desc.key_light && desc.key_light->casts_shadow;
   facts.key_light_wide = desc.key_light && desc.key_light->diameter > 0.0F;
@@ -357,6 +411,7 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   plan.samples = options.quality.samples;
   plan.surfaces = facts.instances > 0;
   plan.plain_surfaces = facts.plain > 0;
+  plan.seen_around = plan.surfaces && facts.picture_seen;
   plan.markers = facts.markers > 0;
   plan.ghosts = !facts.ghost_edges.empty();
   plan.inset = options.inset;
@@ -364,6 +419,8 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   add_geometry(facts, plan);
   add_levels(facts, options.quality, plan);
   add_shadow(facts, options.quality, plan);
+  add_lights(facts, plan);
+  add_scattering(facts, options.quality, plan);
   add_detail(facts, plan);
   add_occlusion(options.quality, plan);
   add_markers(facts, plan);

@@ -55,9 +55,12 @@ struct RenderPlan {
   bool standing_shadows = false;  // those of what never moves have a map of their own
   bool soft_shadows = false;      // with edges as wide as the light's size makes them
   bool occlusion = false;         // ambient
+  int scattering = 0;             // samples per pixel; 0: nothing is built for light below surfaces
   bool surfaces = false;
   bool plain_surfaces = false;            // of one colour, one metallic and one roughness
   std::vector<std::uint32_t> looks = {};  // of the others (look.h), each once
+  bool lights = false;                    // beside the key light: that models bring
+  bool seen_around = false;               // the surroundings are the background
   bool markers = false;
   bool ghosts = false;
   std::optional<Extent> inset{};       // its scene is as large
@@ -86,8 +89,12 @@ struct SceneFacts {
   std::uint64_t textures = 0;             // that they show
   std::uint64_t texture_bytes = 0;        // of those, in all their sizes
   std::uint64_t voxels = 0;               // of light volumes
+  std::uint64_t lights = 0;               // beside the key light
+  std::uint64_t scattering = 0;           // instances that light spreads below
   std::uint64_t markers = 0;
   std::vector<std::uint64_t> ghost_edges;  // of each ghost that has some
+  bool picture = false;                    // the surroundings are one
+  bool picture_seen = false;
   bool key_light = false;
   bool key_light_casts = false;
   bool key_light_wide = false;  // it has a size

@@ -65,6 +65,15 @@ public:
     }
   }
 
+  // The plane through a triangle's first edge that stands upright on it, with the weight of the triangle.
+  void add_upright(const std::array<glm::dvec3, 3>& p) {
+    const glm::dvec3 edge = p[1] - p[0], across = glm::cross(edge, p[2] - p[0]),
+                     out = glm::cross(edge, across);
+    const double length = glm::length(out);
+    if (!(length > 0.0)) return;
+    place_.add_plane(out / length, -glm::dot(out / length, p[0]), 0.5 * glm::length(across));
+  }
+
   void add(const VertexQuadric& other) {
     area_ += other.area_;
     place_.add(other.place_);

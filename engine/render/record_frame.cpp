@@ -46,6 +46,8 @@ void Renderer::record_view(VkCommandBuffer commands, View& view) {
   if (view.occlusion)
     view.occlusion->record(commands, pipelines_, *geometry_, detailed_.get(), view.scene_set.get(),
                            view.sight);
+  if (view.scatter)
+    view.scatter->record(commands, pipelines_, *geometry_, *detailed_, view.scene_set.get(), view.sight);
   record_scene(commands, view, ghosts);
   if (ghosts) vulkan::barrier(commands, view.targets.depth.get(), kDepth, use::kDepthTarget, use::kSampled);
   for (const auto& ghost : view.ghosts)

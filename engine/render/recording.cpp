@@ -43,6 +43,14 @@ void bind(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set, 0, nullptr);
 }
 
+vulkan::SamplerHandle make_texel_sampler(vulkan::Device& device) {
+  VkSamplerCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  return vulkan::make_sampler(device, info);
+}
+
 vulkan::ImageUse discarded_after(const vulkan::ImageUse& last) {
   return {last.stage, last.access, VK_IMAGE_LAYOUT_UNDEFINED};
 }

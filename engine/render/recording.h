@@ -4,6 +4,7 @@
 #include <vulkan/vulkan_core.h>
 
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/descriptors.h"
 
 namespace fulcrum::render {
 
@@ -21,6 +22,9 @@ void begin(VkCommandBuffer commands, VkExtent2D extent, const VkRenderingAttachm
 void set_area(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y, VkExtent2D extent);
 
 void bind(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set);
+
+// What a pass reads of another one's picture: the nearest texel as it is; beyond an edge, the last before it.
+vulkan::SamplerHandle make_texel_sampler(vulkan::Device& device);
 
 // Content is not kept, but what used it last must be over.
 vulkan::ImageUse discarded_after(const vulkan::ImageUse& last);

@@ -3,7 +3,8 @@
 #include <atomic>
 #include <cstdio>
 
-#include "engine/render/studio.h"
+#include "engine/render/scatter_taps.h"
+#include "engine/render/surroundings.h"
 
 namespace fulcrum::render {
 namespace {
@@ -73,6 +74,7 @@ Renderer::Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderO
       options_(options),
       facts_(facts_of(desc)),
       setting_{desc.key_light, {}, desc.background},
+      lights_(desc),
       markers_(desc.markers),
       shaders_(std::move(shaders)),
       commands_(device),
@@ -84,6 +86,12 @@ Renderer::Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderO
     build_environment(desc);
   }
   if (!facts_.looks.empty()) detailed_ = std::make_unique<DetailedSurfaces>(device, desc);
+  if (facts_.scattering > 0) {
+    const std::vector<glm::vec4> distances = scatter_distances(desc);
+    scatter_distances_ =
+        vulkan::upload(device, std::as_bytes(std::span(distances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    shared_.scatter_distances = scatter_distances_.get();
+  }
   take_ghosts(desc);
   if (!markers_.empty()) {
     marker_buffer_ = vulkan::Buffer(device, markers_.size() * sizeof(gpu::MarkerData),
@@ -97,11 +105,11 @@ Renderer::~Renderer() {
 }
 
 void Renderer::build_environment(const VisualDesc& desc) {
-  const Surroundings radiance = [&](const glm::vec3& from) { return studio_radiance(desc.ambient, from); };
-  const Environment made = make_environment(radiance);
+  const Surroundings around = surroundings_of(desc.ambient);
+  const Environment made = make_environment(around);
   setting_.around = made.irradiance;
   for (const std::uint32_t layers : light_volume_layers(desc))
-    volumes_.emplace_back(device_, layers, make_light_volume(desc, layers, radiance, made.irradiance));
+    volumes_.emplace_back(device_, layers, make_light_volume(desc, layers, around, made.irradiance));
   shared_.volumes = volumes_;
   environment_ = vulkan::upload_texture(device_, VK_FORMAT_R16G16B16A16_SFLOAT,
                                         {kEnvironmentSize, kEnvironmentSize}, made.levels);
@@ -122,8 +130,9 @@ void Renderer::build(const RenderPlan& plan) {
   const bool other_shadow = first || !ready_ || plan.shadow_size != plan_.shadow_size;
   const bool other_pipelines =
       first || !ready_ || plan.samples != plan_.samples || plan.ghosts != plan_.ghosts ||
-      plan.occlusion != plan_.occlusion || plan.soft_shadows != plan_.soft_shadows ||
-      (plan.enlarged() && !plan_.enlarged()) || (plan.shadow_size > 0) != (plan_.shadow_size > 0);
+      plan.occlusion != plan_.occlusion || plan.scattering != plan_.scattering ||
+      plan.soft_shadows != plan_.soft_shadows || (plan.enlarged() && !plan_.enlarged()) ||
+      (plan.shadow_size > 0) != (plan_.shadow_size > 0);
   ready_ = false;
   drawn_ = false;
   plan_ = plan;
@@ -146,10 +155,11 @@ void Renderer::build_pipelines() {
   // Of all ghosts alike.
   const VkDescriptorSetLayout ghost = main_.ghosts.empty() ? VK_NULL_HANDLE : main_.ghosts.front()->layout();
   const VkDescriptorSetLayout occlusion = main_.occlusion ? main_.occlusion->layout() : VK_NULL_HANDLE;
+  const VkDescriptorSetLayout scatter = main_.scatter ? main_.scatter->layout() : VK_NULL_HANDLE;
   const VkDescriptorSetLayout stereo = stereo_ ? stereo_->set.layout() : VK_NULL_HANDLE;
   pipelines_ = make_pipelines(device_, plan_, shaders_,
                               {main_.scene_set.layout(), detailed_ ? detailed_->layout() : VK_NULL_HANDLE,
-                               main_.tone_set.layout(), occlusion, ghost, stereo});
+                               main_.tone_set.layout(), occlusion, scatter, ghost, stereo});
 }
 
 void Renderer::build_shadow_map() {
@@ -271,6 +281,7 @@ std::optional<Error> Renderer::update(const FrameState& state) {
   }
   inset_at_ = state.inset;
   if (inset_) show(*inset_, state.inset->camera);
+  place_lights(state.X_WM);
   markers_shown_ = plan_.markers ? write_markers(markers_, state.markers, state.marker_colours,
                                                  reinterpret_cast<gpu::MarkerData*>(marker_buffer_.mapped()))
                                  : 0;
@@ -289,6 +300,12 @@ void Renderer::fit_shadow() {
   standing_stale_ = true;
 }
 
+void Renderer::place_lights(std::span<const glm::mat4> X_WM) {
+  main_.light_by(lights_, X_WM);
+  if (stereo_) stereo_->right.light_by(lights_, X_WM);
+  if (inset_) inset_->light_by(lights_, X_WM);
+}
+
 std::function<void()> Renderer::placing(const LatePoses& late) {
   if (!late || !geometry_) return {};
   return [this, &late] {
@@ -299,6 +316,7 @@ std::function<void()> Renderer::placing(const LatePoses& late) {
                             " movable instances; give one pose for each.");
     // The shadow of this frame may have been kept from the one before: the next one is drawn for certain.
     if (geometry_->place(X_WM)) shadow_stale_ = true;
+    place_lights(X_WM);
   };
 }
 

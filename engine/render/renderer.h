@@ -12,6 +12,7 @@
 #include "engine/render/overlay_pass.h"
 #include "engine/render/picture.h"
 #include "engine/render/pipelines.h"
+#include "engine/render/punctual_lights.h"
 #include "engine/render/scene_geometry.h"
 #include "engine/render/stereo_targets.h"
 #include "engine/render/view.h"
@@ -84,6 +85,8 @@ private:
   std::optional<Error> fit(Extent extent, const std::optional<Inset>& inset);
   std::optional<Error> update(const FrameState& state);
   void fit_shadow();
+  // Of the lights that models bring, in all views.
+  void place_lights(std::span<const glm::mat4> X_WM);
   // Of poses that are told late; null: there are none.
   std::function<void()> placing(const LatePoses& late);
   void record(VkCommandBuffer commands, OverlayPass* overlay);
@@ -105,6 +108,7 @@ private:
   RenderOptions options_;
   SceneFacts facts_;
   Setting setting_;
+  PunctualLights lights_;
   std::vector<Marker> markers_;
   RenderPlan plan_;
   ShaderLibrary shaders_;
@@ -112,6 +116,7 @@ private:
 
   std::unique_ptr<SceneGeometry> geometry_;     // null without instances
   std::unique_ptr<DetailedSurfaces> detailed_;  // null without detailed materials
+  vulkan::Buffer scatter_distances_;            // empty where light spreads below nothing
   vulkan::Buffer marker_buffer_;                // empty without markers
   vulkan::Image environment_;                   // this and the volumes: empty without instances
   std::vector<VolumeOnDevice> volumes_;

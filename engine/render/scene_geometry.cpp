@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/render/look.h"
+#include "engine/render/scatter_taps.h"
 #include "engine/render/vertex.h"
 
 namespace fulcrum::render {
@@ -110,6 +111,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
   });
   std::vector<Bounds> mesh_bounds;
   for (const Mesh& mesh : desc.meshes) mesh_bounds.push_back(bounds_of(mesh.positions));
+  const std::vector<std::uint32_t> scattering = scatter_numbers(desc);
   std::vector<std::uint32_t> slot_of(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto slot = static_cast<std::uint32_t>(i);
@@ -126,6 +128,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     slot_of[order[i]] = slot;
     slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, casts, instance.layers});
     data()[slot] = to_gpu(instance, material);
+    data()[slot].surface.z = static_cast<float>(scattering[order[i]]);
     batch.count += 1;
     batch.casters += casts ? 1 : 0;
     batch.tool = batch.tool || (instance.movable && instance.follows == 0);

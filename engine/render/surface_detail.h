@@ -59,7 +59,10 @@ struct SurfaceDetail {
   float clearcoat_roughness = 0.0F;
   glm::vec3 sheen{0.0F};  // of fibres
   float sheen_roughness = 0.0F;
-  float transmission = 0.0F;  // of a thin wall: what is behind is seen through it, unbent
+  float transmission = 0.0F;  // what is behind is seen through it, unbent
+  glm::vec3 passed{1.0F};     // the part of that which its thickness lets through
+  // m, of light that spreads below it: d of Burley's profile (scatter_taps.h)
+  glm::vec3 scatter_distance{0.0F};
 };
 
 }  // namespace fulcrum::render

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/render/scatter_taps.h"
+
 namespace fulcrum::render {
 using vulkan::Error;
 
@@ -59,6 +61,10 @@ std::optional<Error> check_material(const VisualDesc& desc, std::size_t index) {
                    std::to_string(layer->texture) + ", but there are " +
                    std::to_string(desc.textures.size()) + " textures."};
   }
+  const glm::vec3& d = material.detail->scatter_distance;
+  if (!finite(d) || glm::any(glm::lessThan(d, glm::vec3(0.0F))))
+    return Error{"The " + named("material", material.name, index) +
+                 " says that light spreads below it by what is no distance; give metres, 0 or more."};
   return {};
 }
 
@@ -98,6 +104,41 @@ std::optional<Error> check_instance(const VisualDesc& desc, std::size_t index) {
   return {};
 }
 
+// The sum of such lights near by, as a mirror shows it, is still a number.
+constexpr float kBrightestLight = 1e9F;
+
+std::optional<Error> check_light(const VisualDesc& desc, std::size_t index) {
+  const PunctualLight& light = desc.lights[index];
+  const std::string who = "The " + named("light", light.name, index);
+  const bool sound = finite(light.position) && finite(light.direction) && finite(light.colour) &&
+                     light.intensity >= 0.0F && light.intensity <= kBrightestLight &&
+                     light.range.value_or(1.0F) > 0.0F;
+  if (!sound)
+    return Error{who + " needs finite numbers, an intensity of 0 to a billion and a range above 0 m."};
+  if (light.kind != PunctualLight::Kind::point && !(glm::length(light.direction) > 0.0F))
+    return Error{who + " has no direction; give the way its light travels, such as 0 -1 0."};
+  if (!(light.inner_cone_rad >= 0.0F && light.inner_cone_rad <= light.outer_cone_rad))
+    return Error{who + " begins to fade outside the cone where it ends; let its inner cone be the smaller."};
+  if (light.carried_by &&
+      (*light.carried_by >= desc.instances.size() || !desc.instances[*light.carried_by].movable))
+    return Error{who + " is carried by instance " + std::to_string(*light.carried_by) +
+                 ", which is none that moves."};
+  return {};
+}
+
+std::optional<Error> check_panorama(const Panorama& picture) {
+  if (picture.width == 0 || picture.width > 8192 || picture.width != 2 * picture.height ||
+      picture.pixels.size() != std::size_t{picture.width} * picture.height)
+    return Error{
+        "The picture of the surroundings has no size of its own, or is not twice as wide as high; give " +
+        std::string("1 to 4096 rows, each of twice as many pixels.")};
+  for (const glm::vec3& pixel : picture.pixels)
+    if (!finite(pixel) || glm::any(glm::lessThan(pixel, glm::vec3(0.0F))))
+      return Error{
+          "The picture of the surroundings has a pixel that is no amount of light; export it again."};
+  return {};
+}
+
 }  // namespace
 
 std::optional<Error> validate(const VisualDesc& desc) {
@@ -109,6 +150,16 @@ std::optional<Error> validate(const VisualDesc& desc) {
     if (auto error = check_material(desc, i)) return *error;
   for (std::size_t i = 0; i < desc.instances.size(); ++i)
     if (auto error = check_instance(desc, i)) return *error;
+  if (desc.lights.size() > kMostLights)
+    return Error{"The scene has " + std::to_string(desc.lights.size()) +
+                 " lights beside its key light; use " + std::to_string(kMostLights) + " at most."};
+  for (std::size_t i = 0; i < desc.lights.size(); ++i)
+    if (auto error = check_light(desc, i)) return *error;
+  if (const std::size_t count = scatter_distances(desc).size(); count > kMostScattering)
+    return Error{"The scene has " + std::to_string(count) + " instances that light spreads below; " +
+                 std::to_string(kMostScattering) +
+                 " can be told apart: leave out 'scatter_distance' where "
+                 "it is not seen."};
   for (std::size_t i = 0; i < desc.markers.size(); ++i) {
     const Marker& marker = desc.markers[i];
     if (!(marker.radius > 0.0F) || !finite(marker.position)) {
@@ -128,6 +179,8 @@ std::optional<Error> validate(const VisualDesc& desc) {
                    " of the picture's height wide; use more than 0 and at most 0.05."};
     }
   }
+  if (desc.ambient.picture)
+    if (auto error = check_panorama(*desc.ambient.picture)) return *error;
   if (desc.key_light && !(glm::length(desc.key_light->direction) > 0.0F))
     return Error{"The key light has no direction; give the way its light travels, such as 0 -1 0."};
   return {};

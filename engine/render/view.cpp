@@ -14,9 +14,21 @@ std::optional<OcclusionPass> make_occlusion(vulkan::Device& device, const Render
   return std::optional<OcclusionPass>(std::in_place, device, plan.scene, frame);
 }
 
+vulkan::Buffer make_lights(vulkan::Device& device, const RenderPlan& plan) {
+  if (!plan.lights) return {};
+  return {device, sizeof(gpu::LightsData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload};
+}
+
+std::optional<ScatterPass> make_scatter(vulkan::Device& device, const RenderPlan& plan,
+                                        const SharedParts& shared, VkBuffer frame) {
+  if (plan.scattering == 0) return {};
+  return std::optional<ScatterPass>(std::in_place, device, plan, frame, shared.scatter_distances);
+}
+
 vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& plan,
-                                     const SharedParts& shared, VkBuffer frame,
-                                     const std::optional<OcclusionPass>& occlusion, std::size_t volume) {
+                                     const SharedParts& shared, VkBuffer frame, VkBuffer lights,
+                                     const std::optional<OcclusionPass>& occlusion,
+                                     const std::optional<ScatterPass>& scatter, std::size_t volume) {
   constexpr VkShaderStageFlags both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
   std::vector<vulkan::Binding> bindings = {{kFrameBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, both, frame}};
   if (plan.surfaces) {
@@ -31,6 +43,9 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
     lit_by(kReceivedBinding, shared.volumes[volume].received.view());
     lit_by(kSentOnBinding, shared.volumes[volume].sent_on.view());
   }
+  if (plan.lights)
+    bindings.push_back(
+        {kLightsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT, lights});
   if (plan.markers) {
     bindings.push_back(
         {kMarkersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT, shared.markers});
@@ -50,6 +65,13 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
                         VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, occlusion->view(),
                         occlusion->sampler()});
   }
+  if (scatter) {
+    bindings.push_back({kScatteredBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                        VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, scatter->spread(), scatter->sampler()});
+    bindings.push_back({kEnteringBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                        VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE, scatter->entering(),
+                        scatter->sampler()});
+  }
   return {device, bindings};
 }
 
@@ -68,8 +90,11 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
     : plan(view_plan),
       targets(make_targets(device, plan)),
       frame_buffer(device, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload),
+      lights(make_lights(device, plan)),
       occlusion(make_occlusion(device, plan, frame_buffer.get())),
-      scene_set(make_scene_set(device, plan, shared, frame_buffer.get(), occlusion, volume)),
+      scatter(make_scatter(device, plan, shared, frame_buffer.get())),
+      scene_set(
+          make_scene_set(device, plan, shared, frame_buffer.get(), lights.get(), occlusion, scatter, volume)),
       tone_set(device, {sampled(targets.scene, shared.scene_sampler)}) {
   if (plan.enlarged()) {
     widen_set = vulkan::DescriptorSet(device, {sampled(targets.finished, shared.scene_sampler)});
@@ -83,7 +108,8 @@ View::View(vulkan::Device& device, const RenderPlan& view_plan, const SharedPart
 void View::light_by(vulkan::Device& device, const SharedParts& shared, std::size_t which) {
   if (which == volume) return;
   volume = which;
-  scene_set = make_scene_set(device, plan, shared, frame_buffer.get(), occlusion, volume);
+  scene_set =
+      make_scene_set(device, plan, shared, frame_buffer.get(), lights.get(), occlusion, scatter, volume);
 }
 
 void View::update(const gpu::FrameData& data, const FrameState& state) {
@@ -93,6 +119,12 @@ void View::update(const gpu::FrameData& data, const FrameState& state) {
   sight = {data.clip_from_world, state.camera.eye, plan.coarseness * pixel, 0.0F, state.camera.layers};
   for (std::size_t i = 0; i < ghosts.size(); ++i)
     ghosts[i]->update(state.ghosts.empty() ? GhostState() : state.ghosts[i], state.camera, plan);
+}
+
+void View::light_by(const PunctualLights& models, std::span<const glm::mat4> X_WM) {
+  if (!plan.lights) return;
+  const gpu::LightsData data = models.data(X_WM, sight.layers);
+  std::memcpy(lights.mapped(), &data, sizeof(data));
 }
 
 RenderPlan inset_plan(const RenderPlan& plan) {

@@ -8,6 +8,8 @@
 
 #include "engine/render/ghost_pass.h"
 #include "engine/render/occlusion_pass.h"
+#include "engine/render/punctual_lights.h"
+#include "engine/render/scatter_pass.h"
 #include "engine/render/sight.h"
 #include "engine/render/targets.h"
 #include "engine/render/volume_on_device.h"
@@ -26,6 +28,7 @@ struct SharedGhost {
 struct SharedParts {
   VkBuffer instances = VK_NULL_HANDLE;
   VkBuffer markers = VK_NULL_HANDLE;
+  VkBuffer scatter_distances = VK_NULL_HANDLE;
   VkImageView shadow_map = VK_NULL_HANDLE;
   VkSampler shadow_sampler = VK_NULL_HANDLE;
   VkSampler shadow_depth_sampler = VK_NULL_HANDLE;
@@ -45,11 +48,15 @@ struct View {
   void light_by(vulkan::Device& device, const SharedParts& shared, std::size_t which);
   // Of what the next frame shows; state: with this view's camera.
   void update(const gpu::FrameData& data, const FrameState& state);
+  // Where the lights that models bring are, for its camera; nothing where the plan has none.
+  void light_by(const PunctualLights& lights, std::span<const glm::mat4> X_WM);
 
   RenderPlan plan;  // its picture is the part of the picture that the view fills
   Targets targets;
   vulkan::Buffer frame_buffer;
+  vulkan::Buffer lights;                   // beside the key light; empty: the plan has none
   std::optional<OcclusionPass> occlusion;  // where the plan has it
+  std::optional<ScatterPass> scatter;      // where the plan has it
   std::size_t volume = 0;                  // of the shared ones
   vulkan::DescriptorSet scene_set;
   vulkan::DescriptorSet tone_set;

@@ -66,12 +66,41 @@ struct KeyLight {
   bool casts_shadow = true;
 };
 
+inline constexpr std::size_t kMostLights = 8;  // of VisualDesc::lights
+
+// A point that gives light, or light from infinitely far away, that throws no shadow; as glTF's
+// KHR_lights_punctual has it.
+struct PunctualLight {
+  enum class Kind { directional, point, spot };
+  std::string name;
+  Kind kind = Kind::point;
+  glm::vec3 position{0.0F};                 // m; not of a directional one
+  glm::vec3 direction{0.0F, 0.0F, -1.0F};   // the way the light travels, unit; not of a point
+  glm::vec3 colour{1.0F};                   // linear
+  float intensity = 1.0F;                   // irradiance / pi facing it; of one that has a place, at 1 m
+  std::optional<float> range{};             // m, where it ends; none: nowhere
+  float inner_cone_rad = 0.0F;              // from a spot's axis: where it begins to fade
+  float outer_cone_rad = 0.785398163F;      // and where it ends
+  std::optional<std::size_t> carried_by{};  // a movable instance that it is fixed to, in whose mesh's frame M
+                                            // position and direction are; none: in W
+  std::uint32_t layers = 1;                 // of the cameras for which it shines, as of an instance
+};
+
+// What is seen in all directions, as a picture whose rows are circles of equal height (equirectangular), from
+// the top (+y). The middle of column i is towards azimuth (i + 0.5) / width turns from -z over +x.
+struct Panorama {
+  std::uint32_t width = 0, height = 0;  // pixels
+  std::vector<glm::vec3> pixels{};      // (height x width) radiance in the world, linear; any brightness
+  bool seen = false;                    // where nothing else is, in place of the background
+};
+
 // Light from everywhere else: a studio of this sky and this ground, with soft boxes that metal can mirror.
 struct Ambient {
   glm::vec3 sky{0.36F, 0.40F, 0.46F};     // linear
   glm::vec3 ground{0.10F, 0.09F, 0.08F};  // linear
   float intensity = 1.0F;
-  bool mirrored = false;  // the boxes that stand at the left are at the right
+  bool mirrored = false;              // the boxes that stand at the left are at the right
+  std::optional<Panorama> picture{};  // in place of the studio; intensity times it
 };
 
 // Two eyes in place of one, for stereo (stereo.h); lengths in the scene.
@@ -117,7 +146,8 @@ struct VisualDesc {
   std::vector<Texture> textures;  // of materials
   std::vector<Instance> instances;
   std::optional<KeyLight> key_light =
-      KeyLight{};  // absent: ambient light alone, and nothing is built for shadows
+      KeyLight{};                       // absent: ambient light alone, and nothing is built for shadows
+  std::vector<PunctualLight> lights{};  // at most kMostLights; empty: nothing is built for them
   Ambient ambient;
   Camera camera;                // where a view starts
   std::vector<Marker> markers;  // empty: nothing is built for markers

@@ -30,6 +30,7 @@ struct LoadedModels {
   std::vector<std::string> notes;  // sentences: the tool's model was recentred, by how much
   Faults repaired;                 // what was wrong with the tool's surface, and what was guessed
   Faults warnings;                 // a model may be in another unit
+  Faults lights;                   // which models bring lights
 };
 
 // Every model that cannot be used is a fault, not only the first.

@@ -9,7 +9,9 @@
 #include "engine/scenario/device_shapes.h"
 #include "engine/scenario/holding_axes.h"
 #include "engine/scenario/level_bars.h"
+#include "engine/scenario/model_lights.h"
 #include "engine/scenario/surfaces.h"
+#include "engine/scenario/surroundings_file.h"
 #include "engine/scenario/to_glm.h"
 #include "engine/scenario/words.h"
 #include "haptics/actuation/mechanism.h"
@@ -42,6 +44,10 @@ Result<std::monostate> apply(const MaterialOverride& override, std::vector<rende
     if (override.base_colour) material.base_colour = narrowed(*override.base_colour);
     if (override.metallic) material.metallic = static_cast<float>(*override.metallic);
     if (override.roughness) material.roughness = static_cast<float>(*override.roughness);
+    if (override.scatter_distance != Vec3::Zero()) {
+      if (!material.detail) material.detail.emplace();
+      material.detail->scatter_distance = narrowed(override.scatter_distance);
+    }
   }
   if (applied) return std::monostate{};
   std::vector<std::string_view> names;
@@ -61,8 +67,8 @@ std::uint32_t layers_of(const ModelEntry& entry, const std::vector<ModelEntry>& 
   return std::ranges::count(models, entry.name, &ModelEntry::cut_of) > 0 ? kWhole : kWhole | kCut;
 }
 
-// Appends the model's materials and parts; those of the tool are moved to T and movable. Fails where a
-// texture cannot be decoded.
+// Appends the model's materials, parts and lights; those of the tool are moved to T and movable. Fails where
+// a texture cannot be decoded.
 std::optional<Error> add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model,
                                const Vec3& p_MT, const Pose& X_WT_start, std::uint32_t layers, bool drawn) {
   const bool is_tool = entry.role == ModelRole::tool;
@@ -71,6 +77,7 @@ std::optional<Error> add_model(render::VisualDesc& desc, const ModelEntry& entry
     return Error{(entry.drawn.name.empty() ? entry.file : entry.drawn).path.string() + ": " +
                  refused->sentence};
   if (!drawn) return std::nullopt;
+  const std::size_t first_instance = desc.instances.size();
   for (const ModelPart& part : model.parts) {
     render::Instance instance;
     instance.mesh = desc.meshes.size();
@@ -83,6 +90,9 @@ std::optional<Error> add_model(render::VisualDesc& desc, const ModelEntry& entry
     desc.instances.push_back(std::move(instance));
     desc.meshes.push_back(mesh_of(part, is_tool ? p_MT : Vec3::Zero()));
   }
+  // Those of the tool lie in T, as all its instances do.
+  add_lights(desc, model.lights, is_tool ? p_MT : Vec3::Zero(),
+             is_tool ? std::optional(first_instance) : std::nullopt, layers);
   return std::nullopt;
 }
 
@@ -151,6 +161,11 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
     desc.markers.push_back({ball.name, narrowed(ball.position), static_cast<float>(ball.radius)});
   desc.key_light = scenario.light;
   desc.ambient = scenario.ambient;
+  if (scenario.surroundings) {
+    Checked<render::Panorama> read = read_surroundings(scenario, *scenario.surroundings);
+    if (!read) return Error{to_text(read.faults())};
+    desc.ambient.picture = std::move(*read);
+  }
   desc.background = scenario.background;
   // The bridge gives their poses in this order.
   if (shows_ghost(scene, scene)) desc.ghosts.push_back({});

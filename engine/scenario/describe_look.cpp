@@ -1,7 +1,9 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "engine/scenario/describe.h"
 #include "engine/scenario/words.h"
@@ -87,6 +89,34 @@ void describe_light(KeyVisitor& visitor, std::optional<render::KeyLight>& light)
   light = kind == kNone ? std::optional<render::KeyLight>() : beam;
 }
 
+void describe_ambient(KeyVisitor& visitor, Scenario& scenario) {
+  enum : std::size_t { kStudio, kPicture };
+  render::Ambient& ambient = scenario.ambient;
+  SurroundingsEntry around;
+  const Form studio{"studio", "a sky, a ground and soft boxes", [&](KeyVisitor& each) {
+                      each.colour({"sky", "", "from above"}, ambient.sky);
+                      each.colour({"ground", "", "from below"}, ambient.ground);
+                      each.real({"intensity", "", "times both"}, ambient.intensity, from_to(0, 1000));
+                    }};
+  const Form picture{
+      "picture", "a picture of all around", [&](KeyVisitor& each) {
+        each.file(
+            {"file", "",
+             "an equirectangular .hdr in the scenario's folder, at most 4096 x 2048; its middle is seen "
+             "towards +x",
+             true},
+            around.file);
+        each.real({"intensity", "", "times what the picture has"}, ambient.intensity, from_to(0, 1000));
+        describe_degrees(each, {"turn_deg", "", "about the vertical, against the clock from above"},
+                         around.turn, from_to(-360, 360));
+        each.boolean({"seen", "", "behind the scene, in place of the background"}, around.seen);
+      }};
+  std::size_t kind = kStudio;
+  visitor.forms({"ambient", "", "light from everywhere else"}, {"kind", "", "where it comes from"}, kind,
+                std::array{studio, picture});
+  if (kind == kPicture) scenario.surroundings = std::move(around);
+}
+
 void describe_guide(KeyVisitor& visitor, GuideDesc& guide) {
   visitor.vector({"from", "m", "where it sets out, in the world", true}, guide.from_W, kPosition);
   visitor.vector({"to", "m", "where it turns back", true}, guide.to_W, kPosition);
@@ -105,11 +135,7 @@ void describe_look(KeyVisitor& visitor, Scenario& scenario) {
                   [&](KeyVisitor& inner) { describe_guide(inner, scenario.guide.emplace()); });
   describe_views(visitor, scenario.views);
   describe_light(visitor, scenario.light);
-  visitor.mapping({"ambient", "", "light from everywhere else"}, [&](KeyVisitor& inner) {
-    inner.colour({"sky", "", "from above"}, scenario.ambient.sky);
-    inner.colour({"ground", "", "from below"}, scenario.ambient.ground);
-    inner.real({"intensity", "", "times both"}, scenario.ambient.intensity, from_to(0, 1000));
-  });
+  describe_ambient(visitor, scenario);
   visitor.mapping({"background", "", "what is seen where nothing is"}, [&](KeyVisitor& inner) {
     inner.colour({"top", "", "of the picture"}, scenario.background.top);
     inner.colour({"bottom", "", "of the picture"}, scenario.background.bottom);

@@ -61,6 +61,8 @@ void describe_models(KeyVisitor& visitor, std::vector<ModelEntry>& models) {
                "must have a model with 'role: scene', something to touch");
 }
 
+constexpr double kFarthestScatter = 0.1;  // m: more of it is a slip of the unit
+
 void describe_materials(KeyVisitor& visitor, std::vector<MaterialOverride>& materials) {
   visitor.named(
       {"materials", "", "replaces what the models say about the material of that name"}, 0,
@@ -71,6 +73,10 @@ void describe_materials(KeyVisitor& visitor, std::vector<MaterialOverride>& mate
         each.optional_colour({"base_colour", "", "of a metal: its reflectance"}, material.base_colour);
         each.optional_number({"metallic", "", "0 dielectric to 1 metal"}, material.metallic, kFraction);
         each.optional_number({"roughness", "", "0 mirror to 1 matt"}, material.roughness, kFraction);
+        each.each_axis({"scatter_distance", "m",
+                        "how far red, green and blue light spread below the surface: half of it comes out "
+                        "again within 1.55 of these distances"},
+                       material.scatter_distance, from_to(0, kFarthestScatter));
       });
 }
 

@@ -13,9 +13,15 @@ namespace fulcrum::scenario {
 namespace {
 
 // Another one where levels of the same mesh become others, or their bytes.
-constexpr std::string_view kLevelsFormat = "fulcrum levels 1";
+constexpr std::string_view kLevelsFormat = "fulcrum levels 2";
 
-std::string name_of_levels(const render::Mesh& mesh) {
+// A mesh of fewer triangles shares a file with the others of its scene: a plant has hundreds of bolts.
+constexpr std::size_t kTrianglesWorthAFile = 4096;
+
+using Meshes = std::vector<render::Mesh*>;
+using Levels = std::vector<render::LevelsOfDetail>;  // of each of them
+
+std::string name_of_levels(const Meshes& meshes) {
   Sha256 hasher;
   hasher.update(kLevelsFormat);
   const auto add = [&hasher](const auto& values) {
@@ -23,20 +29,25 @@ std::string name_of_levels(const render::Mesh& mesh) {
     hasher.update(std::as_bytes(std::span(&count, 1)));
     hasher.update(std::as_bytes(std::span(values)));
   };
-  add(mesh.positions);
-  add(mesh.normals);
-  add(mesh.colours);
-  add(mesh.indices);
+  for (const render::Mesh* mesh : meshes) {
+    add(mesh->positions);
+    add(mesh->normals);
+    add(mesh->colours);
+    add(mesh->indices);
+  }
   return hasher.finish_hex() + ".levels";
 }
 
-std::vector<std::byte> bytes_of(const render::LevelsOfDetail& levels) {
+std::vector<std::byte> make_bytes(const Meshes& meshes) {
   ByteWriter to;
-  to.vector(levels.indices);
-  to.value(levels.pieces.size());
-  for (const render::LevelsOfDetail::Piece& piece : levels.pieces) {
-    to.value(piece.bounds);
-    to.vector(piece.levels);
+  for (const render::Mesh* mesh : meshes) {
+    const render::LevelsOfDetail levels = render::levels_of_detail(*mesh);
+    to.vector(levels.indices);
+    to.value(levels.pieces.size());
+    for (const render::LevelsOfDetail::Piece& piece : levels.pieces) {
+      to.value(piece.bounds);
+      to.vector(piece.levels);
+    }
   }
   return to.bytes();
 }
@@ -57,41 +68,62 @@ bool fits(const render::LevelsOfDetail& levels, const render::Mesh& mesh) {
                              [&mesh](std::uint32_t vertex) { return vertex < mesh.positions.size(); });
 }
 
-std::optional<render::LevelsOfDetail> levels_from(std::span<const std::byte> bytes,
-                                                  const render::Mesh& mesh) {
+std::optional<Levels> levels_from(std::span<const std::byte> bytes, const Meshes& meshes) {
   ByteReader from(bytes);
-  render::LevelsOfDetail levels;
-  levels.indices = from.vector<std::uint32_t>();
-  const auto pieces = from.value<std::size_t>();
-  if (pieces > bytes.size()) return std::nullopt;
-  for (std::size_t i = 0; i < pieces; ++i) {
-    render::LevelsOfDetail::Piece piece;
-    piece.bounds = from.value<render::Bounds>();
-    piece.levels = from.vector<render::LevelsOfDetail::Level>();
-    levels.pieces.push_back(std::move(piece));
+  Levels all;
+  for (const render::Mesh* mesh : meshes) {
+    render::LevelsOfDetail& levels = all.emplace_back();
+    levels.indices = from.vector<std::uint32_t>();
+    const auto pieces = from.value<std::size_t>();
+    if (pieces > bytes.size()) return std::nullopt;
+    for (std::size_t i = 0; i < pieces; ++i) {
+      render::LevelsOfDetail::Piece piece;
+      piece.bounds = from.value<render::Bounds>();
+      piece.levels = from.vector<render::LevelsOfDetail::Level>();
+      levels.pieces.push_back(std::move(piece));
+    }
+    if (!fits(levels, *mesh)) return std::nullopt;
   }
-  if (!from.finished_well() || !fits(levels, mesh)) return std::nullopt;
-  return levels;
+  if (!from.finished_well()) return std::nullopt;
+  return all;
+}
+
+// Returns what is to be told of the file that they are kept in.
+std::string add_levels(const Meshes& meshes, const BakeCache& cache) {
+  const auto is_whole = [&meshes](std::span<const std::byte> bytes) {
+    return levels_from(bytes, meshes).has_value();
+  };
+  const Baked<std::vector<std::byte>> kept =
+      cache.bytes(name_of_levels(meshes), is_whole, [&meshes] { return make_bytes(meshes); });
+  std::optional<Levels> all = levels_from(kept.value, meshes);
+  if (!all) return kept.note;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    render::LevelsOfDetail& levels = (*all)[i];
+    const bool is_all_edges = levels.pieces.size() == 1 && levels.pieces[0].levels.size() == 1;
+    if (!is_all_edges) meshes[i]->levels = std::move(levels);
+  }
+  return kept.note;
 }
 
 }  // namespace
 
 std::vector<std::string> add_levels_of_detail(render::VisualDesc& desc, const BakeCache& cache) {
-  std::vector<std::string> notes;
+  std::vector<Meshes> files;
+  Meshes small;
   for (render::Mesh& mesh : desc.meshes) {
     if (mesh.indices.size() / 3 < render::kTrianglesWorthLevels) continue;
     if (!mesh.uv.empty()) continue;  // coarser triangles would bend what is laid onto them
-    const auto is_whole = [&mesh](std::span<const std::byte> bytes) {
-      return levels_from(bytes, mesh).has_value();
-    };
-    const Baked<std::vector<std::byte>> kept = cache.bytes(
-        name_of_levels(mesh), is_whole, [&mesh] { return bytes_of(render::levels_of_detail(mesh)); });
-    mesh.levels = levels_from(kept.value, mesh);
-    if (!mesh.levels) continue;
-    const bool is_whole_alone = mesh.levels->pieces.size() == 1 && mesh.levels->pieces[0].levels.size() == 1;
-    if (is_whole_alone) mesh.levels.reset();                                  // it is all edges
-    const bool is_told = std::ranges::find(notes, kept.note) != notes.end();  // of the mesh before
-    if (!kept.note.empty() && !is_told) notes.push_back(kept.note);
+    if (mesh.indices.size() / 3 < kTrianglesWorthAFile)
+      small.push_back(&mesh);
+    else
+      files.push_back({&mesh});
+  }
+  if (!small.empty()) files.push_back(std::move(small));
+  std::vector<std::string> notes;
+  for (const Meshes& meshes : files) {
+    std::string note = add_levels(meshes, cache);
+    const bool is_told = std::ranges::find(notes, note) != notes.end();  // of the file before
+    if (!note.empty() && !is_told) notes.push_back(std::move(note));
   }
   return notes;
 }

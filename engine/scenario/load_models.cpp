@@ -11,6 +11,7 @@
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/marked.h"
 #include "engine/scenario/mirror.h"
+#include "engine/scenario/model_lights.h"
 #include "engine/scenario/nearby.h"
 #include "engine/scenario/words.h"
 #include "haptics/bake/mirrored.h"
@@ -57,6 +58,9 @@ std::optional<Eigen::Affine3d> placement(const ModelEntry& entry) {
 bool place(Model& model, const ModelEntry& entry) {
   const std::optional<Eigen::Affine3d> X = placement(entry);
   if (!X) return true;
+  transform(model.lights, *X);
+  for (const ModelLight& light : model.lights)
+    if (!(light.position_M.cwiseAbs().maxCoeff() <= kFarthest)) return false;
   for (ModelPart& part : model.parts) {
     transform(part, *X);
     for (const Vec3& p : part.positions)
@@ -120,6 +124,25 @@ std::optional<Fault> plainer(const ModelEntry& entry, const FileRef& file, const
   return at(entry, sentence.append("."));
 }
 
+// lights: of the models before, and then of this one as well.
+void count_lights(const ModelEntry& entry, const FileRef& file, const Model& model, std::size_t& lights,
+                  LoadedModels& loaded, Faults& faults) {
+  const std::size_t more = model.lights.size();
+  if (more == 0) return;
+  const std::string brings = in_quotes(file.name) + " brings " +
+                             (more == 1 ? "a light" : std::to_string(more) + " lights") +
+                             " (KHR_lights_punctual), ";
+  const bool fitted = lights <= render::kMostLights;
+  lights += more;
+  if (fitted && lights > render::kMostLights)
+    faults.push_back(at(entry, brings + "with which the models have " + std::to_string(lights) +
+                                   ": at most " + std::to_string(render::kMostLights) +
+                                   " are drawn; take some out of the file."));
+  loaded.lights.push_back(at(entry, brings +
+                                        (more == 1 ? "which throws no shadow" : "which throw no shadows") +
+                                        ": the scene's 'light' alone does."));
+}
+
 // Objects that are marked, and that no model takes.
 void tell_of_left_out(const Scenario& scenario, const std::filesystem::path& file,
                       const std::vector<ObjectMark>& there, Faults& warnings) {
@@ -169,6 +192,7 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
   LoadedModels loaded;
   Faults faults;
   MarksOfFiles marks;
+  std::size_t lights = 0;
   if (scenario.left_handed) loaded.notes.emplace_back("the scene is mirrored, for a tool in the left hand");
   if (!scenario.why_right_handed.empty())
     loaded.notes.push_back("the scene is not mirrored, as the calibration asks: " +
@@ -190,6 +214,10 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
     if (auto warning =
             drawn ? plainer(entry, entry.drawn, *drawn) : plainer(entry, entry.file, loaded.models.back()))
       loaded.warnings.push_back(std::move(*warning));
+    if (drawn)
+      count_lights(entry, entry.drawn, *drawn, lights, loaded, faults);
+    else
+      count_lights(entry, entry.file, loaded.models.back(), lights, loaded, faults);
     if (entry.role == ModelRole::decor) continue;
     const TriangleMesh mesh_M = to_triangle_mesh(loaded.models.back());
     if (auto question = question_of_size(entry, mesh_M)) loaded.warnings.push_back(std::move(*question));

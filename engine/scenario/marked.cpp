@@ -13,11 +13,12 @@ namespace {
 constexpr std::span<const std::string_view> kRoles(names_of<ModelRole>);
 
 // None: the object is not marked, or with a word that is no role.
-std::optional<ObjectMark> mark_of(const ModelPart& part) {
-  const auto role = std::ranges::find(kRoles, part.marked_role);
+template <class Object>
+std::optional<ObjectMark> mark_of(const Object& object) {
+  const auto role = std::ranges::find(kRoles, object.marked_role);
   if (role == kRoles.end()) return std::nullopt;
   ObjectMark mark{static_cast<ModelRole>(role - kRoles.begin()), {}};
-  if (mark.role == ModelRole::scene) mark.material = part.marked_material;
+  if (mark.role == ModelRole::scene) mark.material = object.marked_material;
   return mark;
 }
 
@@ -38,11 +39,16 @@ std::vector<ObjectMark> marks_of(const Model& model) {
 }
 
 std::string refuse_marked(const Model& model, ModelRole role, const std::string& material) {
-  for (const ModelPart& part : model.parts)
-    if (!part.marked_role.empty() && !mark_of(part))
-      return "has an object " + in_quotes(part.name) + " that is marked with the role " +
-             in_quotes(part.marked_role) +
-             did_you_mean(part.marked_role, kRoles, "the roles are " + joined(kRoles));
+  const auto unknown = [](const auto& object) { return !object.marked_role.empty() && !mark_of(object); };
+  const auto refused = [](const auto& object) {
+    return "has an object " + in_quotes(object.name) + " that is marked with the role " +
+           in_quotes(object.marked_role) +
+           did_you_mean(object.marked_role, kRoles, "the roles are " + joined(kRoles));
+  };
+  if (const auto part = std::ranges::find_if(model.parts, unknown); part != model.parts.end())
+    return refused(*part);
+  if (const auto light = std::ranges::find_if(model.lights, unknown); light != model.lights.end())
+    return refused(*light);
   const std::vector<ObjectMark> marks = marks_of(model);
   if (marks.empty())
     return "has no object with a custom property 'fulcrum_role': mark them in the modelling program, and in "
@@ -56,11 +62,9 @@ std::string refuse_marked(const Model& model, ModelRole role, const std::string&
 }
 
 void take_marked(Model& model, ModelRole role, const std::string& material) {
-  std::erase_if(
-      model.parts,
-      [&](const ModelPart& part) {
-        return mark_of(part) != ObjectMark{role, material};
-      });
+  const auto of_others = [&](const auto& object) { return mark_of(object) != ObjectMark{role, material}; };
+  std::erase_if(model.parts, of_others);
+  std::erase_if(model.lights, of_others);
 }
 
 }  // namespace fulcrum::scenario

@@ -100,8 +100,8 @@ void mirror(Scenario& scenario) {
   auto& [title, about, difficulty, time_limit, seed, tick_rate_Hz, left_handed, why_right_handed, models,
          materials, tool, field, shell, contact, surface, edges, integrator, coupling, velocity_estimator,
          device, effects, impact, impact_material, impact_materials, holding_point, checkpoints, dwell,
-         hard_touch, order, avoid, score, variant, hands, guide, sound, views, light, ambient, background,
-         folder, overrides, texts] = scenario;
+         hard_touch, order, avoid, score, variant, hands, guide, sound, views, light, ambient, surroundings,
+         background, folder, overrides, texts] = scenario;
   mirror(tool);
   mirror(device);
   fulcrum::mirror(effects);
@@ -120,6 +120,12 @@ void mirror(Model& model) {
     for (Vec3& p : positions) fulcrum::mirror(p);
     for (Vec3& n : normals) fulcrum::mirror(n);
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
+  }
+  for (ModelLight& light : model.lights) {
+    auto& [name, kind, colour, intensity, range, inner_cone, outer_cone, position_M, direction_M, marked_role,
+           marked_material] = light;
+    fulcrum::mirror(position_M);
+    fulcrum::mirror(direction_M);
   }
 }
 

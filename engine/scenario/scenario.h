@@ -55,9 +55,10 @@ struct ModelEntry {
 struct MaterialOverride {
   std::string name;
   Place where;
-  std::optional<Vec3> base_colour;  // linear
-  std::optional<double> metallic;   // 0 to 1
-  std::optional<double> roughness;  // 0 to 1
+  std::optional<Vec3> base_colour;      // linear
+  std::optional<double> metallic;       // 0 to 1
+  std::optional<double> roughness;      // 0 to 1
+  Vec3 scatter_distance{Vec3::Zero()};  // m, of red, green and blue; zero: light does not spread below it
 };
 
 struct ToolEntry {
@@ -95,6 +96,13 @@ struct HandEntry {
 struct SoundEntry {
   double gain = 1, pitch = 16, slide = 1;  // audio/scene_sound.h
   std::string material = "steel";          // of models that name none, content/materials/MATERIAL.yaml
+};
+
+// The picture of all around that the scene has its light from, in place of the studio.
+struct SurroundingsEntry {
+  FileRef file;       // equirectangular, .hdr; its middle is towards +x
+  float turn = 0;     // rad, about +y
+  bool seen = false;  // behind the scene, in place of the background
 };
 
 struct View {
@@ -158,7 +166,8 @@ struct Scenario {
   std::optional<SoundEntry> sound;
   std::vector<View> views;  // the first is where a window starts
   std::optional<render::KeyLight> light = render::KeyLight{};
-  render::Ambient ambient;
+  render::Ambient ambient;  // its picture is read when the scene is assembled
+  std::optional<SurroundingsEntry> surroundings;
   render::Background background;
 
   std::filesystem::path folder;        // of the scenario's file, absolute

@@ -114,6 +114,7 @@ SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
   to.sheen = colour_of(from.sheen);
   to.sheen_roughness = from.sheen_roughness;
   to.transmission = from.transmission;
+  to.passed = colour_of(from.passed);
   return to;
 }
 

@@ -205,8 +205,13 @@ void TreeReader::forms(const Key& key, const Key& selector, std::size_t& index, 
   for (const Form& form : forms) names.push_back(form.name);
   if (node->kind == Node::Kind::scalar) {  // the name alone
     const auto parsed = parse_choice(*node, names);
-    if (parsed) index = *parsed;
-    if (!parsed) fault(parsed.fault().mark, full(key.name) + " " + parsed.fault().sentence);
+    if (!parsed) {
+      fault(parsed.fault().mark, full(key.name) + " " + parsed.fault().sentence);
+      return;
+    }
+    index = *parsed;
+    const Node without_keys{Node::Kind::mapping, node->mark, {}, false, {}, {}};  // some forms need one
+    read_inner(key, without_keys, path_ + std::string(key.name), forms[index].describe);
     return;
   }
   const std::string path = path_ + std::string(key.name);

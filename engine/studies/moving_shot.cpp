@@ -1,7 +1,5 @@
 #include "engine/studies/moving_shot.h"
 
-#include <algorithm>
-
 namespace fulcrum::app {
 namespace {
 
@@ -19,17 +17,6 @@ render::FrameState MovingShot::next() {
   state.camera = shot_.camera;
   state.X_WM = is_moved_ ? moved_ : shot_.X_WM;
   return state;
-}
-
-void FrameTimes::add(double frame_s) {
-  times_[count_++] = frame_s;
-}
-
-double FrameTimes::median_ms() const {
-  std::array<double, kFrames> counted{};
-  std::copy_n(times_.begin() + kUncounted, kFrames, counted.begin());
-  std::ranges::nth_element(counted, counted.begin() + kFrames / 2);
-  return 1e3 * counted[kFrames / 2];
 }
 
 void without_marks(render::VisualDesc& desc, const Shot& shot) {

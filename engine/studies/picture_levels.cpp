@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/analysis/picture/frame_times.h"
 #include "engine/render/renderer.h"
 #include "engine/studies/moving_shot.h"
 
@@ -14,14 +15,14 @@ Result<DrawnLevel> draw_level(vulkan::Device& device, const render::VisualDesc& 
   const auto renderer = render::Renderer::create(device, desc, options);
   if (!renderer) return renderer.error();
   MovingShot frames(shot);
-  FrameTimes times;
-  for (std::size_t i = 0; i < FrameTimes::kUncounted + FrameTimes::kFrames; ++i) {
+  analysis::picture::FrameTimes times(1);
+  while (!times.are_enough()) {
     if (const auto error = (*renderer)->frame(frames.next())) return *error;
     times.add((*renderer)->last_frame_s());
   }
   Result<render::Picture> picture = (*renderer)->read_back();
   if (!picture) return picture.error();
-  return DrawnLevel{std::move(*picture), times.median_ms()};
+  return DrawnLevel{std::move(*picture), times.median_ms(0)};
 }
 
 }  // namespace
@@ -46,6 +47,7 @@ std::string words_of(const render::Quality& quality) {
   words += quality.shadow_size == 0 ? ", no shadows" : quality.soft_shadows ? ", soft shadows" : ", shadows";
   if (quality.shadow_size > 0) words += " of " + std::to_string(quality.shadow_size);
   if (quality.occlusion) words += ", ambient occlusion";
+  if (quality.scattering > 0) words += ", light below surfaces of " + std::to_string(quality.scattering);
   const auto percent = std::lround(100 * quality.resolution_scale);
   if (percent < 100) words += ", " + std::to_string(percent) + " % of the resolution";
   char coarse[48] = ", all triangles";

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "engine/analysis/picture/frame_times.h"
 #include "engine/analysis/picture/speed_report.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/report_output.h"
@@ -38,16 +39,16 @@ Result<SpeedFigures> measure_speed(vulkan::Device& device, const render::VisualD
     figures.qualities.push_back(words_of(quality));
   }
   MovingShot frames(shot);
-  std::vector<FrameTimes> times(renderers.size());
-  for (std::size_t i = 0; i < FrameTimes::kFrames + FrameTimes::kUncounted; ++i) {
+  analysis::picture::FrameTimes times(renderers.size());
+  while (!times.are_enough()) {
     const render::FrameState state = frames.next();
-    for (std::size_t level = 0; level < renderers.size(); ++level) {
-      if (const auto error = renderers[level]->frame(state)) return *error;
-      times[level].add(renderers[level]->last_frame_s());
+    for (const auto& renderer : renderers) {
+      if (const auto error = renderer->frame(state)) return *error;
+      times.add(renderer->last_frame_s());
     }
   }
   for (std::size_t level = 0; level < renderers.size(); ++level) {
-    figures.frame_ms.push_back(times[level].median_ms());
+    figures.frame_ms.push_back(times.median_ms(level));
     figures.triangles.push_back(renderers[level]->triangles());
   }
   return figures;

@@ -38,7 +38,7 @@ constexpr Profile kProfiles[] = {
 
 }  // namespace
 
-Hands::Hands(Session& session) : session_(session) {
+Hands::Hands(Session& session, bool tips) : session_(session) {
   const Instance& instance = session.instance();
   for (std::size_t hand = 0; hand < kHands; ++hand) paths_[hand] = instance.path(kHandPaths[hand]);
   auto info = structure<XrActionSetCreateInfo>(XR_TYPE_ACTION_SET_CREATE_INFO);
@@ -50,17 +50,15 @@ Hands::Hands(Session& session) : session_(session) {
     hold_ = make_action(XR_ACTION_TYPE_BOOLEAN_INPUT, "hold", "Take the tool");
     stop_ = make_action(XR_ACTION_TYPE_BOOLEAN_INPUT, "stop", "Stop the force");
     vibrate_ = make_action(XR_ACTION_TYPE_VIBRATION_OUTPUT, "vibrate", "Vibration");
+    if (tips) aim_ = make_action(XR_ACTION_TYPE_POSE_INPUT, "aim", "What it points from");
     suggest_bindings();
     auto attaches = structure<XrSessionActionSetsAttachInfo>(XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO);
     attaches.countActionSets = 1;
     attaches.actionSets = &set_;
     check(xrAttachSessionActionSets(session.get(), &attaches), "listen to hands");
     for (std::size_t hand = 0; hand < kHands; ++hand) {
-      auto grip = structure<XrActionSpaceCreateInfo>(XR_TYPE_ACTION_SPACE_CREATE_INFO);
-      grip.action = grip_;
-      grip.subactionPath = paths_[hand];
-      grip.poseInActionSpace.orientation.w = 1;
-      check(xrCreateActionSpace(session.get(), &grip, &grips_[hand]), "say where hands are");
+      grips_[hand] = make_space(grip_, hand);
+      if (tips) aims_[hand] = make_space(aim_, hand);
     }
   } catch (const Failure&) {
     xrDestroyActionSet(set_);
@@ -69,11 +67,23 @@ Hands::Hands(Session& session) : session_(session) {
 }
 
 Hands::~Hands() {
-  for (const XrSpace grip : grips_)
-    if (grip != XR_NULL_HANDLE) xrDestroySpace(grip);
+  for (const auto& spaces : {grips_, aims_})
+    for (const XrSpace space : spaces)
+      if (space != XR_NULL_HANDLE) xrDestroySpace(space);
   // The set would take them along, and layers between here and the runtime would not know.
-  for (const XrAction action : {grip_, hold_, stop_, vibrate_}) xrDestroyAction(action);
+  for (const XrAction action : {grip_, hold_, stop_, vibrate_, aim_})
+    if (action != XR_NULL_HANDLE) xrDestroyAction(action);
   xrDestroyActionSet(set_);
+}
+
+XrSpace Hands::make_space(XrAction action, std::size_t hand) {
+  auto info = structure<XrActionSpaceCreateInfo>(XR_TYPE_ACTION_SPACE_CREATE_INFO);
+  info.action = action;
+  info.subactionPath = paths_[hand];
+  info.poseInActionSpace.orientation.w = 1;
+  XrSpace made = XR_NULL_HANDLE;
+  check(xrCreateActionSpace(session_.get(), &info, &made), "say where hands are");
+  return made;
 }
 
 XrAction Hands::make_action(XrActionType type, const char* name, const char* shown) {
@@ -98,6 +108,7 @@ void Hands::suggest_bindings() {
         bindings.push_back({action, instance.path(name.c_str())});
       };
       bind(grip_, "/input/grip/pose");
+      if (aim_ != XR_NULL_HANDLE) bind(aim_, "/input/aim/pose");
       bind(hold_, profile.hold[hand]);
       bind(stop_, profile.stop[hand]);
       bind(vibrate_, "/output/haptic");
@@ -113,13 +124,15 @@ void Hands::suggest_bindings() {
   }
 }
 
-bool Hands::is_down(XrAction action, std::size_t hand) {
+std::optional<bool> Hands::is_down(XrAction action, std::size_t hand) {
   auto info = structure<XrActionStateGetInfo>(XR_TYPE_ACTION_STATE_GET_INFO);
   info.action = action;
   info.subactionPath = paths_[hand];
   auto state = structure<XrActionStateBoolean>(XR_TYPE_ACTION_STATE_BOOLEAN);
-  return session_.goes_on(xrGetActionStateBoolean(session_.get(), &info, &state), "say what is pressed") &&
-         state.isActive == XR_TRUE && state.currentState == XR_TRUE;
+  const bool is_told =
+      session_.goes_on(xrGetActionStateBoolean(session_.get(), &info, &state), "say what is pressed") &&
+      state.isActive == XR_TRUE;
+  return is_told ? std::optional(state.currentState == XR_TRUE) : std::nullopt;
 }
 
 std::array<Hand, kHands> Hands::read(const Frame& frame) {
@@ -132,8 +145,13 @@ std::array<Hand, kHands> Hands::read(const Frame& frame) {
   if (!session_.goes_on(code, "listen to hands") || code == XR_SESSION_NOT_FOCUSED) return hands;
   for (std::size_t hand = 0; hand < kHands; ++hand) {
     hands[hand].X_LG = session_.locate(grips_[hand], frame);
-    hands[hand].holds = is_down(hold_, hand);
-    hands[hand].stops = is_down(stop_, hand);
+    if (aim_ != XR_NULL_HANDLE)
+      if (const auto X_LA = session_.locate(aims_[hand], frame, Session::Sight::now))
+        hands[hand].tip_L = X_LA->p;
+    const std::optional<bool> holds = is_down(hold_, hand);
+    hands[hand].is_known = holds.has_value();
+    hands[hand].holds = holds.value_or(false);
+    hands[hand].stops = is_down(stop_, hand).value_or(false);
   }
   return hands;
 }

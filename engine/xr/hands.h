@@ -13,14 +13,19 @@ inline constexpr std::size_t kHands = 2;  // left, right
 
 struct Hand {
   std::optional<Pose> X_LG;  // of its grip, as the specification has it; none: nobody knows where it is
-  bool holds = false;        // it is squeezed, or where nothing can be, its select button is down
-  bool stops = false;        // its menu button is down, or what stands for it
+  // (3) m in L, what it points from: the origin of its aim; none: the headset does not see it now, or nobody
+  // asked.
+  std::optional<Vec3> tip_L;
+  bool holds = false;  // it is squeezed, or where nothing can be, its select button is down
+  bool stops = false;  // its menu button is down, or what stands for it
+  // Somebody says whether it holds: of a controller that sleeps, or is not bound yet, nobody does.
+  bool is_known = false;
 };
 
 class Hands {
 public:
-  // The session outlives it. Throws Failure.
-  explicit Hands(Session& session);
+  // The session outlives it. tips: asked for. Throws Failure.
+  Hands(Session& session, bool tips);
   ~Hands();
   Hands(const Hands&) = delete;
   Hands& operator=(const Hands&) = delete;
@@ -33,15 +38,18 @@ public:
   void vibrate(std::size_t hand, double strength, double frequency_Hz);
 
 private:
+  XrSpace make_space(XrAction action, std::size_t hand);
   XrAction make_action(XrActionType type, const char* name, const char* shown);
   void suggest_bindings();
-  bool is_down(XrAction action, std::size_t hand);
+  // None: nobody says.
+  std::optional<bool> is_down(XrAction action, std::size_t hand);
 
   Session& session_;
   std::array<XrPath, kHands> paths_;
   XrActionSet set_ = XR_NULL_HANDLE;
+  XrAction aim_ = XR_NULL_HANDLE;  // null: tips are not asked for
   XrAction grip_ = XR_NULL_HANDLE, hold_ = XR_NULL_HANDLE, stop_ = XR_NULL_HANDLE, vibrate_ = XR_NULL_HANDLE;
-  std::array<XrSpace, kHands> grips_{};
+  std::array<XrSpace, kHands> grips_{}, aims_{};
   std::array<bool, kHands> vibrates_{};
 };
 

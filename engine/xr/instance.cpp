@@ -9,6 +9,8 @@
 namespace fulcrum::xr {
 namespace {
 
+constexpr const char* kTakeControllers = "or take its controllers (--device controller).";
+
 bool offers(const std::vector<XrExtensionProperties>& extensions, std::string_view name) {
   return std::ranges::any_of(
       extensions, [name](const XrExtensionProperties& extension) { return name == extension.extensionName; });
@@ -47,7 +49,7 @@ std::string version_text(XrVersion version) {
 
 }  // namespace
 
-Result<std::unique_ptr<Instance>> Instance::create() {
+Result<std::unique_ptr<Instance>> Instance::create(bool hands) {
   // What is wrong is said in our own sentence; who wants the loader's words sets it.
   setenv("XR_LOADER_DEBUG", "none", 0);  // NOLINT(concurrency-mt-unsafe): no thread runs yet.
   const std::vector<XrExtensionProperties> offered = runtime_extensions();
@@ -56,7 +58,12 @@ Result<std::unique_ptr<Instance>> Instance::create() {
     return Error{
         "The active OpenXR runtime does not draw with Vulkan (XR_KHR_vulkan_enable2): update it, or make "
         "another one active."};
-  const std::array<const char*, 1> extensions{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
+  if (hands && !offers(offered, XR_EXT_HAND_TRACKING_EXTENSION_NAME))
+    return Error{
+        std::string("The active OpenXR runtime tracks no hands (XR_EXT_hand_tracking): update it, ") +
+        kTakeControllers};
+  std::vector<const char*> extensions{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
+  if (hands) extensions.push_back(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
   auto info = structure<XrInstanceCreateInfo>(XR_TYPE_INSTANCE_CREATE_INFO);
   std::strcpy(info.applicationInfo.applicationName, "Fulcrum");
   std::strcpy(info.applicationInfo.engineName, "Fulcrum");
@@ -72,9 +79,14 @@ Result<std::unique_ptr<Instance>> Instance::create() {
   if (XR_SUCCEEDED(xrGetInstanceProperties(made->instance_, &runtime)))
     made->runtime_ = std::string(runtime.runtimeName) + " " + version_text(runtime.runtimeVersion);
   if (const XrResult code = made->ask_for_system(); XR_FAILED(code)) return explain(code);
+  auto tracking = structure<XrSystemHandTrackingPropertiesEXT>(XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
   auto headset = structure<XrSystemProperties>(XR_TYPE_SYSTEM_PROPERTIES);
+  if (hands) headset.next = &tracking;
   if (XR_SUCCEEDED(xrGetSystemProperties(made->instance_, made->system_, &headset)))
     made->headset_ = headset.systemName;
+  if (hands && tracking.supportsHandTracking != XR_TRUE)
+    return Error{"The headset, " + made->headset_ +
+                 ", tracks no hands, or is told not to: switch that on in its settings, " + kTakeControllers};
   return made;
 }
 
@@ -119,11 +131,10 @@ XrPath Instance::path(const char* name) const {
   return path;
 }
 
-template <class Function>
-Function Instance::function(const char* name) const {
+PFN_xrVoidFunction Instance::find(const char* name) const {
   PFN_xrVoidFunction found = nullptr;
   check(xrGetInstanceProcAddr(instance_, name, &found), name);
-  return reinterpret_cast<Function>(found);
+  return found;
 }
 
 VkResult Instance::create_instance(const VkInstanceCreateInfo& info, VkInstance* instance) {

@@ -12,9 +12,9 @@ namespace fulcrum::xr {
 
 class Instance final : public vulkan::Creator {
 public:
-  // Fails with a sentence where no runtime is active, where it cannot draw with Vulkan, or where it has no
-  // headset.
-  static Result<std::unique_ptr<Instance>> create();
+  // hands: without controllers are asked for, too. Fails with a sentence where no runtime is active, where it
+  // cannot draw with Vulkan, where it has no headset, or where that tracks no hands and is asked to.
+  static Result<std::unique_ptr<Instance>> create(bool hands);
   ~Instance() override;
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
@@ -32,6 +32,11 @@ public:
   // that is no size.
   VkExtent2D recommended_eye() const;
 
+  // Of an extension that was asked for. Throws Failure.
+  template <class Function>
+  Function function(const char* name) const {
+    return reinterpret_cast<Function>(find(name));
+  }
   // The path of that name, such as "/user/hand/left". Throws Failure.
   XrPath path(const char* name) const;
 
@@ -42,8 +47,7 @@ public:
 private:
   Instance() = default;
   XrResult ask_for_system();
-  template <class Function>
-  Function function(const char* name) const;
+  PFN_xrVoidFunction find(const char* name) const;
 
   XrInstance instance_ = XR_NULL_HANDLE;
   XrSystemId system_ = XR_NULL_SYSTEM_ID;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/xr/credible.h"
 #include "engine/xr/pose.h"
 
 namespace fulcrum::xr {
@@ -9,12 +10,13 @@ namespace {
 
 constexpr XrSpaceLocationFlags kKnown =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
+constexpr XrSpaceLocationFlags kTracked =
+    XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 constexpr XrViewStateFlags kSeen = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
 
-XrSpace make_space(XrSession session, Space space) {
+XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
   auto info = structure<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
-  info.referenceSpaceType =
-      space == Space::stage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
+  info.referenceSpaceType = type;
   info.poseInReferenceSpace.orientation.w = 1;
   XrSpace made = XR_NULL_HANDLE;
   const XrResult code = xrCreateReferenceSpace(session, &info, &made);
@@ -27,7 +29,9 @@ XrSpace make_space(XrSession session, Space space) {
 
 }  // namespace
 
-Session::Session(Instance& instance, vulkan::Device& gpu, Space space) : instance_(instance) {
+Session::Session(Instance& instance, vulkan::Device& gpu, Space space)
+    : instance_(instance),
+      type_(space == Space::stage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL) {
   if (instance.card(gpu.instance()) != gpu.physical())
     throw Failure("The headset is plugged into another graphics card now: start this again.");
   auto binding = structure<XrGraphicsBindingVulkan2KHR>(XR_TYPE_GRAPHICS_BINDING_VULKAN2_KHR);
@@ -40,7 +44,7 @@ Session::Session(Instance& instance, vulkan::Device& gpu, Space space) : instanc
   info.systemId = instance.system();
   check(xrCreateSession(instance.get(), &info, &session_), "begin a session");
   try {
-    space_ = make_space(session_, space);
+    space_ = make_space(session_, type_);
   } catch (const Failure&) {
     xrDestroySession(session_);
     throw;
@@ -66,12 +70,12 @@ void Session::take_events() {
       }
       case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
         const auto& changed = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
-        if (changed.session == session_) recentred_at_ = changed.changeTime;
+        if (changed.session == session_ && changed.referenceSpaceType == type_)
+          recentred_at_ = changed.changeTime;
         break;
       }
       case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-        over_ = true;
-        break;
+        throw Failure("The headset's runtime ends: start it anew, and this run with it.");
       default:
         break;
     }
@@ -157,16 +161,18 @@ std::optional<std::array<EyeView, 2>> Session::eyes(const Frame& frame) {
                "say where the eyes are") ||
       (state.viewStateFlags & kSeen) != kSeen)
     return std::nullopt;
-  return std::array{EyeView{pose_of(views[0].pose), views[0].fov},
-                    EyeView{pose_of(views[1].pose), views[1].fov}};
+  const std::optional<Pose> left = credible(views[0].pose), right = credible(views[1].pose);
+  if (!left || !right) return std::nullopt;
+  return std::array{EyeView{*left, views[0].fov}, EyeView{*right, views[1].fov}};
 }
 
-std::optional<Pose> Session::locate(XrSpace space, const Frame& frame) {
+std::optional<Pose> Session::locate(XrSpace space, const Frame& frame, Sight sight) {
+  const XrSpaceLocationFlags needed = sight == Sight::now ? kKnown | kTracked : kKnown;
   auto location = structure<XrSpaceLocation>(XR_TYPE_SPACE_LOCATION);
   if (!goes_on(xrLocateSpace(space, space_, frame.display_time, &location), "say where a hand is") ||
-      (location.locationFlags & kKnown) != kKnown)
+      (location.locationFlags & needed) != needed)
     return std::nullopt;
-  return pose_of(location.pose);
+  return credible(location.pose);
 }
 
 }  // namespace fulcrum::xr

@@ -64,8 +64,10 @@ public:
 
   // Left, right; none: nobody knows where the head is.
   std::optional<std::array<EyeView, 2>> eyes(const Frame& frame);
+  // What a place is known by: it may be guessed where it is out of sight, or is seen as it is.
+  enum class Sight { any, now };
   // In L; none: nobody knows where it is.
-  std::optional<Pose> locate(XrSpace space, const Frame& frame);
+  std::optional<Pose> locate(XrSpace space, const Frame& frame, Sight sight = Sight::any);
 
   XrSession get() const { return session_; }
   XrSpace space() const { return space_; }
@@ -78,6 +80,7 @@ private:
 
   Instance& instance_;
   XrSession session_ = XR_NULL_HANDLE;
+  XrReferenceSpaceType type_;  // of L
   XrSpace space_ = XR_NULL_HANDLE;
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool runs_ = false, lost_ = false, over_ = false, ends_ = false;

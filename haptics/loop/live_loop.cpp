@@ -81,7 +81,7 @@ void LiveLoop::run() {
       if (n == lost && wake.long_stall) commands[count++] = {Command::Kind::watchdog};
       if (n == lost && due > 1)
         commands[count++] = {Command::Kind::caught_up, static_cast<double>(due - lost)};
-      if (misses_word(deadline)) commands[count++] = {Command::Kind::stop};
+      if (misses_word(deadline)) commands[count++] = {Command::Kind::unanswered};
       while (count < commands.size() && commands_.pop(commands[count])) ++count;
       TickEvent event;
       const std::int64_t began_ns = AgeClock::now_ns();

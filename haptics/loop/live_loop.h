@@ -44,7 +44,7 @@ public:
   // Main thread. False: the queue is full and the command was not taken.
   bool send(const Command& command) { return commands_.push(command); }
   // Main thread: it is about to do what may never end, such as to wait for a headset. Where it does not say
-  // within limit (s) that it has done so, the force is stopped, as by Command::stop.
+  // within limit (s) that it has done so, the force is stopped (Command::unanswered).
   void expect_word_within(double limit);
   // Main thread: it has. False: too late, and the force was stopped.
   bool gives_word() { return word_due_ns_.exchange(kNoWord, std::memory_order_relaxed) != kWordMissed; }

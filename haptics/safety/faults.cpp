@@ -13,6 +13,8 @@ std::span<const FaultName> fault_names() {
       {kWatchdog, "watchdog", "The haptic thread stood still for a quarter of a second or more."},
       {kToolInside, "tool_inside",
        "The tool is deeper inside the scene than the contact model can push it out of."},
+      {kUnanswered, "unanswered",
+       "The program waited too long for another one, such as a headset's runtime."},
       {kForceClamped, "force_clamped", "The force was limited to what the device may give."},
       {kTorqueClamped, "torque_clamped", "The torque was limited to what the device may give."},
       {kSlewLimited, "slew_limited", "The force changed no faster than the limit."},

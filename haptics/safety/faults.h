@@ -16,6 +16,7 @@ enum Fault : std::uint32_t {
   kDeviceLost = 1u << 3,     // the device is gone
   kWatchdog = 1u << 4,       // the haptic thread stood still for a quarter of a second
   kToolInside = 1u << 5,     // the tool is deeper inside the scene than the contact model is made for
+  kUnanswered = 1u << 6,     // the main thread waits too long, such as for a headset: nobody sees the scene
   // Limits: applied, counted, shown.
   kForceClamped = 1u << 16,     // the wrench's force was clamped to the device's limit
   kTorqueClamped = 1u << 17,    // the wrench's torque was clamped to the device's limit
@@ -36,6 +37,12 @@ enum Fault : std::uint32_t {
 };
 
 inline constexpr std::uint32_t kStoppingFaults = 0x0000ffffu;
+// Of them those in which neither device nor hand does anything wrong: who follows a path waits.
+inline constexpr std::uint32_t kPausingFaults = kStopRequested | kUnanswered;
+// The faults stop the force, and all of them are such.
+inline bool is_pause(std::uint32_t faults) {
+  return (faults & kPausingFaults) != 0 && (faults & kStoppingFaults & ~kPausingFaults) == 0;
+}
 
 struct FaultName {
   Fault bit;

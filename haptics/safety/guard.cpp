@@ -12,6 +12,20 @@ Vec3 beside(const Vec3& there, const Vec3& transient, double limit) {
   return part_beside(there, transient, limit) * transient;
 }
 
+// The fault of a command that stops; 0 of one that does not.
+std::uint32_t stop_by(Command::Kind kind) {
+  switch (kind) {
+    case Command::Kind::stop:
+      return kStopRequested;
+    case Command::Kind::watchdog:
+      return kWatchdog;
+    case Command::Kind::unanswered:
+      return kUnanswered;
+    default:
+      return 0;
+  }
+}
+
 }  // namespace
 
 Guard::Guard(const DeviceDesc& device, double tick_s, std::span<const TransientSource> transients)
@@ -30,9 +44,9 @@ std::uint32_t Guard::watch(const DeviceSample& sample, std::span<const Command> 
   if (!sample.connected) faults |= kDeviceLost;
   bool acknowledged = acknowledged_;
   for (const Command& command : commands) {
-    if (command.kind == Command::Kind::stop) faults |= kStopRequested;
-    if (command.kind == Command::Kind::watchdog) faults |= kWatchdog;
-    if (command.kind == Command::Kind::stop || command.kind == Command::Kind::watchdog) acknowledged = false;
+    const std::uint32_t stops = stop_by(command.kind);
+    faults |= stops;
+    if (stops != 0) acknowledged = false;
     if (command.kind == Command::Kind::acknowledge) {
       acknowledged = true;
       releases_ = false;

@@ -25,7 +25,8 @@ struct Command {
     texture_gain = 15,       // of a texture, 0 (off) to 1
     guidance_gain = 16,      // of guidance, 0 (off) to 1
     release = 17,            // the force ramps out as it ramped in, and then is stopped
-    last = release
+    unanswered = 18,         // the live loop: the main thread waits too long for something; as stop
+    last = unanswered
   };
   Kind kind = Kind::stop;
   double value = 0;  // what it is set to; 0 where there is nothing to set

@@ -213,7 +213,7 @@ void HandleOutput::book(const Vec6& moved_D, const Wrench& correction_F_H_D, con
 
 void HandleOutput::leave(DeviceCommand& command, TickRecord& record) const noexcept {
   command.F_H_D = command_F_H_D_;
-  command.cues.paused = guard_.reason() == kStopRequested;
+  command.cues.paused = is_pause(guard_.reason());
   for (int motor = 0; motor < motors_.motors(); ++motor) {
     const auto slot = static_cast<std::size_t>(motor);
     command.effort[slot] = effort_[motor];

@@ -20,6 +20,10 @@ layout(set = 1, binding = 5) uniform sampler2D emissive_map;
 
 layout(location = 5) in vec4 uv;
 
+#ifdef FULCRUM_SCATTERED
+#include "scattered.glsl"
+#endif
+
 bool has(uint look) { return (LOOK & look) != 0u; }
 bool has_texture(int which) { return has(1u << which); }
 
@@ -70,6 +74,24 @@ float sheen_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float roughness) {
   return d / (4.0 * (n_dot_l + n_dot_v - n_dot_l * n_dot_v));
 }
 
+// As sent_by(), of all that is below a clear coat.
+vec3 sent_from_below(Lobes lobes, float below_sheen, vec3 n, vec3 v, float n_dot_v, vec3 h, float n_dot_l, float half_width) {
+  vec3 sent = sent_by(lobes, n, v, n_dot_v, h, n_dot_l, half_width) * below_sheen;
+  if (has(FULCRUM_LOOK_SHEEN)) {
+    float n_dot_h = max(dot(n, h), 0.0);
+    sent += material.sheen.rgb * (kPi * sheen_lobe(n_dot_h, n_dot_l, n_dot_v, max(material.coat.w, kLeastSheen)));
+  }
+  return sent;
+}
+
+// What a clear coat mirrors of light from l, where `lit`, the cosine to it, is above 0 and its irradiance / pi is 1.
+float sent_by_coat(vec3 geometric, vec3 v, float g_dot_v, vec3 h, float lit, float half_width) {
+  float rough = clamp(material.coat.y, 0.045, 1.0);
+  float fresnel = 0.04 + 0.96 * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
+  float g_dot_h = max(dot(geometric, h), 0.0);
+  return fresnel * kPi * ggx(g_dot_h, widened(rough * rough, half_width)) * visibility(lit, g_dot_v, rough * rough);
+}
+
 void main() {
   vec4 base = vec4(base_colour.rgb * (1.0 - absorbed), material.amounts.z);
   if (has_texture(FULCRUM_TEXTURE_BASE)) {
@@ -79,10 +101,12 @@ void main() {
     discard;
   }
   float cover = has(FULCRUM_LOOK_COVER) ? base.a : 1.0;
+#ifndef FULCRUM_ENTERING
   if (has(FULCRUM_LOOK_UNLIT)) {
     colour = vec4(to_target(base.rgb) * cover, cover);
     return;
   }
+#endif
 
   vec3 geometric = normalize(world_normal);
   vec3 n = geometric;
@@ -112,7 +136,7 @@ void main() {
     float passes = material.amounts.w * (1.0 - metallic);
     diffuse *= 1.0 - passes;
     vec3 reflected = f0 + (f90 - f0) * pow(1.0 - n_dot_v, 5.0);
-    through = passes * dot((1.0 - reflected) * base.rgb, vec3(0.2126, 0.7152, 0.0722));
+    through = passes * dot((1.0 - reflected) * base.rgb * material.passed.rgb, vec3(0.2126, 0.7152, 0.0722));
   }
   float open = 1.0;
   if (has_texture(FULCRUM_TEXTURE_OCCLUSION)) {
@@ -124,7 +148,12 @@ void main() {
   Reached reached = what_reaches(n, mirrored, n_dot_v, roughness);
   vec3 around = mix(reached.sent_on, light_around(n), reached.facing) * open;
   vec2 scale_bias = environment_scale_bias(roughness, n_dot_v);
+#ifdef FULCRUM_ENTERING
+  vec3 entering = around;  // irradiance / pi
+  vec3 radiance = vec3(0.0);
+#else
   vec3 radiance = diffuse * around;
+#endif
   radiance += (f0 * scale_bias.x + f90 * scale_bias.y) *
               mix(reached.sent_on, light_mirrored(mirrored, roughness), reached.mirrored) * open;
   float below_sheen = 1.0;
@@ -134,6 +163,11 @@ void main() {
     radiance = radiance * below_sheen + material.sheen.rgb * albedo * around;
   }
 
+#ifdef FULCRUM_ENTERING
+  Lobes lobes = Lobes(vec3(0.0), f0, f90, alpha);  // what it does not mirror enters it
+#else
+  Lobes lobes = Lobes(diffuse, f0, f90, alpha);
+#endif
   vec3 l;
   float half_width;
   vec3 arriving = key_light(world_position, l, half_width);
@@ -146,15 +180,30 @@ void main() {
 #endif
   vec3 h = normalize(v + l);
   if (n_dot_l > 0.0) {
-    float n_dot_h = max(dot(n, h), 0.0);
-    vec3 fresnel = f0 + (f90 - f0) * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
-    vec3 specular = fresnel * (kPi * ggx(n_dot_h, widened(alpha, half_width)) * visibility(n_dot_l, n_dot_v, alpha));
-    vec3 sent = (diffuse * (1.0 - fresnel) + specular) * below_sheen;
-    if (has(FULCRUM_LOOK_SHEEN)) {
-      sent += material.sheen.rgb * (kPi * sheen_lobe(n_dot_h, n_dot_l, n_dot_v, max(material.coat.w, kLeastSheen)));
-    }
-    radiance += arriving * n_dot_l * sent;
+    radiance += arriving * n_dot_l * sent_from_below(lobes, below_sheen, n, v, n_dot_v, h, n_dot_l, half_width);
+#ifdef FULCRUM_ENTERING
+    entering += arriving * n_dot_l * (1.0 - fresnel_of(lobes, v, h));
+#endif
   }
+#ifdef FULCRUM_PUNCTUAL
+  vec3 coat_lit = vec3(0.0);
+  for (int i = 0; i < int(lights.count.x); ++i) {
+    vec3 from;
+    vec3 light = punctual_light(i, world_position, from);
+    vec3 half_way = normalize(v + from);
+    float n_dot_from = dot(n, from);
+    if (n_dot_from > 0.0) {
+      radiance += light * n_dot_from * sent_from_below(lobes, below_sheen, n, v, n_dot_v, half_way, n_dot_from, kPointHalfWidth);
+#ifdef FULCRUM_ENTERING
+      entering += light * n_dot_from * (1.0 - fresnel_of(lobes, v, half_way));
+#endif
+    }
+    float lit_from = dot(geometric, from);
+    if (has(FULCRUM_LOOK_COAT) && lit_from > 0.0) {
+      coat_lit += light * lit_from * sent_by_coat(geometric, v, max(dot(geometric, v), 1e-3), half_way, lit_from, kPointHalfWidth);
+    }
+  }
+#endif
   if (has(FULCRUM_LOOK_EMISSION)) {
     vec3 emitted = material.emission.rgb;
     if (has_texture(FULCRUM_TEXTURE_EMISSIVE)) {
@@ -170,13 +219,26 @@ void main() {
     on_top += (0.04 * coat.x + coat.y) *
               mix(reached.sent_on, light_mirrored(mirrored_from(geometric, v, rough), rough), reached.mirrored) * open;
     if (lit > 0.0) {
-      float fresnel = 0.04 + 0.96 * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
-      float g_dot_h = max(dot(geometric, h), 0.0);
-      on_top += arriving * lit * (fresnel * kPi * ggx(g_dot_h, widened(rough * rough, half_width)) * visibility(lit, g_dot_v, rough * rough));
+      on_top += arriving * lit * sent_by_coat(geometric, v, g_dot_v, h, lit, half_width);
     }
+#ifdef FULCRUM_PUNCTUAL
+    on_top += coat_lit;
+#endif
     float taken = material.coat.x * (0.04 + 0.96 * pow(1.0 - g_dot_v, 5.0));
     radiance = radiance * (1.0 - taken) + material.coat.x * on_top;
     through *= 1.0 - taken;
   }
+#ifdef FULCRUM_ENTERING
+  colour = packed_light(entering, radiance, tag_of(1.0 / gl_FragCoord.w, uint(surface.z + 0.5)));
+#elif defined(FULCRUM_SCATTERED)
+  // The light that this pass has found itself is not used, and not compiled.
+  float below_coat = 1.0;
+  if (has(FULCRUM_LOOK_COAT)) {
+    below_coat -= material.coat.x * (0.04 + 0.96 * pow(1.0 - max(dot(geometric, v), 1e-3), 5.0));
+  }
+  Below below = light_from_below(light_around(n));
+  colour = vec4(to_target(diffuse * (below_sheen * below_coat) * below.comes_out + below.gloss), 1.0);
+#else
   colour = vec4(to_target(radiance) * cover, cover * (1.0 - through));
+#endif
 }

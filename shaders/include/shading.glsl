@@ -5,6 +5,7 @@
 // Split sum without a table: B. Karis, "Physically Based Shading on Mobile", 2014.
 
 #include "../shared/frame.h"
+#include "octahedral.glsl"
 #include "range.glsl"
 
 layout(std140, set = 0, binding = 0) uniform Frame { FrameData frame; };
@@ -25,7 +26,12 @@ layout(location = 2) flat in vec4 base_colour;
 layout(location = 3) flat in vec4 surface;
 // Within the triangle: extrapolated to the middle of a pixel at an outline, colours that change fast get out of range.
 layout(location = 4) centroid in vec3 absorbed;
+#ifdef FULCRUM_ENTERING
+#include "scatter_tag.glsl"
+layout(location = 0) out uvec4 colour;
+#else
 layout(location = 0) out vec4 colour;
+#endif
 
 const float kPi = 3.14159265;
 
@@ -65,11 +71,8 @@ vec3 mirrored_from(vec3 n, vec3 v, float roughness) {
 
 // Radiance from all around that a mirror of this roughness shows there, where nothing hides it.
 vec3 light_mirrored(vec3 d, float roughness) {
-  d /= abs(d.x) + abs(d.y) + abs(d.z);
-  vec2 folded = (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
-  vec2 at = d.y < 0.0 ? folded : d.xz;
   float level = max(roughness - 0.08, 0.0) * (5.0 / 0.92);
-  return textureLod(surroundings, 0.5 + 0.375 * at, level).rgb;
+  return textureLod(surroundings, place_on_map(d), level).rgb;
 }
 
 // The part of the light from all around that near things let through, from the four nearest pixels of an image of half
@@ -169,4 +172,33 @@ vec3 key_light(vec3 position, out vec3 l, out float half_width) {
 float widened(float alpha, float half_width) {
   return sqrt(alpha * alpha + 0.25 * half_width * half_width);
 }
+
+// What a surface is to a light.
+struct Lobes {
+  vec3 diffuse;
+  vec3 f0;  // reflectance at normal incidence, and at grazing
+  float f90;
+  float alpha;
+};
+
+// The part of light that the surface itself mirrors; h: half way between v and the light.
+vec3 fresnel_of(Lobes lobes, vec3 v, vec3 h) {
+  // Clamped on both sides: seen along the light, rounding takes the product above 1, and no power is defined there.
+  return lobes.f0 + (lobes.f90 - lobes.f0) * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
+}
+
+// Radiance that is sent on to v of light from l, where n_dot_l is above 0 and its irradiance / pi facing l is 1; h: half way
+// between the two.
+vec3 sent_by(Lobes lobes, vec3 n, vec3 v, float n_dot_v, vec3 h, float n_dot_l, float half_width) {
+  float n_dot_h = max(dot(n, h), 0.0);
+  vec3 fresnel = fresnel_of(lobes, v, h);
+  // Intensity is irradiance / pi, so pi stands before the specular lobe and not under the diffuse one.
+  vec3 specular =
+      fresnel * (kPi * ggx(n_dot_h, widened(lobes.alpha, half_width)) * visibility(n_dot_l, n_dot_v, lobes.alpha));
+  return lobes.diffuse * (1.0 - fresnel) + specular;
+}
+
+#ifdef FULCRUM_PUNCTUAL
+#include "punctual.glsl"
+#endif
 

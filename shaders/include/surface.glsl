@@ -18,6 +18,7 @@ void main() {
   vec3 radiance = diffuse * mix(reached.sent_on, light_around(n), reached.facing);
   radiance += environment_brdf(f0, roughness, n_dot_v) * mix(reached.sent_on, light_mirrored(mirrored, roughness), reached.mirrored);
 
+  Lobes lobes = Lobes(diffuse, f0, 1.0, alpha);
   vec3 l;
   float half_width;
   vec3 arriving = key_light(world_position, l, half_width);
@@ -26,13 +27,16 @@ void main() {
 #ifdef FULCRUM_SHADOWED
     arriving *= lit_by_key(world_position, n, n_dot_l);
 #endif
-    vec3 h = normalize(v + l);
-    float n_dot_h = max(dot(n, h), 0.0);
-    // Clamped on both sides: seen along the light, rounding takes the product above 1, and no power is defined there.
-    vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
-    // Intensity is irradiance / pi, so pi stands before the specular lobe and not under the diffuse one.
-    vec3 specular = fresnel * (kPi * ggx(n_dot_h, widened(alpha, half_width)) * visibility(n_dot_l, n_dot_v, alpha));
-    radiance += arriving * n_dot_l * (diffuse * (1.0 - fresnel) + specular);
+    radiance += arriving * n_dot_l * sent_by(lobes, n, v, n_dot_v, normalize(v + l), n_dot_l, half_width);
   }
+#ifdef FULCRUM_PUNCTUAL
+  for (int i = 0; i < int(lights.count.x); ++i) {
+    arriving = punctual_light(i, world_position, l);
+    n_dot_l = dot(n, l);
+    if (n_dot_l > 0.0) {
+      radiance += arriving * n_dot_l * sent_by(lobes, n, v, n_dot_v, normalize(v + l), n_dot_l, kPointHalfWidth);
+    }
+  }
+#endif
   colour = vec4(to_target(radiance), 1.0);
 }

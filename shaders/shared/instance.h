@@ -12,7 +12,7 @@ struct InstanceData {
   vec4 normal_y;
   vec4 normal_z;
   vec4 base_colour;  // rgb linear, a unused
-  vec4 surface;      // x metallic, y roughness
+  vec4 surface;      // x metallic, y roughness, z number among those that light spreads below, or 0
 };
 
 FULCRUM_GPU_SIZE(InstanceData, 64 + 5 * 16);

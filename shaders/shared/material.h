@@ -22,6 +22,7 @@
 #define FULCRUM_LOOK_SHEEN 2048u
 #define FULCRUM_LOOK_TRANSMISSION 4096u
 #define FULCRUM_LOOK_COVER 8192u  // of those that are blended: its alpha says how much of it is there
+#define FULCRUM_LOOK_SCATTERING 16384u
 
 FULCRUM_GPU_BEGIN
 
@@ -31,11 +32,13 @@ struct MaterialData {
   vec4 specular;                   // rgb reflectance of the dielectric part at normal incidence, w at grazing
   vec4 coat;                       // x clear coat, y its roughness, w roughness of the sheen
   vec4 sheen;                      // rgb
+  vec4 passed;                     // rgb, the part of what it transmits that its thickness lets through
+  vec4 scattering;                 // rgb distances that light spreads below it, w the greatest (m)
   vec4 uv_turn[FULCRUM_TEXTURES];  // rows of a 2 x 2 matrix
   vec4 uv_shift[FULCRUM_TEXTURES];  // xy; z 1: of the second set of coordinates
 };
 
-FULCRUM_GPU_SIZE(MaterialData, (5 + 2 * FULCRUM_TEXTURES) * 16);
+FULCRUM_GPU_SIZE(MaterialData, (7 + 2 * FULCRUM_TEXTURES) * 16);
 
 FULCRUM_GPU_END
 

@@ -23,8 +23,7 @@ window=
 until_seen find_window
 [ -n "$window" ] || { cat said; echo "FAILED: no window"; exit 1; }
 xdotool windowactivate --sync "$window"
-colours() { import -window "$window" "$1.png" && identify -format %k "$1.png"; }
-coloured() { [ "$(colours seen)" -gt 200 ]; }
+coloured() { shot seen && [ "$(identify -format %k "$work/seen.png")" -gt 200 ]; }
 until_seen coloured || fail "the window shows no picture"
 
 # --- saves: bad ones leave the scene, good ones take over, and as much as one likes

@@ -29,6 +29,7 @@
 #include "engine/scenario/to_glm.h"
 #include "haptics/loop/run_tick.h"
 #include "haptics/safety/output_limit.h"
+#include "tests/assets/hdr_of.h"
 
 namespace fulcrum::app {
 namespace {
@@ -396,6 +397,32 @@ TEST_F(ReloadTest, WhatIsNamedIsWatched) {
   settle(reloader);
   EXPECT_NE(reloader.message().find("scene.GLB"), std::string::npos) << reloader.message();
   write("meshes/scene.GLB", to_glb(starter_board(), "board", "test"));
+  settle(reloader);
+  EXPECT_TRUE(reloader.is_ready());
+}
+
+TEST_F(ReloadTest, ThePictureOfItsSurroundingsIsWatched) {
+  const auto sky = [](float blue) {
+    const auto bytes = fulcrum::test::hdr_of(2, 1, fulcrum::test::HdrRows::flat, [&](auto, auto) {
+      return fulcrum::test::Rgb{0.5F, 0.5F, blue};
+    });
+    return std::string(bytes.begin(), bytes.end());
+  };
+  fs::create_directories(folder_ / "light");
+  write("light/sky.hdr", sky(1));
+  write("scenario.yaml",
+        with("time_limit: 60", "time_limit: 60\nambient: {kind: picture, file: light/sky.hdr}"));
+  const std::string file = (folder_ / "scenario.yaml").string();
+  std::optional<Prepared> prepared = prepare(file, std::vector<std::string>());
+  ASSERT_TRUE(prepared);
+  Reloader reloader(file, prepared->scenario);
+  settle(reloader);
+  EXPECT_FALSE(reloader.is_ready());
+  write("light/sky.hdr", "no picture any more");
+  settle(reloader);
+  EXPECT_FALSE(reloader.is_ready());
+  EXPECT_NE(reloader.message().find("sky.hdr"), std::string::npos) << reloader.message();
+  write("light/sky.hdr", sky(2));
   settle(reloader);
   EXPECT_TRUE(reloader.is_ready());
 }

@@ -61,7 +61,7 @@ tap y back b
 stopped() { [ $(($(now "$run" fault) % 2)) = 1 ]; }
 goes() { ! stopped; }
 banner_is_there() { # red, across
-  import -window "$window" -crop 120x60+20+190 +repage "$work/banner.png"
+  shot banner 120x60+20+190
   [ "$(convert "$work/banner.png" -scale 1x1 -format '%[fx:r > 0.5 && g < 0.35]' info:)" = 1 ]
 }
 until_seen stopped || fail "B does not stop"

@@ -16,7 +16,7 @@ dither = false
 [wave]
 file = $work/played.wav
 END
-blows() { [ "$(rows "$work/$1")" = 0 ] && echo 0 || column "$work/$1" impact/count | awk '$1 > 0 { ++n } END { print n + 0 }'; }
+blows() { [ "$(rows "$work/$1")" = 0 ] && echo 0 || column "$work/$1" impact/count | awk '{ n += $1 } END { print n + 0 }'; }
 more_blows() { [ "$(blows "$1")" -gt "$2" ]; }
 # How many bytes of what was played so far are not those of silence. The header is shorter than what is left out.
 sounding() { tail -c +101 "$work/played.wav" | tr -d '\000' | wc -c; }
@@ -43,7 +43,7 @@ grep -q '>Heard<' "$work/K/report.html" || fail "the report says nothing of what
 # Muted to its end, it is silent, though blows are played.
 open_window knock --device simulated --hand expert --mute --size 640x360 --out "$work/M"
 until_seen more_blows M 1 || fail "nothing is struck: $(cat "$work/said")"
-import -window "$window" "$work/muted.png"
+shot muted
 [ -z "${FULCRUM_PICTURES-}" ] || cp "$work"/*.png "$FULCRUM_PICTURES"
 closes
 [ "$(stat -c %s "$work/played.wav")" -gt 100000 ] || fail "nothing is played"

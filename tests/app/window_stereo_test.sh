@@ -11,7 +11,7 @@ runs "$work/W" || fail "it does not run: $(cat "$work/said")"
 
 # accent WxH+X+Y: there is the blue of rings and switches in that part of the window.
 accent() {
-  import -window "$window" "$work/part.png"
+  shot part
   [ "$(convert "$work/part.png" -crop "$1" +repage -fuzz 12% -fill black +opaque 'rgb(84,164,255)' -format '%[fx:maxima > 0.3]' info:)" = 1 ]
 }
 no_accent() { ! accent "$1"; }
@@ -39,7 +39,7 @@ until_seen ghost 1 || fail "the switch in the left half does not switch it on"
 
 # Once more by F7, in a frame at the lower right of either half.
 framed() { # X
-  import -window "$window" "$work/part.png"
+  shot part
   [ "$(convert "$work/part.png" -crop "15x48+$1+249" +repage -fuzz 8% -fill black +opaque 'rgb(158,169,182)' -fill white -opaque 'rgb(158,169,182)' -scale 15x1! -format '%[fx:maxima > 0.3]' info:)" = 1 ]
 }
 xdotool key --window "$window" F7

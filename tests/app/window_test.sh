@@ -12,13 +12,12 @@ xdotool windowactivate --sync "$window"
 runs "$work/W" || fail "it does not run: $(cat "$work/said")"
 
 # A picture: more than a few colours.
-colours() { import -window "$window" "$work/$1.png" && identify -format %k "$work/$1.png"; }
-coloured() { [ "$(colours "$1")" -gt 200 ]; }
+coloured() { shot "$1" && [ "$(identify -format %k "$work/$1.png")" -gt 200 ]; }
 until_seen coloured before || fail "the window shows no picture"
 
 # accent WxH+X+Y: there is the blue of rings and switches in that part of the window.
 accent() {
-  import -window "$window" "$work/part.png"
+  shot part
   [ "$(convert "$work/part.png" -crop "$1" +repage -fuzz 8% -fill black +opaque 'rgb(84,164,255)' -format '%[fx:maxima > 0.3]' info:)" = 1 ]
 }
 no_accent() { ! accent "$1"; }
@@ -41,7 +40,7 @@ until_seen accent $switch || fail "F3 does not hide the figures again"
 
 # F7 shows the scene once more in a frame at the lower right, and hides it again.
 framed() {
-  import -window "$window" "$work/part.png"
+  shot part
   [ "$(convert "$work/part.png" -crop 30x48+455+249 +repage -fuzz 6% -fill black +opaque 'rgb(158,169,182)' -fill white -opaque 'rgb(158,169,182)' -scale 30x1! -format '%[fx:maxima > 0.5]' info:)" = 1 ]
 }
 not_framed() { ! framed; }
@@ -74,7 +73,7 @@ for _ in $(seq 32); do xdotool click 4; done # a step is a checkpoint's radius, 
 runs "$work/W"
 press 1 340 150 460 150 # against the pipe beside it, and held there
 until_seen pushes || fail "the push showed no force"
-import -window "$window" "$work/pushed.png"
+shot pushed
 xdotool mouseup 1
 
 # The mouse as a device has no motors, so the ghost is the one cue: by its key, then by its switch.
@@ -95,7 +94,7 @@ size_is() { xdotool getwindowgeometry "$window" | grep -q "Geometry: $1x$2"; }
 xdotool windowsize "$window" 800 500
 until_seen size_is 800 500 || fail "it cannot be resized"
 until_seen coloured resized || fail "no picture after it was resized"
-hidden() { ! xdotool search --onlyvisible --pid $program --name '^Fulcrum' >/dev/null 2>&1; }
+hidden() { ! xdotool search --all --onlyvisible --pid $program --name '^Fulcrum' >/dev/null 2>&1; }
 xdotool windowminimize "$window"
 until_seen hidden || fail "it cannot be minimised"
 runs "$work/W" || fail "it rests while it is minimised"
@@ -108,11 +107,11 @@ stopped() { [ $(($(newest fault) % 2)) = 1 ] || column "$work/W" fault | awk '$1
 xdotool key Escape
 until_seen stopped || fail "Esc did not stop"
 red() { # the banner across
-  import -window "$window" -crop 60x40+20+130 +repage "$work/banner.png"
+  shot banner 60x40+20+130
   [ "$(convert "$work/banner.png" -scale 1x1 -format '%[fx:r > 0.5 && g < 0.35]' info:)" = 1 ]
 }
 until_seen red || fail "no banner says that it stopped"
-import -window "$window" "$work/stopped.png"
+shot stopped
 [ -z "${FULCRUM_PICTURES-}" ] || cp "$work"/*.png "$FULCRUM_PICTURES"
 xdotool key --clearmodifiers alt+F4
 wait_for_end

@@ -30,7 +30,7 @@ fewer() { [ "$(threads)" -lt "$with" ]; }
 until_seen fewer || fail "it does not rest after the end"
 final=$(rows "$work/T")
 debriefed() { # a dark card in the middle
-  import -window "$window" "$work/debrief.png"
+  shot debrief
   [ "$(convert "$work/debrief.png" -crop 180x90+230+130 +repage -scale 1x1 -format '%[fx:r < 0.2 && g < 0.2]' info:)" = 1 ]
 }
 until_seen debriefed || fail "no card says what came of it"
@@ -42,7 +42,7 @@ xdotool key Left Left
 until_seen looks_back || fail "the arrow keys do not look back"
 # The expert's tool is beside it in lines of gold, at the first checkpoint, which nobody went to; F5 hides it.
 gold() {
-  import -window "$window" "$work/back.png"
+  shot back
   [ "$(convert "$work/back.png" -crop 110x60+215+165 +repage -fuzz 5% -fill black +opaque 'rgb(255,191,57)' -format '%[fx:maxima > 0.3]' info:)" = 1 ]
 }
 no_gold() { ! gold; }
@@ -90,7 +90,7 @@ open_window piping --size 640x360 --out "$work/B"
 percent() { grep -qE 'Baking the .*: [0-9]+ %' "$work/said"; }
 until_seen percent || fail "the bake does not say how far it is: $(cat "$work/said")"
 card() { # the bar's colour somewhere in the middle of the window
-  import -window "$window" "$work/card.png"
+  shot card
   [ "$(convert "$work/card.png" -crop 440x80+100+150 +repage -fuzz 8% -fill black +opaque 'rgb(84,164,255)' -format '%[fx:maxima > 0.3]' info:)" = 1 ]
 }
 until_seen card || fail "no card shows how far the bake is"

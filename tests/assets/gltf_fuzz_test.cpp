@@ -30,6 +30,11 @@ void expect_sound_or_refused(std::span<const std::byte> bytes) {
     for (const Vec3& n : part.normals) ASSERT_TRUE(n.allFinite());
     ASSERT_TRUE(part.uv.empty() || part.uv.size() == part.positions.size());
   }
+  for (const ModelLight& light : model->lights) {
+    ASSERT_TRUE(light.position_M.allFinite() && light.intensity >= 0 && light.range.value_or(1) > 0);
+    ASSERT_NEAR(light.direction_M.norm(), 1, 1e-9);
+    ASSERT_LE(light.inner_cone, light.outer_cone);
+  }
   for (const ModelMaterial& material : model->materials) {
     if (!material.detail) continue;
     const MaterialDetail& detail = *material.detail;
@@ -99,9 +104,15 @@ TEST(GltfFuzz, DamagedFilesAreRefusedOrSound) {
   const std::string material =
       R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"normalTexture":{"index":0,"scale":2},)"
       R"("extensions":{"KHR_materials_sheen":{"sheenColorFactor":[1,1,1]}}})";
+  glb::Tetrahedron lit;
+  lit.more = R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","intensity":20,"range":3.5},)"
+             R"({"type":"spot","spot":{"innerConeAngle":0.2,"outerConeAngle":0.6}}]}},)";
+  lit.nodes = R"([{"mesh":0},{"rotation":[0,0.6,0,0.8],"extensions":{"KHR_lights_punctual":{"light":0}}},)"
+              R"({"translation":[0,1,5],"extensions":{"KHR_lights_punctual":{"light":1}}}])";
+  lit.scene = "";
   Mutator mutator(20260101);
   for (const std::vector<std::byte>& whole :
-       {glb::Tetrahedron().bytes(), test::Textured(material).file.bytes()}) {
+       {glb::Tetrahedron().bytes(), test::Textured(material).file.bytes(), lit.bytes()}) {
     int accepted = 0;
     for (int i = 0; i < 20000; ++i) {
       const std::vector<std::byte> mutant = mutator.mutate(whole);

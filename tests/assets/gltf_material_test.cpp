@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/assets/gltf.h"
 #include "tests/assets/textured.h"
@@ -72,6 +73,32 @@ TEST(GltfMaterial, ReadsTheOddestNumbersAsTheyAreMeant) {
   EXPECT_EQ(detail(R"({"extensions":{"KHR_materials_ior":{"ior":0}}})").ior, 0.0F) << "all is mirrored";
   EXPECT_EQ(detail(R"({"extensions":{"KHR_materials_ior":{"ior":0.5}}})").ior, 1.0F);
   EXPECT_EQ(detail(R"({"alphaMode":"MASK","alphaCutoff":2})").alpha_cutoff, 2.0F) << "nothing of it is there";
+}
+
+// A distance of 2 cm behind which a quarter, a half and all is left, and 1 cm of it; a wall without
+// thickness takes nothing away, nor does what transmits nothing.
+TEST(GltfMaterial, AVolumeTakesWhatItsThicknessDoes) {
+  const auto passed = [](const std::string& transmission, const std::string& volume) {
+    const Model model =
+        Textured(R"({"doubleSided":true,"extensions":{"KHR_materials_transmission":{"transmissionFactor":)" +
+                 transmission + R"(},"KHR_materials_volume":)" + volume + "}}")
+            .read();
+    EXPECT_TRUE(model.left_out.empty());
+    return model.materials[0].detail.value().passed;
+  };
+  const std::string colour = R"("attenuationDistance":0.02,"attenuationColor":[0.25,0.5,1])";
+  const std::array<float, 3> behind = passed("1", R"({"thicknessFactor":0.01,)" + colour + "}");
+  EXPECT_NEAR(behind[0], 0.5F, 1e-6F);
+  EXPECT_NEAR(behind[1], std::sqrt(0.5F), 1e-6F);
+  EXPECT_EQ(behind[2], 1.0F);
+  constexpr std::array<float, 3> kAll{1, 1, 1};
+  EXPECT_EQ(passed("1", "{" + colour + "}"), kAll);
+  EXPECT_EQ(passed("1", R"({"thicknessFactor":0.01,"attenuationColor":[0.25,0.5,1]})"), kAll);
+  EXPECT_EQ(passed("0", R"({"thicknessFactor":0.01,)" + colour + "}"), kAll);
+  for (const char* odd :
+       {R"({"thicknessFactor":-1,"attenuationDistance":0,"attenuationColor":[0,2,1]})", "7",
+        R"({"thicknessFactor":1e30,"attenuationDistance":1e-30,"attenuationColor":[0,0,0]})"})
+    for (const float part : passed("1", odd)) EXPECT_TRUE(part >= 0.0F && part <= 1.0F) << odd;
 }
 
 // What names no picture is read whatever its coordinates are.

@@ -1,12 +1,13 @@
 // Reference: none; any text as a model's description, and any bytes as what follows it. Invariants: reading
 // it neither crashes nor goes out of bounds; a refusal is a sentence that names the file; a model that is
-// accepted is sound: indices within range, as many normals as positions, all numbers finite; its pictures are
-// decoded, to as many pixels as they say, or refused.
+// accepted is sound: indices within range, as many normals as positions, all numbers finite, lights with a
+// direction; its pictures are decoded, to as many pixels as they say, or refused.
 //
 // The input is the JSON, up to the first zero byte, and the binary chunk after it: the header and the lengths
 // of a .glb are made to fit, so that the damage gets behind them. One that begins with "glTF" is taken as it
 // is.
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -52,6 +53,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const Vec3& p : part.positions) expect(p.allFinite());
     for (const Vec3& n : part.normals) expect(n.allFinite());
     expect(part.uv.empty() || part.uv.size() == part.positions.size());
+  }
+  for (const ModelLight& light : model->lights) {
+    expect(light.position_M.allFinite() && std::abs(light.direction_M.norm() - 1) < 1e-9);
+    expect(std::isfinite(light.intensity) && light.intensity >= 0 && light.range.value_or(1) > 0);
+    expect(light.inner_cone <= light.outer_cone);
   }
   for (const ModelMaterial& material : model->materials)
     if (material.detail && material.detail->base_colour)

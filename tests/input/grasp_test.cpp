@@ -52,6 +52,34 @@ TEST(Grasp, NothingJumpsWhenAHandIsLostFromSightOrSpaceMoves) {
   expect_same(grasp.follow(right(kThere, true), false), kHandle);
 }
 
+TEST(Grasp, IsLostWhileTheHandThatHeldItIsOutOfSight) {
+  Grasp grasp(kHandle);
+  grasp.follow(right(std::nullopt, true), false);
+  EXPECT_FALSE(grasp.is_lost()) << "nobody held it";
+  grasp.follow(right(kThere, true), false);
+  EXPECT_FALSE(grasp.is_lost());
+  for (int i = 0; i < 3; ++i) grasp.follow(right(std::nullopt, true), i > 0);
+  EXPECT_TRUE(grasp.is_lost());
+  grasp.follow(right(kMoved, false), true);
+  EXPECT_FALSE(grasp.is_lost()) << "it is seen again, in a stop, too";
+  grasp.follow(right(kThere, true), false);
+  grasp.follow(right(std::nullopt, true), false);
+  grasp.follow({GraspingHand{kMoved, false}, GraspingHand{}}, false);
+  EXPECT_TRUE(grasp.is_lost()) << "another hand is seen, and does not take it";
+  grasp.follow({GraspingHand{kMoved, true}, GraspingHand{}}, false);
+  EXPECT_FALSE(grasp.is_lost());
+}
+
+TEST(Grasp, WhoLetGoIsNotMissed) {
+  Grasp grasp(kHandle);
+  grasp.follow(right(kThere, true), false);
+  grasp.follow(right(std::nullopt, true), false);
+  grasp.let_go();
+  EXPECT_FALSE(grasp.is_lost());
+  grasp.follow(right(std::nullopt, true), false);
+  EXPECT_FALSE(grasp.is_lost());
+}
+
 TEST(Grasp, StopIsAPause) {
   Grasp grasp(kHandle);
   grasp.follow(right(kThere, true), false);

@@ -72,6 +72,16 @@ TEST(Summary, TellsHowOldPicturesWereWhereSomebodySawThem) {
     for (const char* figure : {"p50", "p99", "max"}) EXPECT_NEAR(told[name][figure], ms, 1e-9) << name;
 }
 
+TEST(Summary, TellsHowWellADeviceWasSeenWhereItIsFelt) {
+  Summary summary;
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(summary)).contains("colocation"));
+  summary.colocation = Colocated{"stage", 0.002, {0.001, 0.002, 0.003}};
+  const auto told = nlohmann::json::parse(summary_json(summary))["colocation"];
+  EXPECT_EQ(told["space"], "stage");
+  EXPECT_EQ(told["residual_m"], 0.002);
+  EXPECT_EQ(told["residuals_m"], (std::vector<double>{0.001, 0.002, 0.003}));
+}
+
 TEST(RunTotals, IntegratesAndPeaks) {
   RunTotals totals(0.002);
   for (int tick = 0; tick < 500; ++tick) {

@@ -275,6 +275,23 @@ TEST_F(Assemble, DrawsTheToolAboutItsCentreOfMass) {
   EXPECT_EQ(visual->views.size(), 1u);
 }
 
+// One number is for all three colours; of zero there is nothing.
+TEST_F(Assemble, LightSpreadsBelowAMaterialThatSaysSo) {
+  const auto distance_of = [&](const std::string& materials) -> std::optional<glm::vec3> {
+    const Scenario scenario = read({}, materials);
+    const auto models = load_models(scenario);
+    const auto visual = assemble_visual(scenario, *models, {});
+    const render::VisualDesc& desc = visual->desc;
+    const auto& detail = desc.materials[desc.instances[1].material].detail;
+    return detail ? std::optional(detail->scatter_distance) : std::nullopt;
+  };
+  EXPECT_EQ(distance_of("materials: {steel: {scatter_distance: [0.001, 0.0005, 0]}}\n"),
+            glm::vec3(0.001F, 0.0005F, 0));
+  EXPECT_EQ(distance_of("materials: {steel: {scatter_distance: 0.002}}\n"), glm::vec3(0.002F));
+  EXPECT_FALSE(distance_of("materials: {steel: {scatter_distance: 0}}\n"));
+  EXPECT_FALSE(distance_of(""));
+}
+
 TEST_F(Assemble, GuidanceLeadsAlongTheExpertsWay) {
   const auto scenario =
       load_scenario_text(replaced(kScenario, "  sure: ", "  expert: ") + "guidance: {dead_band: 0.003}\n",
@@ -299,6 +316,69 @@ TEST_F(Assemble, GuidanceLeadsAlongTheExpertsWay) {
   SceneDesc unnamed = haptic->scene;
   unnamed.guidance.reset();
   EXPECT_TRUE(assemble_visual(*scenario, *models, unnamed)->desc.ghosts.empty());
+}
+
+// So many points, on a box.
+std::string lit_box(std::size_t count) {
+  const std::string glb = box_glb({-0.01F, -0.01F, -0.01F}, {0.01F, 0.01F, 0.01F});
+  std::string lights, nodes, roots;
+  for (std::size_t i = 0; i < count; ++i) {
+    lights += std::string(i == 0 ? "" : ",") + R"({"type":"point","intensity":683})";
+    nodes += R"(,{"extensions":{"KHR_lights_punctual":{"light":)" + std::to_string(i) + "}}}";
+    roots += "," + std::to_string(i + 1);
+  }
+  const std::size_t json_size = glb.find("BIN") - 4 - 20;
+  std::string json = replaced(glb.substr(20, json_size), R"("nodes":[0])", R"("nodes":[0)" + roots + "]");
+  json = replaced(json, R"("name":"box"}],"materials)", R"("name":"box"})" + nodes + R"(],"materials)");
+  json = replaced(json, R"({"asset")",
+                  R"({"extensions":{"KHR_lights_punctual":{"lights":[)" + lights + R"(]}},"asset")");
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string made = glb.substr(0, 20) + json + glb.substr(20 + json_size);
+  const auto put = [&](std::size_t at, std::size_t value) {
+    const auto word = static_cast<std::uint32_t>(value);
+    made.replace(at, 4, std::string(reinterpret_cast<const char*>(&word), 4));
+  };
+  put(8, made.size());
+  put(12, json.size());
+  return made;
+}
+
+TEST_F(Assemble, LightsOfModelsAreCountedOverTheScene) {
+  EXPECT_TRUE(assemble_visual(read(), *load_models(read()), {})->desc.lights.empty());
+  const std::string text =
+      replaced(kScenario, "models:\n",
+               "models:\n  lamps: {file: lamps.glb, role: decor, scale: 2, position: [0, 1, 0]}\n");
+  folder_.write("scenarios/peg/lamps.glb", lit_box(5));
+  folder_.write("scenarios/peg/peg.glb", lit_box(3));
+  const auto scenario = load_scenario_text(text, folder_.peg(), {});
+  ASSERT_TRUE(scenario) << to_text(scenario.faults());
+  const auto models = load_models(*scenario);
+  ASSERT_TRUE(models) << to_text(models.faults());
+  EXPECT_EQ(
+      to_text(models->lights),
+      "scenario.yaml:6:17: model 'lamps': 'lamps.glb' brings 5 lights (KHR_lights_punctual), which throw no "
+      "shadows: the scene's 'light' alone does.\n"
+      "scenario.yaml:8:15: model 'peg': 'peg.glb' brings 3 lights (KHR_lights_punctual), which throw no "
+      "shadows: the scene's 'light' alone does.");
+  EXPECT_TRUE(models->warnings.empty()) << to_text(models->warnings);
+  const auto visual = assemble_visual(*scenario, *models, {});
+  ASSERT_TRUE(visual) << visual.error().sentence;
+  ASSERT_EQ(visual->desc.lights.size(), 8u);
+  const render::PunctualLight &standing = visual->desc.lights[0], &carried = visual->desc.lights[7];
+  EXPECT_EQ(standing.position, glm::vec3(0, 1, 0));
+  EXPECT_NEAR(standing.intensity, 4 / 3.14159265F, 1e-6F) << "683 cd, of a model that is twice as large";
+  EXPECT_FALSE(standing.carried_by);
+  ASSERT_TRUE(carried.carried_by);
+  EXPECT_TRUE(visual->desc.instances[*carried.carried_by].movable);
+  EXPECT_NEAR(carried.intensity, 1 / 3.14159265F, 1e-6F);
+
+  folder_.write("scenarios/peg/peg.glb", lit_box(2000));
+  const auto refused = load_models(*scenario);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(
+      to_text(refused.faults()),
+      "scenario.yaml:8:15: model 'peg': 'peg.glb' brings 2000 lights (KHR_lights_punctual), with which the "
+      "models have 2005: at most 8 are drawn; take some out of the file.");
 }
 
 TEST_F(Assemble, AGhostIsThereWhereTheSceneShowsOne) {

@@ -86,6 +86,26 @@ TEST_F(KeptLevels, OfAnotherMeshAreOthers) {
   EXPECT_EQ(files(), 2U);
 }
 
+TEST_F(KeptLevels, SmallMeshesShareAFile) {
+  render::Mesh mesh = fine_square();
+  mesh.indices.resize(3 * 1000);
+  render::VisualDesc desc;
+  for (int i = 0; i < 3; ++i) {
+    desc.meshes.push_back(mesh);
+    mesh.positions.front().y += 0.001F;
+  }
+  desc.meshes.push_back(fine_square());
+  for (int time = 0; time < 2; ++time) {  // made, and from the cache
+    EXPECT_TRUE(add_levels_of_detail(desc, BakeCache(folder_)).empty());
+    EXPECT_EQ(files(), 2U);
+    for (render::Mesh& each : desc.meshes) {
+      ASSERT_TRUE(each.levels);
+      expect_same(*each.levels, render::levels_of_detail(each));
+      each.levels.reset();
+    }
+  }
+}
+
 TEST_F(KeptLevels, ADamagedFileIsMadeAnewAndNoted) {
   const render::Mesh mesh = fine_square();
   const auto made = levels(mesh);

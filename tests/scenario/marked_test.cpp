@@ -39,6 +39,18 @@ TEST(Marked, ThoseAreTakenThatAreMarkedSo) {
   EXPECT_EQ(plain.parts[0].name, "object 3");
 }
 
+TEST(Marked, LightsAreTakenAsObjectsAre) {
+  Model model = marked({{"scene", ""}, {"tool", ""}});
+  for (const char* role : {"", "tool", "scene"}) model.lights.emplace_back().marked_role = role;
+  take_marked(model, ModelRole::tool, "");
+  ASSERT_EQ(model.lights.size(), 1u);
+  EXPECT_EQ(model.lights[0].marked_role, "tool");
+  model.lights[0].name = "lamp";
+  model.lights[0].marked_role = "tol";
+  EXPECT_EQ(refuse_marked(model, ModelRole::tool, ""),
+            "has an object 'lamp' that is marked with the role 'tol'; did you mean 'tool'?");
+}
+
 TEST(Marked, WithoutMarksItSaysWhichBoxIsToBeTicked) {
   EXPECT_EQ(refuse_marked(marked({{"", ""}}), ModelRole::scene, ""),
             "has no object with a custom property 'fulcrum_role': mark them in the modelling program, and in "

@@ -254,7 +254,8 @@ TEST_F(NeedsTest, WhoLeavesHasToStopAgain) {
 }
 
 TEST_F(NeedsTest, AStopByAFaultIsNone) {
-  for (const std::uint32_t faults : {std::uint32_t{kDeviceLost}, kDeviceLost | kStopRequested}) {
+  for (const std::uint32_t faults :
+       {std::uint32_t{kDeviceLost}, kDeviceLost | kStopRequested, std::uint32_t{kUnanswered}}) {
     TaskJudge task(needing(Needs::stop), kTick);
     take(task, 10, {});
     take(task, 10, {.faults = faults});

@@ -272,6 +272,44 @@ TEST_F(DetailedSurfacesTest, GlassShowsWhatIsBehind) {
   EXPECT_GT(red().r, through_dark.r + 30) << "dark glass lets less through";
 }
 
+// Half of the light behind thick glass is what is behind thin glass of half the colour: to the pixel.
+TEST_F(DetailedSurfacesTest, ThickGlassIsDarkerByWhatItsVolumeTakes) {
+  VisualDesc desc = pane_scene();
+  desc.meshes.push_back(test::make_box({0.2F, 0.2F, 0.01F}));
+  desc.materials.push_back({"wall", {0.6F, 0.5F, 0.4F}, 0.0F, 0.9F});
+  desc.instances.push_back({1, 1, "wall", glm::translate(glm::mat4(1.0F), {0, 0, -0.06F})});
+  Material& glass = desc.materials[0];
+  glass.detail->transmission = 1.0F;
+  glass.base_colour = glm::vec3(0.5F);
+  const Picture thin = draw(desc);
+  glass.base_colour = glm::vec3(1.0F);
+  const float clear = brightness(draw(desc));
+  glass.detail->passed = glm::vec3(0.5F);
+  const Picture thick = draw(desc);
+  EXPECT_EQ(thick.rgba, thin.rgba);
+  EXPECT_LT(brightness(thick), clear - 60);
+}
+
+// Clear glass, and glass that a centimetre of its colour has darkened, and three.
+TEST_F(DetailedSurfacesTest, BallsOfDeeperAndDeeperGlass) {
+  VisualDesc desc = test::surface_balls();
+  desc.instances.erase(desc.instances.begin(), desc.instances.begin() + 10);
+  Material glass{"glass", glm::vec3(1.0F), 0.0F, 0.03F, SurfaceDetail{}};
+  glass.detail->transmission = 1.0F;
+  for (std::size_t i = 0; i < 3; ++i) {
+    desc.instances.push_back(
+        {0, desc.materials.size(), "ball",
+         glm::translate(glm::mat4(1.0F), {0.12F * (static_cast<float>(i) - 1.0F), 0.04F, 0.0F})});
+    desc.materials.push_back(glass);
+    glass.detail->passed = i == 0 ? glm::vec3(0.5F, 0.6F, 0.4F) : glm::vec3(0.125F, 0.216F, 0.064F);
+  }
+  const Picture picture = draw(desc, {4, 1024, 1.0F}, {480, 270});
+  const test::Comparison result =
+      test::compare(picture, std::filesystem::path(FULCRUM_GOLDENS) / "volume.png",
+                    {.max_lsb = 2, .max_pixels = 20, .failure_folder = FULCRUM_FAILURES});
+  EXPECT_TRUE(result.passed) << result.sentence;
+}
+
 TEST_F(DetailedSurfacesTest, ABallForEachOfThem) {
   const Picture picture = draw(test::surface_balls(), {4, 1024, 1.0F}, {640, 360});
   const test::Comparison result =

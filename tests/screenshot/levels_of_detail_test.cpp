@@ -157,6 +157,122 @@ TEST(LevelsOfDetail, AreTheSameEachTime) {
   EXPECT_EQ(levels_of_detail(mesh).indices, levels_of_detail(mesh).indices);
 }
 
+// A round bar along z with flat ends, of which every edge is sharp: vertices at its two rims are there twice.
+// 4 x 384 triangles.
+Mesh bar() {
+  constexpr std::uint32_t kAround = 384;
+  Mesh mesh;
+  mesh.name = "bar";
+  const auto add = [&mesh](const glm::vec3& p, const glm::vec3& n) {
+    mesh.positions.push_back(p);
+    mesh.normals.push_back(n);
+    return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+  };
+  const auto turn = [&mesh](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    for (const std::uint32_t v : {a, b, c}) mesh.indices.push_back(v);
+  };
+  const std::uint32_t low_middle = add({0.0F, 0.0F, -kRadius}, {0.0F, 0.0F, -1.0F});
+  const std::uint32_t high_middle = add({0.0F, 0.0F, kRadius}, {0.0F, 0.0F, 1.0F});
+  std::vector<std::array<std::uint32_t, 4>> columns;  // end, side, side, end
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kAround;
+    const glm::vec3 n(std::cos(angle), std::sin(angle), 0.0F);
+    const glm::vec3 low = kRadius * n - glm::vec3(0, 0, kRadius),
+                    high = kRadius * n + glm::vec3(0, 0, kRadius);
+    columns.push_back({add(low, {0, 0, -1}), add(low, n), add(high, n), add(high, {0, 0, 1})});
+  }
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    const auto& a = columns[i];
+    const auto& b = columns[(i + 1) % kAround];
+    turn(low_middle, b[0], a[0]);
+    turn(a[1], b[1], b[2]), turn(a[1], b[2], a[2]);
+    turn(high_middle, a[3], b[3]);
+  }
+  return mesh;
+}
+
+// The same corners by place: where two surfaces meet at a sharp edge, there are two at one.
+std::vector<std::uint32_t> welded(const Mesh& mesh, std::vector<std::uint32_t> indices) {
+  std::map<std::array<float, 3>, std::uint32_t> places;
+  for (std::uint32_t& v : indices) {
+    const glm::vec3& p = mesh.positions[v];
+    v = places.try_emplace({p.x, p.y, p.z}, v).first->second;
+  }
+  return indices;
+}
+
+TEST(LevelsOfDetail, GoAlongSharpEdges) {
+  const Mesh mesh = bar();
+  const LevelsOfDetail all = levels_of_detail(mesh);
+  ASSERT_EQ(all.pieces.size(), 1U);
+  const LevelsOfDetail::Piece& piece = all.pieces.front();
+  EXPECT_LT(8 * piece.levels.back().count, piece.levels.front().count);
+  for (std::size_t level = 0; level < piece.levels.size(); ++level) {
+    const std::vector<std::uint32_t> indices =
+        chosen(all, [level](std::size_t, std::size_t) { return level; });
+    EXPECT_TRUE(is_closed(welded(mesh, indices))) << level;
+    float most = 0.0F;
+    for (std::size_t t = 0; t < indices.size(); t += 3) {
+      const glm::vec3 a = mesh.positions[indices[t]], b = mesh.positions[indices[t + 1]],
+                      c = mesh.positions[indices[t + 2]];
+      const glm::vec3 n = glm::normalize(glm::cross(b - a, c - a));
+      // Each surface keeps its own normals: what was sharp is sharp.
+      for (int i = 0; i < 3; ++i)
+        EXPECT_GT(glm::dot(n, mesh.normals[indices[t + static_cast<std::size_t>(i)]]), 0.7F);
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        if (std::abs(n.z) < 0.5F) most = std::max(most, kRadius - glm::length(glm::vec2(from + to) / 2.0F));
+    }
+    EXPECT_LT(most, 2.0F * piece.levels[level].error + 2e-4F * kRadius) << level;
+  }
+}
+
+TEST(LevelsOfDetail, ALineOnAFlatSheetStaysWhereItIs) {
+  // A sheet of which the part below a wave is of another colour, with vertices of both along it.
+  constexpr std::uint32_t kColumns = 256, kRows = 12;
+  Mesh mesh;
+  mesh.name = "sheet";
+  const auto line = [](float x) { return 0.004F * std::sin(60.0F * x); };
+  for (const bool above : {false, true})
+    for (std::uint32_t j = 0; j <= kRows; ++j)
+      for (std::uint32_t i = 0; i <= kColumns; ++i) {
+        const float x = 0.4F * static_cast<float>(i) / kColumns;
+        const float part = static_cast<float>(j) / kRows;
+        const float y = above ? std::lerp(line(x), 0.05F, part) : std::lerp(-0.05F, line(x), part);
+        mesh.positions.push_back({x, j == (above ? 0 : kRows) ? line(x) : y, 0.0F});
+        mesh.normals.push_back({0.0F, 0.0F, 1.0F});
+        mesh.colours.push_back(above ? glm::vec3(0.8F, 0.1F, 0.1F) : glm::vec3(0.1F, 0.2F, 0.8F));
+      }
+  for (std::uint32_t half = 0; half < 2; ++half)
+    for (std::uint32_t j = 0; j < kRows; ++j)
+      for (std::uint32_t i = 0; i < kColumns; ++i) {
+        const std::uint32_t a = (half * (kRows + 1) + j) * (kColumns + 1) + i, b = a + 1,
+                            c = b + kColumns + 1, d = c - 1;
+        for (const std::uint32_t v : {a, b, c, a, c, d}) mesh.indices.push_back(v);
+      }
+  const LevelsOfDetail all = levels_of_detail(mesh);
+  ASSERT_EQ(all.pieces.size(), 1U);
+  const auto& levels = all.pieces.front().levels;
+  EXPECT_LT(8 * levels.back().count, levels.front().count);
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const std::vector<std::uint32_t> indices =
+        chosen(all, [level](std::size_t, std::size_t) { return level; });
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (std::size_t t = 0; t < indices.size(); t += 3)
+      for (std::size_t i = 0; i < 3; ++i) edges.emplace(indices[t + i], indices[t + (i + 1) % 3]);
+    float most = 0.0F;
+    for (const auto& [v, w] : edges) {
+      const glm::vec3 p = mesh.positions[v], q = mesh.positions[w];
+      const bool is_on_line = std::abs(p.y - line(p.x)) < 1e-6F && std::abs(q.y - line(q.x)) < 1e-6F;
+      if (!is_on_line || edges.contains({w, v})) continue;
+      for (int k = 1; k < 8; ++k) {
+        const glm::vec3 at = glm::mix(p, q, static_cast<float>(k) / 8.0F);
+        most = std::max(most, std::abs(at.y - line(at.x)));
+      }
+    }
+    EXPECT_LT(most, 2.0F * levels[level].error + 1e-5F) << level;
+  }
+}
+
 class DrawnLevels : public testing::Test {
 protected:
   void TearDown() override {

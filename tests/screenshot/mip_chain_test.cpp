@@ -22,11 +22,13 @@ TEST(MipChain, TakesTheMeanOfLight) {
   const Bytes checks{0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 255};
   EXPECT_EQ(mip_chain({"checks", 2, 2, checks, true})[1], (Bytes{188, 188, 188, 255}));
   EXPECT_EQ(mip_chain({"checks", 2, 2, checks, false})[1], (Bytes{128, 128, 128, 255}));
+  EXPECT_FLOAT_EQ(mean_colour({"checks", 2, 2, checks, true}).g, 0.5F);
 }
 
 TEST(MipChain, WhatIsNotThereHasNoColour) {
   const Bytes half{0, 255, 0, 0, 200, 10, 10, 255};
   EXPECT_EQ(mip_chain({"half", 2, 1, half, true, true})[1], (Bytes{200, 10, 10, 128}));
+  EXPECT_NEAR(mean_colour({"half", 2, 1, half, true, true}).r, 0.578F, 0.001F) << "200 in sRGB";
   // Where nothing is there at all, what lies beside it is not mixed with black.
   const Bytes none{200, 100, 50, 0, 200, 100, 50, 0};
   EXPECT_EQ(mip_chain({"none", 2, 1, none, true, true})[1], (Bytes{200, 100, 50, 0}));

@@ -9,7 +9,6 @@
 
 #include "engine/render/environment.h"
 #include "engine/render/frame_data.h"
-#include "engine/render/studio.h"
 #include "engine/render/tone.h"
 #include "test_scene.h"
 
@@ -65,8 +64,7 @@ TEST_F(OcclusionTest, AFloorBeforeAWallGetsWhatTheWallLeavesOfItsSky) {
       {1, 0, "wall", glm::translate(glm::mat4(1.0F), {-0.05F, 0.5F * kHeight, 0}), true});
   const Picture picture = drawn(desc, true);
   const Picture without = drawn(desc, false);
-  const Irradiance around =
-      make_environment([&](const glm::vec3& from) { return studio_radiance(desc.ambient, from); }).irradiance;
+  const Irradiance around = make_environment(surroundings_of(desc.ambient)).irradiance;
   const float upwards = irradiance(around, {0, 1, 0}).g;
   for (const float away : {0.012F, 0.02F, 0.03F, 0.045F, 0.09F}) {
     const float open = 0.5F + 0.5F * away / std::sqrt(away * away + kHeight * kHeight);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "test_scene.h"
 
@@ -35,29 +36,32 @@ TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   full.textures = {{"grain", 2, 2, std::vector<std::uint8_t>(16, 255), true}};
   full.materials[1].detail.emplace().alpha = Alpha::mask;
   full.materials[1].detail->layers[SurfaceDetail::base_colour].emplace();
+  full.materials[0].detail.emplace().scatter_distance = glm::vec3(0.001F);
   full.meshes.front().levels.emplace();
   full.meshes.front().levels->indices = full.meshes.front().indices;
+  full.ambient.picture = Panorama{2, 1, {glm::vec3(1.0F), glm::vec3(1.0F)}};
+  full.lights.emplace_back();
   everything.quality.resolution_scale = 0.75F;
   const RenderPlan all = planned(full, everything);
   for (const char* pipeline : {"surfaces", "detailed surfaces", "shadows", "shadows with holes", "markers",
                                "ghost depth", "ghost lines", "ghost", "background", "tone mapping",
-                               "ambient occlusion", "enlargement", "soft shadows"})
+                               "ambient occlusion", "subsurface scattering", "enlargement", "soft shadows"})
     EXPECT_NE(find(all.built, pipeline, "pipeline"), nullptr) << pipeline;
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(find(all.built, "shadow map", "image")->bytes, 2048U * 2048U * 4U);
   EXPECT_EQ(find(all.built, "standing shadow map", "image")->bytes, 2048U * 2048U * 4U);
   EXPECT_EQ(find(all.built, "textures", "image")->bytes, 4U * (2 * 2 + 1));
-  // Four samples of colour and depth, the scene, the ghost's depth and lines, and at half the size depth and
-  // what it hides, twice.
+  // Four samples of colour and depth, the scene, the ghost's depth and lines, below surfaces depth and light,
+  // twice, and at half the size depth and what it hides, twice.
   EXPECT_EQ(find(all.built, "second view", "image")->bytes,
-            320U * 200U * (4U * 8U + 8U + 4U * 4U + 4U + 2U) + 160U * 100U * (4U + 2U * 4U));
+            320U * 200U * (4U * 8U + 8U + 4U * 4U + 4U + 2U + 4U + 2U * 16U) + 160U * 100U * (4U + 2U * 4U));
   EXPECT_EQ(find(all.built, "scene samples", "image")->bytes, 960U * 540U * 8U * 4U);
   EXPECT_NE(find(all.built, "levels of detail", "buffer"), nullptr);
   EXPECT_EQ(find(all.built, "finished scene", "image")->bytes, (960U + 1280U) * 540U * 4U);
   // As the second view, of the whole picture, and what is tone mapped before it is enlarged.
   EXPECT_EQ(find(all.built, "second eye", "image")->bytes,
-            960U * 540U * (4U * 8U + 8U + 4U * 4U) + 1280U * 720U * (4U + 2U) + 480U * 270U * (4U + 2U * 4U) +
-                (960U + 1280U) * 540U * 4U);
+            960U * 540U * (4U * 8U + 8U + 4U * 4U + 4U + 2U * 16U) + 1280U * 720U * (4U + 2U) +
+                480U * 270U * (4U + 2U * 4U) + (960U + 1280U) * 540U * 4U);
 }
 
 TEST(Plan, LeavesOutLevelsAndEnlargementWhereNothingAsksForThem) {
@@ -106,6 +110,49 @@ TEST(Plan, LeavesOutTheLightVolumeWhereNothingStands) {
   const RenderPlan empty = planned(desc);
   for (const char* image : {"light volume", "surroundings", "ambient occlusion"})
     EXPECT_EQ(find(empty.left_out, image, "image")->note, "the scene has no instances") << image;
+}
+
+TEST(Plan, LeavesOutLightsThatNoModelBrings) {
+  VisualDesc desc = test::make_scene();
+  EXPECT_EQ(find(planned(desc).left_out, "lights of models", "buffer")->note,
+            "no model brings one (KHR_lights_punctual)");
+  desc.lights.resize(3);
+  const RenderPlan lit = planned(desc);
+  EXPECT_EQ(find(lit.built, "lights of models", "buffer")->bytes, 33U * 16U);
+  desc.instances.clear();
+  desc.ghosts.clear();
+  EXPECT_EQ(find(planned(desc).left_out, "lights of models", "buffer")->note, "the scene has no instances");
+}
+
+TEST(Plan, NamesWhatIsWrongWithALight) {
+  const auto of_light = [](const auto& spoil) {
+    VisualDesc desc = test::make_scene();
+    desc.lights.resize(2);
+    desc.lights[1].name = "lamp";
+    spoil(desc.lights[1]);
+    return complaint(desc);
+  };
+  EXPECT_EQ(of_light([](PunctualLight& light) { light.carried_by = 2; }), "");
+  EXPECT_NE(of_light([](PunctualLight& light) { light.carried_by = 0; }).find("light 1 (lamp) is carried by"),
+            std::string::npos);
+  EXPECT_NE(of_light([](PunctualLight& light) { light.carried_by = 9; }).find("instance 9, which is none"),
+            std::string::npos);
+  for (const float intensity : {-1.0F, 2e9F, std::nanf("")})
+    EXPECT_NE(
+        of_light([&](PunctualLight& light) { light.intensity = intensity; }).find("an intensity of 0 to"),
+        std::string::npos);
+  EXPECT_NE(of_light([](PunctualLight& light) { light.range = 0.0F; }).find("a range above 0 m"),
+            std::string::npos);
+  EXPECT_NE(of_light([](PunctualLight& light) { light.inner_cone_rad = 1.0F; }).find("outside the cone"),
+            std::string::npos);
+  const auto blind = [](PunctualLight& light) {
+    light.kind = PunctualLight::Kind::spot;
+    light.direction = glm::vec3(0.0F);
+  };
+  EXPECT_NE(of_light(blind).find("has no direction"), std::string::npos);
+  VisualDesc many = test::make_scene();
+  many.lights.resize(9);
+  EXPECT_NE(complaint(many).find("9 lights beside its key light; use 8"), std::string::npos);
 }
 
 TEST(Plan, LeavesOutMarkersWithoutCheckpoints) {

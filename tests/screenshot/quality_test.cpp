@@ -44,6 +44,7 @@ TEST(AutoQuality, EachLevelAsksForNoMoreThanTheOneAbove) {
     EXPECT_LE(cheaper.resolution_scale, better.resolution_scale);
     EXPECT_GE(cheaper.coarseness, better.coarseness);
     EXPECT_LE(cheaper.soft_shadows, better.soft_shadows);
+    EXPECT_LE(cheaper.scattering, better.scattering);
   }
 }
 
@@ -65,7 +66,7 @@ TEST(AutoQuality, ASlowMachineEndsWithinItsBudget) {
 // What is too slow is left again after a few frames.
 TEST(AutoQuality, ATooSlowLevelIsLeftWithinSeconds) {
   AutoQuality choice(1.0 / 30.0);
-  const auto cost = [](const Quality& q) { return q.resolution_scale < 0.5F ? 0.02 : 0.5; };
+  const auto cost = [](const Quality& q) { return q == kQualityLevels.back() ? 0.02 : 0.5; };
   while (choice.quality() == kQualityLevels.back()) choice.add(cost(choice.quality()));
   double waited_s = 0;
   while (choice.quality() != kQualityLevels.back() && waited_s < 100) {
@@ -98,7 +99,7 @@ TEST(AutoQuality, WhatWasLearntOfOneViewIsForgottenInAnother) {
   const auto hardly = [](const Quality& q) { return q == kQualityLevels.back() ? 0.030 : 0.036; };
   for (int i = 0; i < 100; ++i) choice.add(hardly(choice.quality()));
   ASSERT_NE(choice.quality(), kQualityLevels.back());
-  const auto cost = [](const Quality& q) { return pixels_cost(q, 0.4); };
+  const auto cost = [](const Quality& q) { return pixels_cost(q, 0.5); };
   double waited_s = 0;
   while (cost(choice.quality()) > 1.0 / 30.0 && waited_s < 100) {
     const double frame_s = cost(choice.quality());
@@ -165,7 +166,7 @@ TEST(AutoQuality, DoesNotSwingBetweenTwoLevels) {
 // A machine that was busy while the scene began is not held at a poor picture for that.
 TEST(AutoQuality, WhatWasTooSlowOnceIsTriedAgain) {
   AutoQuality choice(1.0 / 30.0);
-  const auto busy = [](const Quality& q) { return q.resolution_scale < 0.5F ? 0.02 : 0.09; };
+  const auto busy = [](const Quality& q) { return q == kQualityLevels.back() ? 0.02 : 0.09; };
   for (int i = 0; i < 100; ++i) choice.add(busy(choice.quality()));
   ASSERT_EQ(choice.quality(), kQualityLevels.back());
   EXPECT_LT(until_best(choice, [](const Quality&) { return 0.02; }), 25.0);

@@ -28,13 +28,15 @@ start_display() { # [SIZE]
   exec {pipe}>&-
   export DISPLAY=:$number
   openbox >/dev/null 2>&1 &
-  until_seen xdotool getmouselocation >/dev/null 2>&1 || exit 1
+  # Only a window manager knows of desktops; a window that is there before it would be taken over while it is used.
+  until_seen xdotool get_num_desktops >/dev/null 2>&1 || exit 1
 }
 
 trap 'kill $xvfb 2>/dev/null; [ -z "${program-}" ] || kill -9 $program 2>/dev/null; rm -rf "$work"' EXIT
 
+# Without --all, the window of a program that has just ended is one as well, for as long as the display has it.
 find_window() {
-  window=$(xdotool search --onlyvisible --pid $program --name '^Fulcrum' 2>/dev/null | head -n 1)
+  window=$(xdotool search --all --onlyvisible --pid $program --name '^Fulcrum' 2>/dev/null | head -n 1)
   [ -n "$window" ] || ! kill -0 $program 2>/dev/null
 }
 
@@ -54,6 +56,17 @@ wait_for_end() {
   wait $program
   code=$?
   program=
+}
+
+# shot NAME [CROP]: what the window shows, as $work/NAME.png. A program that ended by itself ends the test, with what it
+# said. Where `import` finds no such window, it waits until somebody clicks one; nobody does.
+shot() {
+  if gone; then
+    wait $program
+    echo "FAILED: the program ended by itself with $?: $(cat "$work/said")" >&2
+    exit 1
+  fi
+  timeout "$limit" import -window "$window" ${2:+-crop "$2" +repage} "$work/$1.png"
 }
 
 # rows FOLDER: ticks that its trace holds.

@@ -21,7 +21,7 @@ unhurried() {
 # accent WxH+X+Y: what is in focus is surrounded there.
 blue=84,164,255
 accent() {
-  import -window "$window" "$work/part.png"
+  shot part
   [ "$(convert "$work/part.png" -crop "$1" +repage -fuzz 8% -fill black +opaque "rgb($blue)" -format '%[fx:maxima > 0.3]' info:)" = 1 ]
 }
 # focused ROW: of the column of scenarios, or of the settings.
@@ -41,12 +41,12 @@ trials() { [ "$("$FULCRUM" results --participant "$1" 2>/dev/null | grep -c " $2
 
 # A picture of the window, kept where FULCRUM_PICTURES says.
 picture() {
-  import -window "$window" "$work/$1.png"
+  shot "$1"
   [ -z "${FULCRUM_PICTURES-}" ] || cp "$work/$1.png" "$FULCRUM_PICTURES/"
 }
 # A dark card in the middle: what came of the trial, or the list of keys.
 dark() { [ "$(convert "$1" -crop "$2" +repage -scale 1x1 -format '%[fx:r < 0.2 && g < 0.2]' info:)" = 1 ]; }
-card_is_there() { import -window "$window" "$work/card.png" && dark "$work/card.png" 360x180+460+270; }
+card_is_there() { shot card && dark "$work/card.png" 360x180+460+270; }
 no_card_is_there() { ! card_is_there; }
 shows_keys() { card_is_there; }
 shows_no_keys() { no_card_is_there; }

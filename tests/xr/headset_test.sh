@@ -1,71 +1,8 @@
 #!/usr/bin/env bash
-# Scenes in a headset, on the runtime of the tests' own (tests/xr/runtime/script.h), under Debian's validation layer of
-# OpenXR where it is installed. $FULCRUM is the program, $RUNTIME the manifest. What is waited for is seen, never timed.
+# Scenes in a headset, on the runtime of the tests' own, as in_headset.sh sets it up.
 #   headset_test.sh WHAT, one of the functions below
-set -uo pipefail
-. "$(dirname "$(readlink -f "$0")")/../support/expect.sh"
 . "$(dirname "$(readlink -f "$0")")/../support/hand_to_pixel.sh"
-work=$(mktemp -d)
-program=
-trap '[ -z "$program" ] || kill -9 $program 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-limit=${FULCRUM_TEST_LIMIT:-300} # s, ends what hangs, and decides nothing else
-export XR_RUNTIME_JSON=$RUNTIME FULCRUM_XR_SCRIPT=$work/script FULCRUM_XR_LOG=$work/log XDG_CONFIG_HOME=$work/config
-unset DISPLAY WAYLAND_DISPLAY
-mkdir -p config/fulcrum && echo '{"picture": "lowest"}' >config/fulcrum/settings.json
-
-layer=/usr/share/openxr/1/api_layers/explicit.d/XrApiLayer_core_validation.*.json
-# shellcheck disable=SC2086
-if ls $layer >/dev/null 2>&1; then
-  export XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation XR_CORE_VALIDATION_EXPORT_TYPE=text \
-    XR_CORE_VALIDATION_FILE_NAME=$work/messages
-else
-  echo "openxr-layer-corevalidation is not installed: calls are judged by the tests' runtime alone"
-fi
-
-# goes_well: neither the runtime nor the layers had anything to say of what was just run, and its end was in order.
-goes_well() {
-  ! grep -m 5 '^WRONG' log || fail "$1: the runtime was called wrongly"
-  [ ! -s messages ] || fail "$1: the validation layer says: $(head -5 messages)"
-  [ -z "${XR_ENABLE_API_LAYERS-}" ] || grep -q 'Core Validation output' said || fail "$1: the validation layer was not there"
-  grep -q '^xrDestroyInstance' log || fail "$1: the instance is not destroyed"
-  rm -f messages
-}
-
-run() { # ARGS of fulcrum run --xr; $code, and what it says in ./said
-  timeout "$limit" "$FULCRUM" run --xr --mute "$@" >said 2>&1
-  code=$?
-}
-
-# column FOLDER NAME: its values.
-column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next } NF >= c { print $c }' "$1/trace.csv"; }
-
-# start ARGS: the same, and goes on; until_seen COMMAND...: waits for it to succeed; 1 if it never does, or if the run ends.
-start() {
-  rm -f log
-  "$FULCRUM" run --xr --mute "$@" >said 2>&1 &
-  program=$!
-}
-until_seen() {
-  local end=$((SECONDS + limit)) runs=1
-  while ! "$@" 2>/dev/null; do
-    [ $runs = 1 ] && [ $SECONDS -lt $end ] || return 1
-    kill -0 $program 2>/dev/null || runs=
-    sleep 0.1
-  done
-}
-wait_for_end() {
-  gone() { ! kill -0 $program 2>/dev/null; }
-  until_seen gone || { fail "it does not end: $(cat said)"; kill -9 $program; }
-  wait $program
-  code=$?
-  program=
-}
-
-# Of the run in A: how often the force has been stopped, and whether it is. stopped N: so often; back N: and has gone on after.
-stops() { column A fault | awk '$1 % 2 { n += !was } { was = $1 % 2 } END { print n + 0, was + 0 }'; }
-stopped() { [ -f A/trace.csv ] && [ "$(stops)" = "$1 1" ]; }
-back() { [ -f A/trace.csv ] && [ "$(stops)" = "$1 0" ]; }
+. "$(dirname "$(readlink -f "$0")")/in_headset.sh"
 
 # No runtime: one sentence, nothing of the loader's, and exit 1. What does not go together is refused.
 no_headset() {
@@ -210,6 +147,8 @@ hung() {
   [ $code = 3 ] || fail "exit $code: $(cat said)"
   goes_well "a runtime that hangs"
   [ "$(stops)" = "2 0" ] || fail "the force comes and goes while the runtime hangs: $(stops)"
+  column A fault | awk -v bit=$unanswered '$1 % 2 { bad = 1 } int($1 / bit) % 2 { hung = 1 } END { exit !hung || bad }' || fail "the trace has the hang as another stop"
+  tr -d ' \n' <A/summary.json | grep -q '"faults":\[{"name":"unanswered"' || fail "the summary does not tell of the hang: $(grep -A 5 '"faults"' A/summary.json)"
 }
 
 # A squeeze that begins while the runtime hangs does not go on with the force: the next one does.
@@ -222,11 +161,8 @@ hung_squeeze() {
   sleep 3
   touch go
   until_seen stopped 1 || fail "the force stays on while the runtime hangs: $(stops)"
-  local ticks
-  ticks=$(wc -l <A/trace.csv)
-  later() { [ "$(wc -l <A/trace.csv)" -gt $((ticks + 500)) ]; }
-  until_seen later || fail "no ticks come after the hang"
-  stopped 1 || fail "a squeeze that began while the runtime hung goes on: $(stops)"
+  later 500
+  stopped 1 && has_fault $unanswered || fail "a squeeze that began while the runtime hung goes on: $(stops)"
   grep -q "^fulcrum: the headset's runtime did not answer in time" said || fail "nothing is said of the hang: $(cat said)"
   touch off
   until_seen back 1 || fail "the next squeeze does not go on: $(stops)"
@@ -263,10 +199,46 @@ dead() {
     [ "$(wc -l <A/trace.csv)" -gt 1 ] || fail "$last: what was recorded is lost"
     rm -r A
   done
+  printf '%s\n' 'size 64 64' '30 ending' >script
+  run piping --device simulated --out A
+  [ $code = 3 ] || fail "exit $code where the runtime is about to end: $(cat said)"
+  grep -qx "fulcrum: The headset's runtime ends: start it anew, and this run with it\." said || fail "where the runtime is about to end it says: $(cat said)"
+  goes_well "a runtime that ends"
   echo 'size 64 0' >script
   run piping --device simulated --out B
   [ $code = 1 ] || fail "exit $code where a picture has no size"
   grep -q '^fulcrum: .* wants pictures of 64 x 0 pixels' said || fail "where a picture has no size it says: $(cat said)"
+}
+
+# What came of a trial is on the panel once it has ended, until a squeeze that begins then; taken off, nobody is waited for.
+card() {
+  local i
+  {
+    printf '%s\n' 'size 64 64' 'pace 5' '5 hand right 0 -0.2 -0.4' '2 picture quad before.ppm' "40 wait $work/ended"
+    echo '0 picture quad card.ppm'
+    for i in $(seq 100 20 500); do echo "$i press right select" && echo "$((i + 10)) release right select"; done
+  } >script
+  start piping --device simulated --seconds 0.5 --out A
+  has_ended() { [ -f A/trace.csv ] && [ "$(wc -l <A/trace.csv)" = 501 ]; }
+  until_seen has_ended || fail "the trial does not end: $(cat said)"
+  touch ended
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well card
+  grep -q '^xrWaitFrame 99$' log || fail "nobody is shown what came of it: $(tail -1 log)"
+  # The card lies in the middle, where nothing is before.
+  middle() { convert "$1" -crop 300x120+490+280 -format '%[fx:mean]' info:; }
+  awk -v b="$(middle before.ppm)" -v a="$(middle card.ppm)" 'BEGIN { exit !(b < 0.001 && a > 0.01) }' ||
+    fail "what came of it is not on the panel: $(middle before.ppm) before, $(middle card.ppm) after"
+  [ -z "${FULCRUM_PICTURES-}" ] || cp card.ppm "$FULCRUM_PICTURES/card.ppm"
+  rm -r A ended
+  printf '%s\n' 'size 64 64' "40 wait $work/ended" '60 rest' >script
+  start piping --device simulated --seconds 0.5 --out A
+  until_seen has_ended || fail "the trial does not end: $(cat said)"
+  touch ended
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well "taken off after the end"
 }
 
 # A hand takes the tool, moves it as it moves itself, and leaves it where it is; local space that moves does not.
@@ -287,19 +259,13 @@ controllers() {
     echo '90 exit'
   } >script
   start piping --out A
-  # 20 mm to the right of who looks as the view does: its heading is atan2(0.4, 0.92).
-  place() { # X Z: the handle has moved so far, within 10 um, and not in height
-    [ -f A/trace.csv ] && paste -d' ' <(column A handle/p/x) <(column A handle/p/y) <(column A handle/p/z) |
-      awk -v x="$1" -v z="$2" 'NR == 1 { x0 = $1; y0 = $2; z0 = $3 } NF == 3 { a = $1; b = $2; c = $3 }
-        function near(p, q) { return (p - q) ^ 2 < 1e-10 } END { exit !(near(a - x0, x) && near(b, y0) && near(c - z0, z)) }'
-  }
-  right=$(awk 'BEGIN { l = sqrt(0.4 ^ 2 + 0.92 ^ 2); print 0.02 * 0.92 / l, -0.02 * 0.4 / l }')
+  right=$(in_world 0.02 0) # of who looks as the view does
   # shellcheck disable=SC2086
-  until_seen place $right || fail "the handle does not go with the hand: $(tail -1 A/trace.csv | cut -d, -f2-4), of $(sed -n 2p A/trace.csv | cut -d, -f2-4)"
+  until_seen went $right || fail "the handle does not go with the hand: $(tail -1 A/trace.csv | cut -d, -f2-4), of $(sed -n 2p A/trace.csv | cut -d, -f2-4)"
   touch moved
   until_seen stopped 1 || fail "the menu button stops nothing"
   # shellcheck disable=SC2086
-  place $right || fail "the handle has moved with local space, or after it was let go"
+  went $right || fail "the handle has moved with local space, or after it was let go"
   touch stopped
   until_seen back 1 || fail "a hand that takes the tool again does not go on"
   touch gone_on
@@ -307,7 +273,29 @@ controllers() {
   [ $code = 3 ] || fail "exit $code: $(cat said)"
   goes_well controllers
   # shellcheck disable=SC2086
-  place $right || fail "the handle has jumped to a hand that took it elsewhere"
+  went $right || fail "the handle has jumped to a hand that took it elsewhere"
+}
+
+# A controller that sleeps says nothing: a squeeze that was there before, or began meanwhile, does not go on after a stop.
+asleep() {
+  {
+    printf '%s\n' 'size 64 64' 'pace 5' '5 hand right 0.1 -0.2 -0.4' '10 press right select' '30 press right menu' '32 release right menu'
+    echo "40 wait $work/stopped"
+    printf '%s\n' '41 sleep right' '50 wake right' '60 sleep right' '61 release right select' '65 press right select' '70 wake right'
+    echo "100 wait $work/still" && echo '101 release right select' && echo '105 press right select'
+    echo "110 wait $work/gone_on" && echo '111 exit'
+  } >script
+  start piping --out A
+  until_seen stopped 1 || fail "the menu button stops nothing"
+  touch stopped
+  until_seen grep -q '^xrWaitFrame 99' log || fail "no pictures come: $(tail -1 log)"
+  later 300
+  stopped 1 || fail "a squeeze that nobody saw begin goes on"
+  touch still
+  until_seen back 1 || fail "a squeeze does not go on"
+  touch gone_on
+  wait_for_end
+  goes_well asleep
 }
 
 # What the tool touches is felt in both hands, at the frequency of the scene, and no longer than it lasts.
@@ -332,6 +320,146 @@ vibration() {
   touch still
   wait_for_end
   goes_well vibration
+}
+
+# A Touch by its maker's library, in whose place is the tests' own.
+touch_is_there() { export LD_LIBRARY_PATH=$STAND_INS; }
+
+# A Touch on a desk, whose base stands at (0.2, 0.9, -0.6) in the stage, turned by 0.5 about the vertical. Three places are
+# touched with both tips, after one where the controller is out of sight, and said to be elsewhere. The base is found, kept and
+# told; the force is off until the next squeeze.
+colocate() {
+  touch_is_there
+  awk -v work="$work" 'BEGIN {
+    print "size 64 64"; print "pace 5"
+    split("0.06 -0.02 0.02 -0.07 0 0.01 0.01 0.05 -0.05", p, " ")
+    print 20, "handle", p[1], p[2], p[3]; print 21, "wait", work "/at0"
+    print 22, "hand right 5 5 5"; print 22, "guess right"; print 25, "press right select"; print 60, "release right select"
+    print 62, "track right"
+    for (i = 0; i < 3; ++i) {
+      f = 100 + 100 * i; x = p[3 * i + 1]; y = p[3 * i + 2]; z = p[3 * i + 3]
+      print f, "handle", x, y, z; print f + 1, "wait", work "/at" (i + 1)
+      # In local space, 1.5 m over the stage; a hand aims from 20 mm below its grip and 60 mm ahead of that.
+      print f + 2, "hand right", 0.2 + cos(0.5) * x + sin(0.5) * z, 0.9 + y - 1.5 + 0.02, -0.6 - sin(0.5) * x + cos(0.5) * z + 0.06
+      print f + 5, "press right select"; print f + 50, "release right select"
+    }
+    print 370, "picture quad quad.ppm"; print 375, "press right menu"; print 380, "release right menu"
+    print 390, "wait", work "/kept"
+    print 395, "press right select"; print 400, "wait", work "/on"; print 401, "exit"
+  }' >script
+  start piping --device touch --xr-space stage --colocate --out A
+  local n
+  told() { [ "$(grep -c '^the handle is there$' log)" -gt "$n" ]; }
+  for n in 0 1 2 3; do
+    until_seen told || fail "the handle is not moved: $(cat said)"
+    later 300
+    touch at$n
+  done
+  kept=config/fulcrum/calibration/touch.xr-stage.yaml
+  until_seen [ -f $kept ] || fail "nothing is kept: $(cat said)"
+  stopped 1 || fail "something pushes while points are touched: $(stops)"
+  touch kept
+  until_seen back 1 || fail "the next squeeze does not go on: $(stops)"
+  touch on
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well colocate
+  # Within 20 um of what a pose of 32 bits says; the turn is (w, 0, y, 0) of its half.
+  sed -n 's/^base: {position: \[\(.*\)\], orientation: \[\(.*\)\]}$/\1, \2/p' $kept |
+    awk -F', ' 'function near(p, q) { return (p - q) ^ 2 < 4e-10 }
+      { s = $4 < 0 ? -1 : 1; found = near($1, 0.2) && near($2, 0.9) && near($3, -0.6) && near(s * $4, cos(0.25)) && near(s * $6, sin(0.25)) }
+      END { exit !found }' || fail "the base is found elsewhere: $(grep base: $kept)"
+  grep -q "^The device stands in stage space as .*touch.xr-stage.yaml has it: residual [0-9.e-]* mm\.$" said || fail "it says: $(cat said)"
+  tr -d ' \n' <A/summary.json | grep -qE '"colocation":\{"space":"stage","residual_m":[0-9.e-]+,"residuals_m":\[[0-9.e-]+,[0-9.e-]+,[0-9.e-]+\]\}' ||
+    fail "the summary does not tell the residual: $(grep -A 8 colocation A/summary.json)"
+  [ "$(identify -format '%k' quad.ppm)" -gt 100 ] || fail "nothing is written on the panel"
+  [ -z "${FULCRUM_PICTURES-}" ] || cp quad.ppm "$FULCRUM_PICTURES/colocate.ppm"
+  expect 0 'co-location .* the device stands in stage space as .*touch.xr-stage.yaml has it' "$FULCRUM" explain piping --xr --xr-space stage --device touch
+  expect 0 'co-location .* no points have been touched in local space .--colocate' "$FULCRUM" explain piping --xr --device touch
+  expect 0 'co-location .* has no base that stands on a desk' "$FULCRUM" explain piping --xr
+  expect 0 'headset .* --xr asks for it' "$FULCRUM" explain piping --device touch
+}
+
+# With a device where theory has it, an eye sees what it sees without, from where it would be without: the whole is moved by
+# 0.7 about the vertical and a way, and drawn as large as it is felt, by the scale of the scenario's device. No tick differs.
+colocated() {
+  touch_is_there
+  printf '%s\n' 'size 320 320' '0 picture left left.ppm' '1 head 0 -0.3 0.4' >script # 1.2 m over the floor
+  run piping --device touch --xr-space stage --xr-scale 0.4 --overlay none --seconds 0.001 --out A
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  mv left.ppm before.ppm
+  local handle
+  handle=$(for p in x y z; do column A "handle/p/$p" | head -1; done | paste -sd' ')
+  mkdir -p config/fulcrum/calibration
+  awk -v handle="$handle" 'BEGIN {
+    split(handle, h, " "); psi = atan2(0.4, 0.92); a = 0.7 - psi
+    # The handle is at its base. Of that in the stage, from the middle of which the view would be had without.
+    x = 0.4 * h[1]; y = 0.4 * (h[2] + 1.1 / 0.4); z = 0.4 * (h[3] - 0.03)
+    printf "fulcrum: 1\ndevice: touch\nspace: stage\n"
+    printf "base: {position: [%.9f, %.9f, %.9f], ", 0.3 + cos(a) * x + sin(a) * z, y - 0.05, -0.2 - sin(a) * x + cos(a) * z
+    printf "orientation: [%.9f, 0, %.9f, 0]}\nresiduals: [0.001, 0.002, 0.003]\n", cos(a / 2), sin(a / 2)
+  }' >config/fulcrum/calibration/touch.xr-stage.yaml
+  awk 'BEGIN {
+    print "size 320 320"; print "0 picture left left.ppm"
+    print "1 head", 0.3 + sin(0.7) * 0.4, -0.35, -0.2 + cos(0.7) * 0.4, 0, sin(0.35), 0, cos(0.35)
+  }' >script
+  run piping --device touch --xr-space stage --overlay none --seconds 0.001 --out B
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well colocated
+  grep -q '"residual_m": 0.00216' B/summary.json || fail "the summary does not tell what was kept"
+  [ "$(identify -format '%k' left.ppm)" -gt 500 ] || fail "nothing is seen"
+  [ -z "${FULCRUM_PICTURES-}" ] || cp before.ppm left.ppm "$FULCRUM_PICTURES/"
+  differ() { convert "$1" "$2" -compose difference -composite -threshold 1.2% -format '%[fx:mean]' info:; }
+  # Of a device by the clock, how old its sample is differs each time.
+  ticks() { awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "handle/age") age = i } { $age = ""; print }' "$1/trace.csv"; }
+  awk -v d="$(differ before.ppm left.ppm)" 'BEGIN { exit !(d < 0.002) }' ||
+    fail "it is not seen where theory has it: $(differ before.ppm left.ppm) of it differs"
+  [ "$(ticks A | wc -l)" -gt 1 ] && cmp -s <(ticks A) <(ticks B) || fail "where the scene is seen changes the trace"
+  printf '%s\n' 'size 320 320' '0 picture left left.ppm' '1 head 0 -0.3 0.4' >script
+  run piping --device touch --xr-space stage --overlay none --seconds 0.001 --out C
+  awk -v d="$(differ before.ppm left.ppm)" 'BEGIN { exit !(d > 0.02) }' || fail "what is kept moves nothing"
+  # A file that is damaged, and what does not go together.
+  echo 'fulcrum: 1' >config/fulcrum/calibration/touch.xr-stage.yaml
+  expect 0 "co-location .*touch.xr-stage.yaml:1.*'device'" "$FULCRUM" explain piping --xr --xr-space stage --device touch
+  run piping --device touch --xr-space stage --out D
+  [ $code = 1 ] && [ ! -e D ] || fail "with a damaged file: exit $code"
+  grep -q "touch.xr-stage.yaml:1.*'device'" said && grep -q 'touch.xr-stage.yaml: .*anew with --colocate, or remove the file' said ||
+    fail "of a damaged file it says: $(cat said)"
+  expect 2 '^fulcrum: --colocate .*: add --xr' "$FULCRUM" run piping --colocate
+  expect 2 '^fulcrum: --colocate .* leave out --overlay none' "$FULCRUM" run piping --xr --colocate --overlay none
+  expect 2 '^fulcrum: --colocate .* leave out --xr-scale' "$FULCRUM" run piping --xr --colocate --xr-scale 2
+  expect 1 '^fulcrum: --colocate is for a device with motors .* and simulated is none' "$FULCRUM" run piping --xr --colocate --device simulated
+}
+
+# A space that moves takes along what was measured in it: the force goes, and the file with it. The stage does not move with
+# local space.
+colocated_moves() {
+  touch_is_there
+  mkdir -p config/fulcrum/calibration
+  for space in stage local; do
+    printf 'fulcrum: 1\ndevice: touch\nspace: %s\nbase: {position: [0, 1, -0.5], orientation: [1, 0, 0, 0]}\nresiduals: [0, 0, 0]\n' $space \
+      >config/fulcrum/calibration/touch.xr-$space.yaml
+  done
+  printf '%s\n' 'size 64 64' '20 recenter 0.3 0 0.1' '60 exit' >script
+  run piping --device touch --xr-space stage --out A
+  [ -f config/fulcrum/calibration/touch.xr-stage.yaml ] && ! grep -q 'has moved' said || fail "the stage goes with local space: $(cat said)"
+  grep -q '"colocation"' A/summary.json || fail "the stage's place is lost"
+  rm -r A
+  # Who squeezes in that very picture has not seen yet where the scene is; who does so anew goes on.
+  printf '%s\n' 'size 64 64' 'pace 5' '20 recenter 0.3 0 0.1' '20 press right select' "60 wait $work/off" '70 release right select' \
+    '75 press right select' "80 wait $work/on" '81 exit' >script
+  start piping --device touch --out A
+  until_seen stopped 1 || fail "the force stays on where the space has moved: $(stops)"
+  later 300
+  stopped 1 || fail "a squeeze before the moved scene was seen brings the force back: $(stops)"
+  touch off
+  until_seen back 1 || fail "a squeeze after that does not go on: $(stops)"
+  touch on
+  wait_for_end
+  goes_well colocated_moves
+  grep -q "^fulcrum: the headset's local space has moved in the room, .* anew with --colocate, best with --xr-space stage" said || fail "it says: $(cat said)"
+  [ ! -e config/fulcrum/calibration/touch.xr-local.yaml ] || fail "what does not hold any more is kept"
+  grep -q '"colocation"' A/summary.json && fail "the summary tells what does not hold any more"
 }
 
 # A program that is not ours runs on the runtime, too.

@@ -11,7 +11,7 @@ open_window piping --xr --mute --validate --device simulated --set dwell=600 --s
 [ "$(xdotool getwindowgeometry "$window" | grep -o '[0-9]*x[0-9]*$')" = 270x360 ] || fail "the mirror has not an eye's shape"
 # The pipes are painted orange; no panel is.
 orange() {
-  import -window "$window" "$work/seen.png"
+  shot seen
   [ "$(convert "$work/seen.png" -fuzz 15% -fill black +opaque 'rgb(200,150,40)' -format '%[fx:mean > 0.001]' info:)" = 1 ]
 }
 until_seen orange || fail "the mirror does not show the pipes"

@@ -6,6 +6,7 @@
 
 #include "engine/render/frame_data.h"
 #include "engine/scenario/to_glm.h"
+#include "haptics/device/mapping.h"
 #include "haptics/math/rotation.h"
 
 namespace fulcrum::headset {
@@ -62,6 +63,21 @@ TEST(Placement, StageHasTheTargetOverItsMiddle) {
 TEST(Placement, ViewFromStraightAboveIsNotTurned) {
   const Placement placement = place_scene(view({0, 1, 0}, {0, 0, 0}), {});
   EXPECT_LT(angle_of(placement.X_WL.q), 1e-12);
+}
+
+// What the handle is at in the scene is seen where the handle is in the headset's space, and as large.
+TEST(Placement, OnADeviceWhatIsSeenStandsWhereItIsFelt) {
+  MappingDesc mapping;
+  mapping.X_WD = {turn_by(-0.4, Vec3(0, 1, 0)), Vec3(0.1, 0.06, 0.2)};
+  mapping.position_scale = 2.5;
+  const Pose X_LD{turn_by(1.1, Vec3(1, 9, 2).normalized()), Vec3(0.3, 0.8, -0.5)};
+  const Placement placement = place_on_device(mapping.X_WD, mapping.position_scale, X_LD);
+  for (const Vec3& p_D : {Vec3(0, 0, 0), Vec3(0.08, -0.03, 0.01), Vec3(-0.02, 0.05, 0.07)}) {
+    const Pose X_DH{turn_by(0.6, Vec3(3, 1, 2).normalized()), p_D};
+    const Pose seen = placement.in_world(X_LD * X_DH), is = mapping.handle_in_world(X_DH);
+    EXPECT_LT((seen.p - is.p).norm(), 1e-12);
+    EXPECT_LT(angle_of(seen.q * is.q.conjugate()), 1e-12);
+  }
 }
 
 // Where a frustum of OpenXR has its edges, a camera has the edges of its picture: also with a rolled head.

@@ -6,7 +6,9 @@ For each DESCRIBED/NAME.json and NAME.bin: REFERENCES/NAME.png, the radiance of 
 reads it, and NAME.json, which says of what. tools/references does all of it.
 
 Fulcrum's (x, y, z) is Blender's (x, -z, y). A light of intensity I is a sun of strength pi I, as wide as a disc
-of its diameter a metre away. The material is that of glTF 2.0, appendix B: a matt layer below a reflecting one, or a metal.
+of its diameter a metre away. Intensity is irradiance / pi at one metre, and a lamp of P watts has P / 4 pi of radiant
+intensity, so that one that a model brings is a lamp of 4 pi^2 I watts; it is a point, and throws the shadow that Fulcrum
+leaves out. The material is that of glTF 2.0, appendix B: a matt layer below a reflecting one, or a metal.
 Surfaces have one side: their backs are not seen, but keep light off.
 """
 import json
@@ -52,6 +54,11 @@ def mesh_of(entry, data):
     if entry["colours"][1]:
         rgba[:, :3] = floats("colours", 3)
     colours.data.foreach_set("color", rgba.ravel())
+    if "uv" in entry:
+        corners = floats("uv", 4)[indices]
+        for which in (0, 1):  # Blender's v grows upwards
+            places = np.stack((corners[:, 2 * which], 1 - corners[:, 2 * which + 1]), axis=1)
+            mesh.uv_layers.new(name=f"uv{which}").data.foreach_set("uv", places.ravel())
     mesh.update()
     mesh.use_auto_smooth = True
     mesh.auto_smooth_angle = math.pi
@@ -59,7 +66,17 @@ def mesh_of(entry, data):
     return mesh
 
 
-def material_of(entry):
+def image_of(number, entry, data):
+    width, height = entry["width"], entry["height"]
+    rows = np.frombuffer(data, np.uint8, width * height * 4, entry["first"]).reshape(height, width, 4)
+    image = bpy.data.images.new(f"picture {number}", width, height, alpha=True)
+    image.colorspace_settings.name = "sRGB" if entry["srgb"] else "Non-Color"
+    image.pixels.foreach_set((rows[::-1].astype(np.float32) / 255).ravel())
+    image.update()
+    return image
+
+
+def material_of(entry, images):
     material = bpy.data.materials.new(entry["name"])
     material.use_nodes = True
     material.cycles.use_transparent_shadow = False  # light is kept off by whatever it meets
@@ -76,31 +93,78 @@ def material_of(entry):
                 socket.default_value = value
         return made
 
-    roughness = max(entry["roughness"], 0.045)  # as surface.glsl has it
+    def math_node(operation, *values):
+        made = node("Math", **{f"at{i}": value for i, value in enumerate(values)})
+        made.operation = operation
+        return made.outputs[0]
+
+    def picture(layer):
+        """Where a picture's layer has its colours."""
+        at = node("UVMap")
+        at.uv_map = f"uv{layer['uv_set']}"
+        split = node("SeparateXYZ", Vector=at.outputs["UV"])
+        u, v = split.outputs["X"], math_node("SUBTRACT", 1.0, split.outputs["Y"])
+
+        def along(row):
+            return math_node("ADD", math_node("ADD", math_node("MULTIPLY", row[0], u),
+                                              math_node("MULTIPLY", row[1], v)), row[2])
+
+        place = node("CombineXYZ", X=along(layer["u"]), Y=math_node("SUBTRACT", 1.0, along(layer["v"])))
+        made = node("TexImage", Vector=place.outputs["Vector"])
+        made.image = images[layer["picture"]]
+        made.extension = "REPEAT" if layer["repeats"] else "EXTEND"
+        return made.outputs["Color"]
+
+    pictures = entry.get("pictures", {})
+    roughness, metallic = entry["roughness"], entry["metallic"]
+    if "finish" in pictures:
+        finish = node("SeparateRGB", Image=picture(pictures["finish"]))
+        roughness = math_node("MULTIPLY", finish.outputs["G"], roughness)
+        roughness = math_node("MAXIMUM", roughness, 0.045)
+        metallic = math_node("MULTIPLY", finish.outputs["B"], metallic)
+    else:
+        roughness = max(roughness, 0.045)  # as surface.glsl has it
+    relief = {}
+    if "relief" in pictures:
+        bent = node("NormalMap", Strength=pictures["relief"]["scale"], Color=picture(pictures["relief"]))
+        bent.uv_map = f"uv{pictures['relief']['uv_set']}"
+        relief = {"Normal": bent.outputs["Normal"]}
     attribute = node("Attribute")
     attribute.attribute_name = "colours"
     tinted = node("MixRGB", Fac=1.0, Color1=attribute.outputs["Color"], Color2=(*entry["base_colour"], 1.0))
     tinted.blend_type = "MULTIPLY"
     base = tinted.outputs["Color"]
+    if "colour" in pictures:
+        painted = node("MixRGB", Fac=1.0, Color1=base, Color2=picture(pictures["colour"]))
+        painted.blend_type = "MULTIPLY"
+        base = painted.outputs["Color"]
 
     def reflecting(**inputs):
-        made = node("BsdfPrincipled", Roughness=roughness, Specular=0.5, **inputs)
+        made = node("BsdfPrincipled", Roughness=roughness, Specular=0.5, **inputs, **relief)
         made.distribution = "GGX"
         return made.outputs["BSDF"]
 
+    def spread(distance):
+        """What is below the coat where light spreads there."""
+        # Of Cycles, a radius is 4 pi of Burley's d: so it draws a half lit floor, to 1 %, of whatever colour.
+        made = node("SubsurfaceScattering", Color=base, Scale=4 * math.pi, Radius=distance, **relief)
+        made.falloff = "BURLEY"
+        return made.outputs["BSSRDF"]
+
     def matt():
         coat = reflecting(Base_Color=(0, 0, 0, 1))  # 0.04 where it is looked at straight
-        below = node("MixShader", at0=node("Fresnel", IOR=1.5).outputs["Fac"],
-                     at1=node("BsdfDiffuse", Color=base).outputs["BSDF"])
+        distance = entry.get("scatter_distance")
+        below = node("MixShader", at0=node("Fresnel", IOR=1.5, **relief).outputs["Fac"],
+                     at1=spread(distance) if distance else node("BsdfDiffuse", Color=base, **relief).outputs["BSDF"])
         return node("AddShader", at0=below.outputs["Shader"], at1=coat).outputs["Shader"]
 
     def metal():
         return reflecting(Base_Color=base, Metallic=1.0)
 
-    if entry["metallic"] in (0, 1):
-        surface = metal() if entry["metallic"] else matt()
+    if metallic in (0, 1):
+        surface = metal() if metallic else matt()
     else:
-        surface = node("MixShader", at0=entry["metallic"], at1=matt(), at2=metal()).outputs["Shader"]
+        surface = node("MixShader", at0=metallic, at1=matt(), at2=metal()).outputs["Shader"]
     # A camera sees through what it sees from behind.
     behind = node("Math", at0=node("LightPath").outputs["Is Camera Ray"], at1=node("NewGeometry").outputs["Backfacing"])
     behind.operation = "MULTIPLY"
@@ -117,11 +181,11 @@ def add_world(entry, data):
     rows = np.roll(rows[::-1], width // 4, axis=1)
     rgba = np.ones((height, width, 4), dtype=np.float32)
     rgba[:, :, :3] = rows
-    image = bpy.data.images.new("studio", width, height, float_buffer=True)
+    image = bpy.data.images.new("around", width, height, float_buffer=True)
     image.colorspace_settings.name = "Linear"
     image.pixels.foreach_set(rgba.ravel())
     image.update()
-    world = bpy.data.worlds.new("studio")
+    world = bpy.data.worlds.new("around")
     bpy.context.scene.world = world
     world.use_nodes = True
     tree = world.node_tree
@@ -152,6 +216,54 @@ def add_light(entry):
     bpy.context.collection.objects.link(lamp)
 
 
+def add_model_light(entry):
+    """One of KHR_lights_punctual."""
+    towards = turned(entry["direction"])
+    if entry["kind"] == "directional":
+        light = bpy.data.lights.new("model's", "SUN")
+        light.energy, light.angle = math.pi * entry["intensity"], 0.0
+    else:
+        light = bpy.data.lights.new("model's", "POINT")
+        light.energy, light.shadow_soft_size = 4 * math.pi * math.pi * entry["intensity"], 0.0
+        fade(light, entry, towards.normalized())
+    light.color = entry["colour"]
+    lamp = bpy.data.objects.new("model's", light)
+    lamp.matrix_world = towards.to_track_quat("-Z", "Y").to_matrix().to_4x4()
+    lamp.location = turned(entry["position"])
+    bpy.context.collection.objects.link(lamp)
+
+
+def fade(light, entry, towards):
+    """By the extension's formulas: a spot from its inner to its outer cone, and all towards the range."""
+    light.use_nodes = True
+    nodes, link = light.node_tree.nodes, light.node_tree.links.new
+
+    def calculated(operation, *values):
+        made = nodes.new("ShaderNodeMath")
+        made.operation = operation
+        for socket, value in zip(made.inputs, values):
+            if isinstance(value, bpy.types.NodeSocket):
+                link(value, socket)
+            else:
+                socket.default_value = value
+        return made.outputs[0]
+
+    part = calculated("ADD", 1.0, 0.0)
+    if entry["kind"] == "spot":
+        cosine = nodes.new("ShaderNodeVectorMath")
+        cosine.operation = "DOT_PRODUCT"
+        link(nodes.new("ShaderNodeNewGeometry").outputs["Incoming"], cosine.inputs[0])  # from the lamp to what it lights
+        cosine.inputs[1].default_value = towards
+        inner, outer = math.cos(entry["inner_cone_rad"]), math.cos(entry["outer_cone_rad"])
+        within = calculated("DIVIDE", calculated("SUBTRACT", cosine.outputs["Value"], outer), max(inner - outer, 0.001))
+        within = calculated("MINIMUM", calculated("MAXIMUM", within, 0.0), 1.0)
+        part = calculated("MULTIPLY", within, within)
+    if entry["range"] is not None:
+        away = calculated("DIVIDE", nodes.new("ShaderNodeLightPath").outputs["Ray Length"], entry["range"])
+        part = calculated("MULTIPLY", part, calculated("MAXIMUM", calculated("SUBTRACT", 1.0, calculated("POWER", away, 4.0)), 0.0))
+    link(part, nodes["Emission"].inputs["Strength"])
+
+
 def add_camera(entry):
     eye, target = Vector(entry["eye"]), Vector(entry["target"])
     back = (eye - target).normalized()
@@ -172,7 +284,8 @@ def add_camera(entry):
 def build(scene, data):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     meshes = [mesh_of(entry, data) for entry in scene["meshes"]]
-    materials = [material_of(entry) for entry in scene["materials"]]
+    images = [image_of(number, entry, data) for number, entry in enumerate(scene.get("pictures", []))]
+    materials = [material_of(entry, images) for entry in scene["materials"]]
     for entry in scene["instances"]:
         thing = bpy.data.objects.new(entry["name"], meshes[entry["mesh"]])
         thing.matrix_world = TURN @ Matrix([entry["X_WM"][i::4] for i in range(4)])
@@ -181,9 +294,13 @@ def build(scene, data):
             thing.data.materials.append(None)
         thing.material_slots[0].link = "OBJECT"
         thing.material_slots[0].material = materials[entry["material"]]
-    add_world(scene["studio"], data)
+    add_world(scene["around"], data)
+    # What is seen of it belongs to the reference; a background does not.
+    bpy.context.scene.render.film_transparent = not scene["around"]["seen"]
     if scene["key_light"]:
         add_light(scene["key_light"])
+    for entry in scene.get("lights", []):
+        add_model_light(entry)
     add_camera(scene["camera"])
 
 
@@ -192,7 +309,6 @@ def draw(samples, seed):
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = WIDTH, HEIGHT, 100
-    scene.render.film_transparent = True
     cycles = scene.cycles
     cycles.device, cycles.seed = "CPU", seed
     cycles.samples, cycles.use_adaptive_sampling = samples, True

@@ -4,13 +4,25 @@
 
 namespace fulcrum::app {
 
-void add_headset(Arguments& arguments, HeadsetOptions& options) {
-  arguments.flag("--xr", "Show it in a headset, by OpenXR (docs/headset.md)", options.asked);
+void add_headset_space(Arguments& arguments, HeadsetOptions& options) {
   arguments.choice("--xr-space",
                    "With --xr: the scene is before who begins (local), or in the middle of the floor (stage)",
                    options.space, {kLocalSpace, kStageSpace});
+}
+
+void add_headset(Arguments& arguments, HeadsetOptions& options) {
+  arguments.flag("--xr", "Show it in a headset, by OpenXR (docs/headset.md)", options.asked);
+  add_headset_space(arguments, options);
   arguments.number({"--xr-scale", "N", "With --xr: how many times life-size the scene is (default 1)"},
                    options.scale, 0.1, 100);
+  arguments.flag(
+      "--colocate",
+      "With --xr: touch points with the device and a controller first, so that it is seen where it "
+      "is felt",
+      options.colocate);
+  arguments.number(
+      {"--colocate-limit", "MM", "With --colocate: the largest residual that is kept (default 10)"},
+      options.colocate_limit_mm, 0.1, 1000);
 }
 
 }  // namespace fulcrum::app

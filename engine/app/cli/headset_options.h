@@ -15,8 +15,14 @@ struct HeadsetOptions {
   bool asked = false;               // --xr
   std::string space = kLocalSpace;  // --xr-space
   double scale = 1;                 // --xr-scale: the scene is seen so many times as large as it is
+  bool colocate = false;            // --colocate: the device is laid onto the headset's space first
+  double colocate_limit_mm = 10;    // --colocate-limit: the largest residual that is kept
 };
 
+// The space alone.
+void add_headset_space(Arguments& arguments, HeadsetOptions& options);
+
+// All of it.
 void add_headset(Arguments& arguments, HeadsetOptions& options);
 
 }  // namespace fulcrum::app

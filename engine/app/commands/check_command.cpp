@@ -15,6 +15,7 @@
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/content.h"
 #include "engine/scenario/load.h"
+#include "engine/scenario/surroundings_file.h"
 #include "engine/scenario/words.h"
 #include "haptics/world/world.h"
 
@@ -96,11 +97,15 @@ CheckedFile look_at(const std::string& name_or_file) {
   const scenario::Checked<scenario::LoadedModels> models = scenario::load_models(inspected.scenario);
   if (!models) checked.take(models.faults(), &CheckedFile::faults);
   if (models) checked.take(models->warnings, &CheckedFile::warnings);
+  if (const auto& around = inspected.scenario.surroundings; around && !around->file.path.empty())
+    if (const auto read = scenario::read_surroundings(inspected.scenario, *around); !read)
+      checked.take(read.faults(), &CheckedFile::faults);
   if (!checked.faults.empty()) {
     sort_by_place(checked.faults, file->string());
     return checked;
   }
   checked.take(models->repaired, &CheckedFile::notes);
+  checked.take(models->lights, &CheckedFile::notes);
   look_at_assembly(inspected, *models, checked);
   return checked;
 }

@@ -7,6 +7,7 @@
 
 #include "drivers/registry.h"
 #include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/headset_options.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
 #include "engine/app/prepare/capabilities.h"
@@ -98,7 +99,7 @@ struct ExplainOptions {
   std::vector<std::string> overrides;  // KEY=VALUE
   std::string device = "simulated";
   StereoOptions stereo;
-  bool headset = false;
+  HeadsetOptions headset;
   bool json = false;
 };
 
@@ -139,7 +140,7 @@ int explain_command(const ExplainOptions& options) {
   }
   render::RenderOptions picture;
   picture.stereo = stereo_of(options.stereo);
-  if (options.headset) picture.stereo = render::Stereo{};  // its eyes lie side by side
+  if (options.headset.asked) picture.stereo = render::Stereo{};  // its eyes lie side by side
   const Result<render::RenderPlan> plan = render::plan(visual->desc, picture);
   if (!plan) {
     complain(plan.error().sentence);
@@ -153,7 +154,7 @@ int explain_command(const ExplainOptions& options) {
   }
   Inventory list = inventory(*world, *prepared, &*plan, false, options.device);
   add_scene_sound(*prepared, world->desc(), true, list);
-  add_headset(options.headset, list);
+  add_headset(options.headset, options.device, list);
   for (InventoryItem& item : list.built) {
     const auto cost = costs->find(item.name);
     if (item.kind != "haptics") continue;
@@ -204,7 +205,8 @@ void add_explain(Program& program) {
         arguments.text({"--device", "DEVICE", "On this device (fulcrum devices): what it leaves out"},
                        options->device);
         add_stereo_mode(arguments, options->stereo);
-        arguments.flag("--xr", "As a headset shows it", options->headset);
+        arguments.flag("--xr", "As a headset shows it", options->headset.asked);
+        add_headset_space(arguments, options->headset);
         arguments.json("As JSON", options->json);
       },
       [options] { return explain_command(*options); });

@@ -9,6 +9,7 @@
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
 #include "engine/app/picture/picture.h"
+#include "engine/app/prepare/colocation_choice.h"
 #include "engine/app/prepare/run_request.h"
 #include "engine/app/prepare/scene_sound.h"
 #include "engine/app/run/expert.h"
@@ -127,11 +128,18 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options,
 
 // Of a run that a headset shows: what else it cannot be; absent: nothing.
 std::optional<std::string> refuse_headset(const RunOptions& options) {
-  if (!options.headset.asked) return std::nullopt;
+  if (!options.headset.asked) {
+    if (!options.headset.colocate) return std::nullopt;
+    return "--colocate lays the device onto a headset's space: add --xr.";
+  }
   if (options.headless) return "--xr shows the scene in a headset, and --headless nowhere: leave one out.";
   if (options.stereo.mode) return "--xr has a picture for each eye already: leave out --stereo.";
   if (!options.gpu.empty())
     return "--xr draws with the card that the headset is plugged into: leave out --gpu.";
+  if (options.headset.colocate && options.headset.scale != 1)
+    return "--colocate shows the scene as large as it is felt: leave out --xr-scale.";
+  if (options.headset.colocate && options.overlay == kNoOverlay)
+    return "--colocate says on a panel what to touch: leave out --overlay none.";
   return std::nullopt;
 }
 
@@ -178,6 +186,11 @@ int run_command(const RunOptions& given, const std::function<int()>& elsewhere, 
           : ui::why_no_window();
   RequestedRun requested = request_run(options, no_window);
   if (!requested.scenario) return requested.code;
+  if (options.headset.colocate && device_on_desk(options.device).empty()) {
+    complain("--colocate is for a device with motors that stands on a desk, and " + options.device +
+             " is none: leave it out, or name one with --device (fulcrum devices).");
+    return kError;
+  }
   std::optional<Participation> participation;
   if (!options.participant.empty()) {
     Result<Participation> begun = Participation::begin(options.participant);

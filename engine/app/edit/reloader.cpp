@@ -25,6 +25,8 @@ std::vector<std::filesystem::path> files_of(const scenario::Scenario& scenario) 
       if (!file.path.empty()) files.push_back(file.path);
   for (const scenario::HandEntry& hand : scenario.hands)
     if (!hand.path.path.empty()) files.push_back(hand.path.path);
+  if (scenario.surroundings && !scenario.surroundings->file.path.empty())
+    files.push_back(scenario.surroundings->file.path);
   return files;
 }
 

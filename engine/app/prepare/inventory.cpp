@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drivers/registry.h"
+#include "engine/app/prepare/colocation_choice.h"
 #include "engine/app/prepare/scene_sound.h"
 #include "haptics/math/number_text.h"
 
@@ -167,11 +168,26 @@ void add_scene_sound(const Prepared& prepared, const SceneDesc& scene, bool hear
   to.built.push_back({kName, "sound", 0, 0, what});
 }
 
-void add_headset(bool asked, Inventory& to) {
-  (asked ? to.built : to.left_out)
-      .push_back(
-          {"headset", "picture", 0, 0,
-           asked ? "by OpenXR in fulcrum-xr: a session, its pictures, hands, a panel" : "--xr asks for it"});
+void add_headset(const HeadsetOptions& options, const std::string& device, Inventory& to) {
+  if (!options.asked) {
+    to.left_out.push_back({"headset", "picture", 0, 0, "--xr asks for it"});
+    return;
+  }
+  to.built.push_back(
+      {"headset", "picture", 0, 0, "by OpenXR in fulcrum-xr: a session, its pictures, hands, a panel"});
+  if (tracks_hands(device))
+    to.built.push_back(
+        {"hand tracking", "picture", 0, 0,
+         "by XR_EXT_hand_tracking: a tracker of 26 joints for each hand, of which four are read"});
+  else
+    to.left_out.push_back({"hand tracking", "picture", 0, 0, "--device tracked_hand asks for it"});
+  const ColocationChoice choice = choose_colocation(options, device);
+  if (const auto kept = kept_colocation(options, device); !kept)
+    to.left_out.push_back({"co-location", "picture", 0, 0, kept.error().sentence});
+  else if (!choice.built.empty())
+    to.built.push_back({"co-location", "picture", 0, 0, choice.built});
+  else
+    to.left_out.push_back({"co-location", "picture", 0, 0, choice.why_not});
 }
 
 }  // namespace fulcrum::app

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/cli/headset_options.h"
 #include "engine/app/prepare/prepare.h"
 #include "engine/render/plan.h"
 
@@ -30,7 +31,7 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
 // What is heard of the scene, to either list. heard: by somebody, or by a file.
 void add_scene_sound(const Prepared& prepared, const SceneDesc& scene, bool heard, Inventory& to);
 
-// What shows it in a headset, to either list. asked: by --xr.
-void add_headset(bool asked, Inventory& to);
+// What shows it in a headset, and whether that device is seen there where it is felt, to either list.
+void add_headset(const HeadsetOptions& options, const std::string& device, Inventory& to);
 
 }  // namespace fulcrum::app

@@ -109,6 +109,7 @@ int RunSession::finish(const render::RenderPlan* plan, bool person, const Pictur
   outcome.summary.hand = is_simulated(options_.device) ? options_.hand : "";
   outcome.summary.frames_per_s = figures.frames_per_s;
   outcome.summary.hand_to_pixel = figures.hand_to_pixel;
+  outcome.summary.colocation = figures.colocation;
   if (device_.sound != nullptr) {
     const sound::FeedCounts counts = device_.sound->counts();
     std::fprintf(stderr, "%s\n", sound::sound_text(counts).c_str());
@@ -122,7 +123,7 @@ int RunSession::finish(const render::RenderPlan* plan, bool person, const Pictur
   }
   Inventory list = inventory(world_, prepared_, plan, options_.circle, options_.device);
   add_scene_sound(prepared_, world_.desc(), player_ != nullptr || sink_.writes_sound(), list);
-  add_headset(options_.headset.asked, list);
+  add_headset(options_.headset, options_.device, list);
   bool written = write_results(folder_, outcome, list) && outcome.recorded;
   const FinishedTrial trial{prepared_, sink_,  sink_.metrics(), outcome.summary,
                             folder_,   began_, trainee_.expert, outcome.recorded};

@@ -26,6 +26,7 @@ struct Trainee {
 struct PictureFigures {
   std::optional<double> frames_per_s;
   std::optional<record::HandToPixel> hand_to_pixel;
+  std::optional<record::Colocated> colocation{};  // of a headset
 };
 
 class RunSession {

@@ -152,14 +152,16 @@ TEST(LiveLoop, AWordThatDoesNotComeStopsTheForce) {
   loop.expect_word_within(3600);
   loop.start();
   drain(loop, [&](const TickEvent& event) {
-    for (const Command& command : event.commands()) EXPECT_NE(command.kind, Command::Kind::stop);
+    for (const Command& command : event.commands()) EXPECT_NE(command.kind, Command::Kind::unanswered);
     return event.record.tick == 50;
   });
   EXPECT_TRUE(loop.gives_word());
   loop.expect_word_within(0.05);
   int commands = 0;
   drain(loop, [&](const TickEvent& event) {
-    for (const Command& command : event.commands()) commands += command.kind == Command::Kind::stop ? 1 : 0;
+    for (const Command& command : event.commands())
+      commands += command.kind == Command::Kind::unanswered ? 1 : 0;
+    if (event.record.stopped) EXPECT_EQ(event.record.faults & kStoppingFaults, kUnanswered);
     return event.record.stopped;
   });
   EXPECT_FALSE(loop.gives_word());
@@ -167,7 +169,8 @@ TEST(LiveLoop, AWordThatDoesNotComeStopsTheForce) {
   ASSERT_TRUE(loop.send({Command::Kind::acknowledge}));
   std::int64_t back = -1;
   drain(loop, [&](const TickEvent& event) {
-    for (const Command& command : event.commands()) commands += command.kind == Command::Kind::stop ? 1 : 0;
+    for (const Command& command : event.commands())
+      commands += command.kind == Command::Kind::unanswered ? 1 : 0;
     if (back < 0 && !event.record.stopped) back = event.record.tick;
     return back >= 0 && event.record.tick == back + 50;
   });

@@ -122,6 +122,8 @@ TEST(Guard, EachFaultOfASampleOrACommandStops) {
       {0, changed([](DeviceSample& s) { s.X_DH.p.x() = 999; }), {}},
       {kStopRequested, {}, {{Command::Kind::stop}}},
       {kWatchdog, {}, {{Command::Kind::watchdog}}},
+      {kUnanswered, {}, {{Command::Kind::unanswered}}},
+      {kUnanswered, {}, {{Command::Kind::acknowledge}, {Command::Kind::unanswered}}},
       {kSampleStale, changed([](DeviceSample& s) { s.age = 20.1e-3; }), {}},
       {kSampleStale, changed([&](DeviceSample& s) { s.age = inf; }), {}},
       {kDeviceLost, changed([](DeviceSample& s) { s.connected = false; }), {}},
@@ -250,12 +252,22 @@ TEST(Faults, EachBitHasANameAndASentence) {
     EXPECT_TRUE(std::string(fault.sentence).ends_with('.')) << fault.name;
   }
   for (const std::uint32_t bit :
-       {kStopRequested, kNotFinite, kSampleStale, kDeviceLost, kWatchdog, kToolInside})
+       {kStopRequested, kNotFinite, kSampleStale, kDeviceLost, kWatchdog, kToolInside, kUnanswered})
     EXPECT_TRUE(seen & kStoppingFaults & bit) << bit;
   for (const std::uint32_t bit : {kForceClamped, kTorqueClamped, kSlewLimited, kMotorClamped, kMotionLimited,
                                   kStiffnessCapped, kContactsReduced, kEnergyBound, kPassivityControl,
                                   kTransientLimited, kHoldingPointLost, kCompensationFaded, kOutputLimited})
     EXPECT_TRUE(seen & ~kStoppingFaults & bit) << bit;
+}
+
+TEST(Faults, APauseIsAStopInWhichNothingIsWrong) {
+  for (const std::uint32_t faults : {std::uint32_t{kStopRequested}, std::uint32_t{kUnanswered},
+                                     kStopRequested | kUnanswered, kUnanswered | kSlewLimited})
+    EXPECT_TRUE(is_pause(faults)) << faults;
+  for (const std::uint32_t faults :
+       {std::uint32_t{0}, std::uint32_t{kSlewLimited}, std::uint32_t{kSampleStale},
+        kStopRequested | kDeviceLost, kUnanswered | kNotFinite})
+    EXPECT_FALSE(is_pause(faults)) << faults;
 }
 
 }  // namespace

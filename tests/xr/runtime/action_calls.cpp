@@ -82,8 +82,11 @@ XrResult XRAPI_CALL attach(XrSession, const XrSessionActionSetsAttachInfo*) {
 }
 
 XrResult XRAPI_CALL create_action_space(XrSession, const XrActionSpaceCreateInfo* info, XrSpace* made) {
+  const std::size_t hand = hand_of(info->subactionPath);
+  const bool aims = action_of(info->action).parts[hand] == "/input/aim/pose";
+  const Pose X_GA = fulcrum::xr::pose_of({{0, 0, 0, 1}, aims ? kAim : XrVector3f{}});
   headset->session->spaces.push_back(std::make_unique<Space>(
-      Space{Space::Kind::grip, hand_of(info->subactionPath), fulcrum::xr::pose_of(info->poseInActionSpace)}));
+      Space{Space::Kind::grip, hand, X_GA * fulcrum::xr::pose_of(info->poseInActionSpace)}));
   *made = handle_of<XrSpace>(headset->session->spaces.back().get());
   return XR_SUCCESS;
 }
@@ -104,10 +107,11 @@ XrResult XRAPI_CALL sync(XrSession, const XrActionsSyncInfo*) {
 
 XrResult XRAPI_CALL get_boolean(XrSession, const XrActionStateGetInfo* info, XrActionStateBoolean* state) {
   if (headset->session->lost) return XR_ERROR_SESSION_LOST;
-  state->currentState = has_focus() && is_pressed(action_of(info->action), hand_of(info->subactionPath));
+  const std::size_t hand = hand_of(info->subactionPath);
+  state->isActive = has_focus() && !headset->sleeps[hand];
+  state->currentState = state->isActive == XR_TRUE && is_pressed(action_of(info->action), hand);
   state->changedSinceLastSync = XR_FALSE;
   state->lastChangeTime = headset->time;
-  state->isActive = has_focus();
   return XR_SUCCESS;
 }
 

@@ -18,6 +18,8 @@ std::span<const Call> instance_calls();
 std::span<const Call> session_calls();
 std::span<const Call> picture_calls();
 std::span<const Call> action_calls();
+// Of XR_EXT_hand_tracking; none where the program has not asked for it.
+std::span<const Call> hand_calls();
 
 template <class Function>
 PFN_xrVoidFunction erased(Function* function) {

@@ -31,7 +31,7 @@ XrResult XRAPI_CALL get_function(XrInstance, const char* name, PFN_xrVoidFunctio
     *function = erased(get_function);
     return XR_SUCCESS;
   }
-  for (const auto calls : {instance_calls(), session_calls(), picture_calls(), action_calls()})
+  for (const auto calls : {instance_calls(), session_calls(), picture_calls(), action_calls(), hand_calls()})
     for (const Call& call : calls)
       if (std::string_view(call.name) == name) {
         *function = call.function;

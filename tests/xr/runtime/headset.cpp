@@ -1,8 +1,13 @@
 #include "tests/xr/runtime/headset.h"
 
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "engine/xr/pose.h"
+#include "tests/drivers_vendor/stand_in.h"
 #include "tests/xr/runtime/log.h"
 
 namespace runtime {
@@ -35,6 +40,32 @@ void recenter(const Pose& moved) {
   push(event);
 }
 
+// Of the library that the program has loaded.
+fulcrum::stand_in::Handle& handle_in_hand() {
+  void* const library = dlopen("libHD.so", RTLD_NOW | RTLD_NOLOAD);
+  void* const found = library != nullptr ? dlsym(library, "stand_in_handle") : nullptr;
+  if (found != nullptr) return *reinterpret_cast<fulcrum::stand_in::Handle* (*)()>(found)();
+  std::fprintf(stderr, "The script moves a handle, and the program has none of the tests' own.\n");
+  std::_Exit(70);
+}
+
+void move_handle(const std::vector<std::string>& words) {
+  fulcrum::stand_in::Handle& handle = handle_in_hand();
+  const std::lock_guard lock(handle.mutex);
+  for (std::size_t i = 0; i < 3; ++i) handle.p[i] = 1e3 * std::stod(words.at(i));  // mm
+  headset->handle_told_by = handle.turns + 3;  // one of them began after this
+}
+
+bool handle_is_told() {
+  if (headset->handle_told_by == 0) return true;
+  fulcrum::stand_in::Handle& handle = handle_in_hand();
+  const std::lock_guard lock(handle.mutex);
+  if (handle.turns < headset->handle_told_by) return false;
+  headset->handle_told_by = 0;
+  log("the handle is there");
+  return true;
+}
+
 void happen(const Event& event) {
   const std::vector<std::string>& words = event.words;
   Headset& h = *headset;
@@ -43,6 +74,22 @@ void happen(const Event& event) {
   } else if (event.what == "hand") {
     h.X_LG[hand_in(words)] = fulcrum::xr::pose_of(pose_in(words, 1));
     h.in_hand[hand_in(words)] = true;
+  } else if (event.what == "guess" || event.what == "track") {
+    h.guessed[hand_in(words)] = event.what == "guess";
+  } else if (event.what == "bare") {
+    h.bare[hand_in(words)].X_LP = fulcrum::xr::pose_of(pose_in(words, 1));
+    h.bare[hand_in(words)].there = true;
+  } else if (event.what == "tips") {
+    h.bare[hand_in(words)].to_index = 1e-3 * std::stod(words.at(1));
+    h.bare[hand_in(words)].to_little = 1e-3 * std::stod(words.at(2));
+  } else if (event.what == "cover" || event.what == "uncover") {
+    h.bare[hand_in(words)].covered = event.what == "cover";
+  } else if (event.what == "spoil") {
+    h.bare[hand_in(words)].spoilt = words.at(1) == "well" ? "" : words.at(1);
+  } else if (event.what == "handle") {
+    move_handle(words);
+  } else if (event.what == "sleep" || event.what == "wake") {
+    h.sleeps[hand_in(words)] = event.what == "sleep";
   } else if (event.what == "press" || event.what == "release") {
     h.pressed[hand_in(words)][words.at(1)] = event.what == "press";
   } else if (event.what == "hide") {
@@ -70,6 +117,11 @@ void happen(const Event& event) {
   } else if (event.what == "pending") {
     h.gone = kTimesGone;
     go_to(XR_SESSION_STATE_LOSS_PENDING);
+  } else if (event.what == "ending") {
+    auto ending =
+        fulcrum::xr::structure<XrEventDataInstanceLossPending>(XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING);
+    ending.lossTime = h.time + kTimeToMove;
+    push(ending);
   } else if (event.what == "die") {
     h.dead = true;
   } else if (event.what == "wait") {
@@ -110,6 +162,7 @@ void advance() {
     if (!std::filesystem::exists(h.waits_for)) return;
     h.waits_for.clear();
   }
+  if (!handle_is_told()) return;
   ++h.frame;
   while (h.next_event < h.script.events.size() && h.script.events[h.next_event].frame <= h.frame)
     happen(h.script.events[h.next_event++]);

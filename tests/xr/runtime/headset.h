@@ -2,6 +2,7 @@
 // The headset that the tests' runtime has, and what its program has made of it.
 
 #include <array>
+#include <chrono>
 #include <deque>
 #include <map>
 #include <memory>
@@ -41,6 +42,19 @@ struct Action {
   std::array<std::string, 2> parts;
 };
 
+// A hand without a controller. Its palm is in local space as that is at first.
+struct BareHand {
+  bool there = false, covered = false;
+  Pose X_LP;
+  double to_index = 0.08, to_little = 0.08;  // m, from the thumb's tip
+  std::string spoilt;                        // how its palm's place is none; empty: it is one
+};
+
+// Of one hand, 0 for the left one.
+struct HandTracker {
+  std::size_t hand = 0;
+};
+
 struct Session {
   XrGraphicsBindingVulkan2KHR vulkan{};
   VkQueue queue = VK_NULL_HANDLE;
@@ -51,6 +65,7 @@ struct Session {
   std::uint64_t frames = 0;
   std::vector<std::unique_ptr<Space>> spaces;
   std::vector<std::unique_ptr<Swapchain>> swapchains;
+  std::vector<std::unique_ptr<HandTracker>> trackers;
 };
 
 struct Headset {
@@ -58,14 +73,18 @@ struct Headset {
   std::size_t next_event = 0;
   std::uint64_t frame = 0;
   std::string waits_for, hangs_for;  // a file; empty: nothing
+  int handle_told_by = 0;            // turns of the library's scheduler; 0: no handle has been moved
   XrTime time = 1'000'000'000;
-  int gone = 0;  // so many times it is not found
+  std::chrono::steady_clock::time_point newest_frame{};  // when the program went on with it
+  int gone = 0;                                          // so many times it is not found
   bool blind = false, dark = false, dead = false, stalls = false;
   bool has_vulkan = false;
+  bool tracks_hands = false;  // its program has asked for that extension
 
   Pose X_LH;                 // head, in local space as it is at first: as all of these are
   std::array<Pose, 2> X_LG;  // grips
-  std::array<bool, 2> in_hand{};
+  std::array<bool, 2> in_hand{}, guessed{}, sleeps{};
+  std::array<BareHand, 2> bare;
   Pose X_LL;       // local space now
   Pose X_LL_next;  // from then on
   std::optional<XrTime> moves_at;

@@ -11,17 +11,24 @@ constexpr XrSystemId kSystem = 1;
 
 XrResult XRAPI_CALL enumerate_extensions(const char*, std::uint32_t capacity, std::uint32_t* count,
                                          XrExtensionProperties* extensions) {
-  *count = 1;
-  if (capacity == 0) return XR_SUCCESS;
-  std::strcpy(extensions[0].extensionName, XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME);
-  extensions[0].extensionVersion = XR_KHR_vulkan_enable2_SPEC_VERSION;
-  return XR_SUCCESS;
+  std::vector<XrExtensionProperties> all(2, {XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 0});
+  std::strcpy(all[0].extensionName, XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME);
+  all[0].extensionVersion = XR_KHR_vulkan_enable2_SPEC_VERSION;
+  std::strcpy(all[1].extensionName, XR_EXT_HAND_TRACKING_EXTENSION_NAME);
+  all[1].extensionVersion = XR_EXT_hand_tracking_SPEC_VERSION;
+  if (read_script().tracking == "none") all.pop_back();
+  return give(std::span<const XrExtensionProperties>(all), capacity, count, extensions);
 }
 
 XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info, XrInstance* instance) {
   log(std::string("xrCreateInstance ") + info->applicationInfo.applicationName);
   if (headset) return XR_ERROR_LIMIT_REACHED;
   headset = std::make_unique<Headset>();
+  for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i) {
+    log(std::string("with ") + info->enabledExtensionNames[i]);
+    if (std::string_view(info->enabledExtensionNames[i]) == XR_EXT_HAND_TRACKING_EXTENSION_NAME)
+      headset->tracks_hands = true;
+  }
   *instance = handle_of<XrInstance>(headset.get());
   return XR_SUCCESS;
 }
@@ -80,6 +87,10 @@ XrResult XRAPI_CALL system_properties(XrInstance, XrSystemId, XrSystemProperties
   std::strcpy(properties->systemName, "a headset of paper");
   properties->graphicsProperties = {4096, 4096, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
+  for (auto* more = static_cast<XrBaseOutStructure*>(properties->next); more != nullptr; more = more->next)
+    if (more->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT)
+      reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(more)->supportsHandTracking =
+          headset->script.tracking == "yes";
   return XR_SUCCESS;
 }
 

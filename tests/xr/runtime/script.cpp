@@ -20,6 +20,8 @@ bool read_setting(const std::string& name, std::istringstream& rest, Script& scr
   if (name == "eyes") return static_cast<bool>(rest >> script.eyes_apart);
   if (name == "focus") return static_cast<bool>(rest >> script.focus);
   if (name == "pace") return static_cast<bool>(rest >> script.pace_ms);
+  if (name == "tracking") return static_cast<bool>(rest >> script.tracking);
+  if (name == "look") return static_cast<bool>(rest >> script.look) && script.look > 0;
   if (name != "fov") return false;
   for (float& angle : script.fov) rest >> angle;
   return static_cast<bool>(rest);

@@ -47,6 +47,7 @@ XrResult XRAPI_CALL create_session(XrInstance, const XrSessionCreateInfo* info, 
 XrResult XRAPI_CALL destroy_session(XrSession) {
   log("xrDestroySession");
   if (!session().swapchains.empty()) wrong("a session goes before its pictures");
+  if (!session().trackers.empty()) wrong("a session goes before its trackers of hands");
   vkDestroyCommandPool(session().vulkan.device, session().pool, nullptr);
   headset->session.reset();
   headset->events.clear();
@@ -125,9 +126,10 @@ XrResult XRAPI_CALL locate_space(XrSpace space, XrSpace base, XrTime time, XrSpa
   const Space& wanted = *reinterpret_cast<const Space*>(space);
   location->locationFlags = 0;
   if (wanted.kind == Space::Kind::grip && !headset->in_hand[wanted.hand]) return XR_SUCCESS;
-  location->locationFlags = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
-                            XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT |
-                            XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  location->locationFlags = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
+  if (wanted.kind != Space::Kind::grip || !headset->guessed[wanted.hand])
+    location->locationFlags |=
+        XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   location->pose =
       fulcrum::xr::to_xr(pose_of(*reinterpret_cast<const Space*>(base)).inverse() * pose_of(wanted));
   return XR_SUCCESS;
@@ -147,7 +149,8 @@ XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* 
   if (session().lost) return XR_ERROR_SESSION_LOST;
   if (!session().begun) return out_of_order("a frame is waited for while the session does not run");
   if (session().waited) return out_of_order("a frame is waited for before the last one began");
-  std::this_thread::sleep_for(std::chrono::milliseconds(headset->script.pace_ms));
+  std::this_thread::sleep_until(headset->newest_frame + std::chrono::milliseconds(headset->script.pace_ms));
+  headset->newest_frame = std::chrono::steady_clock::now();
   advance();
   if (session().lost) {
     log("the session is lost");

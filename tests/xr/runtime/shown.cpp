@@ -87,13 +87,15 @@ void judge(const XrCompositionLayerProjection& layer) {
     if (swapchain == nullptr) return wrong("a picture that was not released is shown");
     if (swapchain->acquired) wrong("a picture is shown while another of its swapchain is drawn");
     if (!lies_in(view.subImage.imageRect, *swapchain)) return wrong("a part beyond a picture is shown");
+    if (headset->frame % headset->script.look != 0) continue;
     eyes[eye] = part(*swapchain, view.subImage.imageRect);
     if (is_written(eyes[eye])) ++headset->written[eye];
     save_if_asked(eye == 0 ? "left" : "right", eyes[eye]);
   }
   ++headset->shown;
   headset->differing += eyes[0] == eyes[1] ? 0 : 1;
-  log("shown " + std::to_string(eyes[0].width) + "x" + std::to_string(eyes[0].height));
+  const XrExtent2Di& size = layer.views[0].subImage.imageRect.extent;
+  log("shown " + std::to_string(size.width) + "x" + std::to_string(size.height));
 }
 
 void judge(const XrCompositionLayerQuad& layer) {
@@ -101,7 +103,8 @@ void judge(const XrCompositionLayerQuad& layer) {
   if (swapchain == nullptr) return wrong("a panel that was not released is shown");
   if (!lies_in(layer.subImage.imageRect, *swapchain)) return wrong("a part beyond a panel is shown");
   if (!(layer.size.width > 0 && layer.size.height > 0)) wrong("a panel has no size");
-  save_if_asked("quad", part(*swapchain, layer.subImage.imageRect));
+  if (headset->frame % headset->script.look == 0)
+    save_if_asked("quad", part(*swapchain, layer.subImage.imageRect));
   log("quad " + std::to_string(layer.size.width) + " " + std::to_string(layer.size.height) + " at " +
       std::to_string(layer.pose.position.x) + " " + std::to_string(layer.pose.position.y) + " " +
       std::to_string(layer.pose.position.z));

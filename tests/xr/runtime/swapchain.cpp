@@ -124,8 +124,10 @@ std::vector<std::uint8_t> read(const Swapchain& swapchain) {
   check(vkCreateBuffer(device, &info, nullptr, &buffer));
   VkMemoryRequirements needs{};
   vkGetBufferMemoryRequirements(device, buffer, &needs);
+  // A graphics card's memory is slow to read; this is the processor's.
   const VkDeviceMemory memory =
-      allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+      allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT |
+                          VK_MEMORY_PROPERTY_HOST_CACHED_BIT);
   check(vkBindBufferMemory(device, buffer, memory, 0));
   run([&](VkCommandBuffer commands) {
     change_layout(commands, image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,

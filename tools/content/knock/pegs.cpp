@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "haptics/math/functions.h"
+#include "tools/content/mesh/board.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/wood.h"
 
@@ -100,18 +101,16 @@ Model make_rubber_pegs() {
 Model make_boards() {
   Model model{
       .name = "boards",
-      .materials = {{.name = "board", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.45},
-                    {.name = "foot", .base_colour = {0.02, 0.02, 0.02}, .metallic = 0.0, .roughness = 0.8}},
+      .materials = {{.name = "foot", .base_colour = {0.02, 0.02, 0.02}, .metallic = 0.0, .roughness = 0.8}},
       .parts = {}};
-  const auto add = [&](Part part, const Vector3d& p) {
-    part.solid = transformed(std::move(part.solid), Eigen::Isometry3d(Eigen::Translation3d(p)));
-    model.parts.push_back(std::move(part));
+  const auto add = [&](const char* name, const Vector3d& half, const Wood& wood, const Vector3d& p) {
+    add_board(&model, {name, half, wood, 0.45}, Eigen::Isometry3d(Eigen::Translation3d(p)));
   };
   const Vector3d lying(132 * mm, 9 * mm, 142 * mm);
   const Vector3d upright(7 * mm, 96 * mm, 132 * mm);
   const Vector3d lying_middle(-6 * mm, floor_y - lying.y(), -166 * mm);
-  add(board("lying", lying, oak), lying_middle);
-  add(board("upright", upright, beech), {board_x - upright.x(), floor_y - 4 * mm + upright.y(), -166 * mm});
+  add("lying", lying, oak, lying_middle);
+  add("upright", upright, beech, {board_x - upright.x(), floor_y - 4 * mm + upright.y(), -166 * mm});
   constexpr RadiusHeight pad[] = {{9 * mm, 0.0}, {10 * mm, 1 * mm}, {10 * mm, 5 * mm}, {9 * mm, 6 * mm}};
   int number = 0;
   for (const double x : {-1.0, 1.0}) {
@@ -119,7 +118,7 @@ Model make_boards() {
       const Vector3d at(lying_middle.x() + x * (lying.x() - 20 * mm), bench_height,
                         lying_middle.z() + z * (lying.z() - 20 * mm));
       model.parts.push_back({.name = "foot/" + std::to_string(++number),
-                             .material = 1,
+                             .material = 0,
                              .solid = transformed(lathe(pad, 32), frame_along(at, Vector3d::UnitY()))});
     }
   }

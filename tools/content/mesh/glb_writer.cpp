@@ -1,10 +1,13 @@
 #include "tools/content/mesh/glb_writer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 
 #include "engine/assets/gltf_builder.h"
+#include "tools/content/mesh/raster.h"
 #include "tools/content/mesh/shading.h"
 
 namespace fulcrum::content {
@@ -26,20 +29,53 @@ ShadedMesh coated(const Part& part) {
   return mesh;
 }
 
+// How much a surface with that normal faces the projector: 1 if it looks into it.
+double facing(const Projection& projection, const Eigen::Vector3f& normal) {
+  return projection.along_v.cross(projection.along_u).normalized().dot(normal.cast<double>());
+}
+
+std::vector<Eigen::Vector2f> projected(const ShadedMesh& mesh, const std::vector<Projection>& projections) {
+  std::vector<Eigen::Vector2f> uv;
+  if (projections.empty()) return uv;
+  uv.reserve(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Projection& projection = *std::ranges::max_element(projections, {}, [&](const Projection& each) {
+      // What looks between two of them is the same one's everywhere, however its normal is rounded.
+      return std::round(1e3 * facing(each, mesh.normals[i]));
+    });
+    const Eigen::Vector3d p = mesh.positions[i].cast<double>() - projection.origin;
+    uv.emplace_back(p.dot(projection.along_u), p.dot(projection.along_v));
+  }
+  return uv;
+}
+
 void add(tinygltf::Model& gltf, const Part& part) {
   const ShadedMesh shaded =
       part.coat.normals.empty() ? shade(part.solid, part.crease, part.coat.colours) : coated(part);
   add_part(gltf, {part.name, static_cast<int>(part.material), shaded.positions, shaded.normals,
-                  shaded.colours, shaded.indices});
+                  shaded.colours, shaded.indices, projected(shaded, part.projections)});
+}
+
+void add(tinygltf::Model& gltf, const Material& material) {
+  tinygltf::Material made =
+      gltf_material(material.name, material.base_colour, material.metallic, material.roughness);
+  if (const auto& pictures = material.pictures) {
+    const auto index_of = [&](const char* what, const Raster& picture) {
+      return add_picture(gltf, material.name + " " + what, png_of(picture));
+    };
+    made.pbrMetallicRoughness.baseColorTexture.index = index_of("colour", pictures->base_colour);
+    if (pictures->metal_rough)
+      made.pbrMetallicRoughness.metallicRoughnessTexture.index = index_of("finish", *pictures->metal_rough);
+    if (pictures->normal) made.normalTexture.index = index_of("relief", *pictures->normal);
+  }
+  gltf.materials.push_back(made);
 }
 
 }  // namespace
 
 std::string write_glb(const Model& model, const std::string& path, const std::string& program) {
   tinygltf::Model gltf = empty_gltf(model.name, "Fulcrum " + program);
-  for (const Material& material : model.materials)
-    gltf.materials.push_back(
-        gltf_material(material.name, material.base_colour, material.metallic, material.roughness));
+  for (const Material& material : model.materials) add(gltf, material);
   for (const Part& part : model.parts) add(gltf, part);
 
   constexpr bool embed_images = true;

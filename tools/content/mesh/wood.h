@@ -16,11 +16,10 @@ inline const Wood beech{{0.62, 0.42, 0.25}, {0.44, 0.27, 0.14}, 3.2, {23.0, 31.0
 inline const Wood oak{{0.40, 0.25, 0.13}, {0.22, 0.125, 0.06}, 5.0, {14.0, -95.0}};
 inline const Wood walnut{{0.165, 0.085, 0.042}, {0.065, 0.032, 0.016}, 4.0, {9.0, 14.0}};
 
+// Linear, at a place in the log (mm), whose grain runs along z.
+Eigen::Vector3d wood_colour(const Eigen::Vector3d& p, const Wood& wood);
+
 // The coat of a solid whose grain runs along z.
 Coat grained(const Solid& solid, const Wood& wood);
-
-// A board with its grain along z, from -half to +half, its edges bevelled; divided finely enough for the
-// grain.
-Part board(const std::string& name, const Eigen::Vector3d& half, const Wood& wood);
 
 }  // namespace fulcrum::content

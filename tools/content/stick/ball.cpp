@@ -5,9 +5,9 @@
 
 #include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
+#include "tools/content/mesh/board.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/paint.h"
-#include "tools/content/mesh/wood.h"
 
 namespace fulcrum::content {
 namespace {
@@ -61,21 +61,18 @@ Model make_stand() {
 
 Model make_table() {
   Model model{.name = "table",
-              .materials = {{.name = "wood", .base_colour = {1, 1, 1}, .metallic = 0.0, .roughness = 0.5},
-                            {.name = "worktop",
+              .materials = {{.name = "worktop",
                              .base_colour = {0.085, 0.095, 0.105},
                              .metallic = 0.0,
                              .roughness = 0.45}},
               .parts = {}};
-  Part base = board("board", {75 * mm, 0.5 * board_height, 120 * mm}, oak);
   Eigen::Isometry3d X(Eigen::Translation3d(0.0, board_top - 0.5 * board_height, 0.0));
   X.rotate(turn_by(0.5 * pi, Vector3d::UnitY()));  // the grain from left to right
-  base.solid = transformed(std::move(base.solid), X);
-  model.parts.push_back(std::move(base));
+  add_board(&model, {.name = "board", .half = {75 * mm, 0.5 * board_height, 120 * mm}, .wood = oak}, X);
   const Vector3d half(0.8, 15.0 * mm, 0.5);
   const Eigen::Isometry3d X_top(Eigen::Translation3d(0.0, board_top - board_height - half.y(), -0.1));
   model.parts.push_back(
-      {.name = "worktop", .material = 1, .solid = transformed(chamfered_box(half, 3.0 * mm), X_top)});
+      {.name = "worktop", .material = 0, .solid = transformed(chamfered_box(half, 3.0 * mm), X_top)});
   return model;
 }
 

@@ -5,9 +5,9 @@
 
 #include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
+#include "tools/content/mesh/board.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/prism.h"
-#include "tools/content/mesh/wood.h"
 
 namespace fulcrum::content {
 namespace {
@@ -85,14 +85,10 @@ Model make_window_marks() {
 }
 
 Model make_desk() {
-  Model model{.name = "desk",
-              .materials = {{.name = "wood", .base_colour = {1, 1, 1}, .metallic = 0.0, .roughness = 0.5}},
-              .parts = {}};
-  Part top = board("desk", {190 * mm, 12 * mm, 290 * mm}, walnut);
+  Model model{.name = "desk", .materials = {}, .parts = {}};
   Eigen::Isometry3d X(Eigen::Translation3d(0.0, desk_top - 12 * mm, 0.0));
   X.rotate(turn_by(0.5 * pi, Vector3d::UnitY()));
-  top.solid = transformed(std::move(top.solid), X);
-  model.parts.push_back(std::move(top));
+  add_board(&model, {.name = "desk", .half = {190 * mm, 12 * mm, 290 * mm}, .wood = walnut}, X);
   return model;
 }
 

@@ -5,6 +5,7 @@
 
 #include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
+#include "tools/content/mesh/board.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/painted_line.h"
 #include "tools/content/mesh/prism.h"
@@ -81,14 +82,14 @@ Model make_bench() {
                            .coat = std::move(coat)});
   }
   // A ledge that the panel's lower edge rests on.
-  Part ledge = board("ledge", {14.0 * mm, 6.0 * mm, panel_half.x() + 12.0 * mm}, walnut);
   Isometry3d X_PL = Isometry3d::Identity();
   X_PL.linear().col(0) = Vector3d::UnitZ();
   X_PL.linear().col(1) = -Vector3d::UnitY();
   X_PL.linear().col(2) = Vector3d::UnitX();
   X_PL.translation() = Vector3d(0.0, -panel_half.y() - 5.5 * mm, -panel_half.z() + 2.0 * mm);
-  ledge.solid = transformed(std::move(ledge.solid), panel_in_world() * X_PL);
-  model.parts.push_back(std::move(ledge));
+  add_board(&model,
+            {.name = "ledge", .half = {14.0 * mm, 6.0 * mm, panel_half.x() + 12.0 * mm}, .wood = walnut},
+            panel_in_world() * X_PL);
   return model;
 }
 

@@ -6,9 +6,9 @@
 
 #include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
+#include "tools/content/mesh/board.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/prism.h"
-#include "tools/content/mesh/wood.h"
 #include "tools/content/tutorial/places.h"
 
 namespace fulcrum::content {
@@ -17,7 +17,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-enum Material : std::size_t { wood, steel, slate, rubber, brass, yellow, red };
+enum Material : std::size_t { steel, slate, rubber, brass, yellow, red };
 
 constexpr double sunk = 0.5 * mm;  // of what stands on the panel, so that no two faces coincide
 
@@ -25,18 +25,16 @@ Solid on_panel(const Solid& solid, const Vector3d& p_P) {
   return transformed(solid, panel_in_world() * Eigen::Translation3d(p_P));
 }
 
-Part make_panel() {
+void add_panel(Model* model) {
   // The grain of a board runs along its z: here along the panel's x.
-  Part part = board("panel", {panel_half.y(), panel_half.z(), panel_half.x()}, beech);
   Eigen::Matrix3d turn;
   turn.col(0) = Vector3d::UnitY();
   turn.col(1) = Vector3d::UnitZ();
   turn.col(2) = Vector3d::UnitX();
   Isometry3d X = Isometry3d::Identity();
   X.linear() = turn;
-  part.solid = on_panel(transformed(std::move(part.solid), X), {0.0, 0.0, -panel_half.z()});
-  part.material = wood;
-  return part;
+  add_board(model, {.name = "panel", .half = {panel_half.y(), panel_half.z(), panel_half.x()}, .wood = beech},
+            panel_in_world() * Eigen::Translation3d(0.0, 0.0, -panel_half.z()) * X);
 }
 
 // A ring on a stalk that comes from below it.
@@ -162,15 +160,14 @@ Isometry3d panel_in_world() {
 Model make_stations() {
   Model model{.name = "stations",
               .materials =
-                  {{.name = "beech", .base_colour = {1, 1, 1}, .metallic = 0.0, .roughness = 0.5},
-                   {.name = "steel", .base_colour = {0.56, 0.56, 0.57}, .metallic = 1.0, .roughness = 0.28},
+                  {{.name = "steel", .base_colour = {0.56, 0.56, 0.57}, .metallic = 1.0, .roughness = 0.28},
                    {.name = "slate", .base_colour = {0.045, 0.055, 0.07}, .metallic = 0.0, .roughness = 0.45},
                    {.name = "rubber", .base_colour = {0.03, 0.22, 0.19}, .metallic = 0.0, .roughness = 0.75},
                    {.name = "brass", .base_colour = {0.83, 0.60, 0.26}, .metallic = 1.0, .roughness = 0.32},
                    {.name = "yellow", .base_colour = {0.80, 0.52, 0.03}, .metallic = 0.0, .roughness = 0.45},
                    {.name = "red", .base_colour = {0.62, 0.025, 0.02}, .metallic = 0.0, .roughness = 0.30}},
               .parts = {}};
-  model.parts.push_back(make_panel());
+  add_panel(&model);
   add_hoop(&model);
   add_slot(&model);
   add_pad(&model);

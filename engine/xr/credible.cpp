@@ -1,0 +1,48 @@
+#include "engine/xr/credible.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/xr/pose.h"
+#include "haptics/math/rotation.h"
+
+namespace fulcrum::xr {
+namespace {
+
+// s: cameras may see a hand no more often, and a runtime may repeat what they saw.
+constexpr double kSeldomSeen = 1.0 / 30;
+
+}  // namespace
+
+std::optional<Vec3> credible(const XrVector3f& p) {
+  const Vec3 place(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+  // What is no number is not below the limit either.
+  if (!(place.cwiseAbs().maxCoeff() <= kFarthest) || !place.allFinite()) return std::nullopt;
+  return place;
+}
+
+std::optional<Pose> credible(const XrPosef& pose) {
+  const XrQuaternionf& q = pose.orientation;
+  const double length = std::hypot(std::hypot(static_cast<double>(q.x), static_cast<double>(q.y)),
+                                   std::hypot(static_cast<double>(q.z), static_cast<double>(q.w)));
+  if (!(std::abs(length - 1) <= kTurnError) || !credible(pose.position)) return std::nullopt;
+  return pose_of(pose);
+}
+
+std::optional<Pose> Sighting::follow(const std::optional<Pose>& X, XrTime time) {
+  const std::optional<Pose> before = std::exchange(before_, X);
+  const double since_picture = 1e-9 * static_cast<double>(time - std::exchange(picture_at_, time));
+  const bool is_repeated = before && X && before->p == X->p && before->q.coeffs() == X->q.coeffs();
+  if (is_repeated) return X;
+  const double since_elsewhere = 1e-9 * static_cast<double>(time - std::exchange(here_at_, time));
+  if (!before || !X) return X;
+  // A pose that was repeated for longer than kSeldomSeen was seen anew meanwhile: the hand lay still, and
+  // moved after the picture before.
+  const double passed = std::min(since_elsewhere, std::max(since_picture, kSeldomSeen));
+  const bool leaps =
+      (X->p - before->p).norm() > kFastest * passed || angle_between(X->q, before->q) > kFastestTurn * passed;
+  return leaps ? std::nullopt : X;
+}
+
+}  // namespace fulcrum::xr

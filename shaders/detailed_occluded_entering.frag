@@ -1,0 +1,5 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define FULCRUM_OCCLUDED
+#define FULCRUM_ENTERING
+#include "include/detailed.glsl"
