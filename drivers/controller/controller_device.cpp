@@ -1,8 +1,15 @@
 #include "drivers/controller/controller_device.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace fulcrum {
+namespace {
+
+// Ticks: older than any sample that is used, and far from the largest int.
+constexpr int kUnseenLong = 1'000'000;
+
+}  // namespace
 
 ControllerDevice::ControllerDevice(const DeviceDesc& desc, std::shared_ptr<Controllers> controllers,
                                    const Pose& X_DH, double lag, double tick_s)
@@ -13,7 +20,7 @@ ControllerDevice::ControllerDevice(const DeviceDesc& desc, std::shared_ptr<Contr
 // By ticks: pictures come when the headset wants them, and a late one makes no hand unseen.
 DeviceSample ControllerDevice::read() noexcept {
   const WantedHandle& wanted = controllers_->wanted();
-  unseen_ = wanted.seen ? 0 : unseen_ + 1;
+  unseen_ = wanted.seen ? 0 : std::min(unseen_ + 1, kUnseenLong);
   DeviceSample sample;
   sample.X_DH = follower_.follow(wanted.X_DH);
   sample.age = unseen_ * tick_s_;
@@ -21,7 +28,7 @@ DeviceSample ControllerDevice::read() noexcept {
 }
 
 void ControllerDevice::miss(int ticks) noexcept {
-  if (unseen_ > 0) unseen_ += ticks;
+  if (unseen_ > 0) unseen_ = std::min(unseen_ + ticks, kUnseenLong);
 }
 
 }  // namespace fulcrum

@@ -151,6 +151,29 @@ hung() {
   tr -d ' \n' <A/summary.json | grep -q '"faults":\[{"name":"unanswered"' || fail "the summary does not tell of the hang: $(grep -A 5 '"faults"' A/summary.json)"
 }
 
+# A picture may take 5 s, for machines that draw slowly, and no longer: a runtime that hangs as it takes one. The force is off from
+# then on, and nobody who is not seen to go on brings it back.
+jammed() {
+  printf '%s\n' 'size 64 64' 'pace 5' '5 hand right 0.1 -0.2 -0.4' '6 press right select' '15 release right select' \
+    "30 hang $work/go xrEndFrame" "90 wait $work/off" '91 exit' >script
+  start piping --out A
+  until_seen grep -q '^xrEndFrame hangs for' log || fail "it does not hang: $(tail -1 log)"
+  local rows
+  rows=$(wc -l <A/trace.csv)
+  sleep 7
+  touch go
+  until_seen stopped 1 || fail "the force stays on while a picture takes longer than 5 s: $(stops)"
+  later 500
+  stopped 1 && has_fault $unanswered || fail "the force is back by itself: $(column A fault | tail -1)"
+  touch off
+  wait_for_end
+  [ $code = 3 ] || fail "exit $code: $(cat said)"
+  goes_well "a picture that takes too long"
+  # Ticks that a busy machine loses are not in the trace.
+  column A fault | awk -v rows="$rows" '$1 % 65536 > 0 && !gone { gone = NR } END { exit !(gone > rows + 2000) }' ||
+    fail "the force goes earlier, at tick $(column A fault | awk '$1 % 65536 > 0 { print NR }' | sed -n 1p) where the runtime hung at $rows"
+}
+
 # A squeeze that begins while the runtime hangs does not go on with the force: the next one does.
 hung_squeeze() {
   printf '%s\n' 'size 64 64' 'pace 5' '5 hand right 0.1 -0.2 -0.4' '6 press right select' '15 release right select' \

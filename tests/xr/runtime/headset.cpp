@@ -128,6 +128,7 @@ void happen(const Event& event) {
     h.waits_for = words.at(0);
   } else if (event.what == "hang") {
     h.hangs_for = words.at(0);
+    h.hangs_in = words.size() > 1 ? words[1] : "xrWaitFrame";
   }
 }
 

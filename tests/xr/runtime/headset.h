@@ -73,6 +73,7 @@ struct Headset {
   std::size_t next_event = 0;
   std::uint64_t frame = 0;
   std::string waits_for, hangs_for;  // a file; empty: nothing
+  std::string hangs_in;              // a call
   int handle_told_by = 0;            // turns of the library's scheduler; 0: no handle has been moved
   XrTime time = 1'000'000'000;
   std::chrono::steady_clock::time_point newest_frame{};  // when the program went on with it

@@ -38,7 +38,7 @@
 //   N exit                            who wears it ends the session
 //   N picture left|right|quad FILE    what is shown of it in that frame, as a PPM; N 0: in each, the last one
 //   N wait FILE                       frames are not counted until that file is there
-//   N hang FILE                       xrWaitFrame does not return until then
+//   N hang FILE [CALL]                xrWaitFrame, or xrEndFrame, does not return until then
 
 #include <array>
 #include <cstdint>

@@ -145,6 +145,13 @@ XrResult XRAPI_CALL locate_views(XrSession, const XrViewLocateInfo* info, XrView
   return give(std::span<const XrView>(all), capacity, count, views);
 }
 
+void hang_in(const std::string& call) {
+  if (headset->hangs_for.empty() || headset->hangs_in != call) return;
+  const std::string file = std::exchange(headset->hangs_for, {});
+  log(call + " hangs for " + file);
+  while (!std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* state) {
   if (session().lost) return XR_ERROR_SESSION_LOST;
   if (!session().begun) return out_of_order("a frame is waited for while the session does not run");
@@ -157,10 +164,7 @@ XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* 
     return XR_ERROR_SESSION_LOST;
   }
   session().waited = true;
-  if (const std::string file = std::exchange(headset->hangs_for, {}); !file.empty()) {
-    log("xrWaitFrame hangs for " + file);
-    while (!std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  hang_in("xrWaitFrame");
   state->predictedDisplayTime = headset->time;
   state->predictedDisplayPeriod = 11'111'111;
   state->shouldRender = headset->dark ? XR_FALSE : XR_TRUE;
@@ -181,6 +185,7 @@ XrResult XRAPI_CALL begin_frame(XrSession, const XrFrameBeginInfo*) {
 XrResult XRAPI_CALL end_frame(XrSession, const XrFrameEndInfo* info) {
   if (session().lost) return XR_ERROR_SESSION_LOST;
   if (!session().drawing) return out_of_order("a frame ends that has not begun");
+  hang_in("xrEndFrame");
   session().drawing = false;
   log("xrEndFrame");
   const XrResult code = judge_frame(*info);
