@@ -97,8 +97,9 @@ std::optional<std::size_t> index_of(const tinygltf::Model& file, const tinygltf:
                         ? value.Get("light").Get<int>()
                         : -1;
   if (index < 0 || static_cast<std::size_t>(index) >= file.lights.size())
-    throw GltfFault("node '" + node.name +
-                    "' refers to a light that the file does not hold; export it again");
+    throw GltfFault("node " +
+                    (node.name.empty() ? std::to_string(&node - file.nodes.data()) : "'" + node.name + "'") +
+                    " refers to a light that the file does not hold; export it again");
   return static_cast<std::size_t>(index);
 }
 

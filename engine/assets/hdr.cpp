@@ -23,7 +23,7 @@ struct HdrFault {
 
 struct HdrHeader {
   std::uint32_t width = 0, height = 0;
-  float exposure = 1.0F;  // that pixels have been multiplied by
+  std::array<float, 3> exposure{1, 1, 1};  // that red, green and blue have been multiplied by
 };
 
 class HdrReader {
@@ -34,13 +34,26 @@ public:
     if (!line().starts_with("#?"))
       throw HdrFault{
           "it is no Radiance picture: export it as .hdr (RGBE), not as another format of that name"};
+    if (bytes_[at_ - 2] == '\r')
+      throw HdrFault{
+          "its lines end as on Windows: it was copied as text, which spoils its pixels; copy it anew, as it "
+          "is"};
     HdrHeader header;
     for (std::string_view text = line(); !text.empty(); text = line()) {
-      if (text.starts_with("FORMAT=") && text != "FORMAT=32-bit_rle_rgbe")
+      if (text.starts_with("FORMAT=") && trimmed(text.substr(7)) != "32-bit_rle_rgbe")
         throw HdrFault{
             "its colours are not red, green and blue (RGBE), which is all that is read: export it so"};
-      if (text.starts_with("EXPOSURE=")) header.exposure *= exposure(text.substr(9));
+      if (text.starts_with("EXPOSURE=")) {
+        const float all = numbers<1>(text.substr(9))[0];
+        for (float& part : header.exposure) part *= all;
+      }
+      if (text.starts_with("COLORCORR=")) {
+        const auto parts = numbers<3>(text.substr(10));
+        for (std::size_t i = 0; i < 3; ++i) header.exposure[i] *= parts[i];
+      }
     }
+    for (const float part : header.exposure)
+      if (!std::isnormal(part)) damaged_hdr("its exposures together are out of all bounds");
     size(line(), header);
     return header;
   }
@@ -73,13 +86,25 @@ private:
     return rest.substr(0, end);
   }
 
-  static float exposure(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-    float value = 0.0F;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || !std::isfinite(value) || value <= 0.0F)
-      damaged_hdr("its exposure is no number above 0");
-    return value;
+  static std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlank = " \t";
+    text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+    return text.substr(0, text.find_last_not_of(kBlank) + 1);
+  }
+
+  // Of an exposure: more than 0 each.
+  template <std::size_t n>
+  static std::array<float, n> numbers(std::string_view text) {
+    std::array<float, n> values{};
+    for (float& value : values) {
+      text = trimmed(text);
+      if (text.starts_with('+')) text.remove_prefix(1);
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      if (error != std::errc() || !std::isfinite(value) || value <= 0.0F)
+        damaged_hdr("its exposure is no number above 0");
+      text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    }
+    return values;
   }
 
   // "-Y 512 +X 1024": rows from the top, of pixels from the left.
@@ -91,11 +116,14 @@ private:
       text.remove_prefix(static_cast<std::size_t>(end - text.data()));
       return error == std::errc();
     };
-    if (!number("-Y ", header.height) || !number(" +X ", header.width) || !text.empty())
+    if (!text.starts_with("-Y ") || text.find(" +X ") == text.npos)
       throw HdrFault{"its rows do not go from the top, or its pixels not from the left: export it again"};
+    if (!number("-Y ", header.height) || !number(" +X ", header.width) || !text.empty())
+      damaged_hdr("its size cannot be read");
     const std::string is =
         "it is " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels";
-    if (header.width == 0 || header.width > kWidestHdr || header.height > kWidestHdr)
+    if (header.width == 0 || header.height == 0) damaged_hdr("it has no pixels");
+    if (header.width > kWidestHdr || header.height > kWidestHdr)
       throw HdrFault{is + ": make it smaller, at most " + std::to_string(kWidestHdr) + " x " +
                      std::to_string(kWidestHdr / 2)};
     if (header.width != 2 * header.height)
@@ -142,10 +170,10 @@ private:
   std::size_t at_ = 0;
 };
 
-std::array<float, 3> radiance_of(const Rgbe& pixel, float exposure) {
+std::array<float, 3> radiance_of(const Rgbe& pixel, const std::array<float, 3>& exposure) {
   std::array<float, 3> radiance{};
   for (std::size_t i = 0; i < 3 && pixel[3] != 0; ++i) {
-    radiance[i] = std::ldexp(static_cast<float>(pixel[i]), pixel[3] - (128 + 8)) / exposure;
+    radiance[i] = std::ldexp(static_cast<float>(pixel[i]), pixel[3] - (128 + 8)) / exposure[i];
     if (!(radiance[i] <= kBrightestHdr))
       throw HdrFault{"it has a pixel brighter than any lamp, above 1e9: export it again, with less exposure"};
   }

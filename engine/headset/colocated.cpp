@@ -54,15 +54,16 @@ void Colocated::keep() {
                               : file.string() + " cannot be written; see that its folder is yours."));
 }
 
+void Colocated::touch_anew() {
+  points_->forget("The headset's space may have moved: touch all the points anew.");
+}
+
 void Colocated::space_moved() {
-  if (is_asked()) {
-    points_->forget("The headset's space may have moved: touch all the points anew.");
-    return;
-  }
-  if (!kept_) return;
-  kept_.reset();
+  if (is_asked()) touch_anew();
   std::error_code ignored;
-  std::filesystem::remove(scenario::colocation_file(device_, space_), ignored);
+  const bool was_on_disk = std::filesystem::remove(scenario::colocation_file(device_, space_), ignored);
+  if (!kept_ && !was_on_disk) return;
+  kept_.reset();
   app::complain(
       "the headset's " + space_ +
       " space has moved in the room, and where the device stands in it is not known any more: lay "

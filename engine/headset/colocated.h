@@ -30,6 +30,8 @@ public:
   void touch(double time, const std::array<xr::Hand, xr::kHands>& hands);
   // A picture that nobody sees.
   void look_away() { points_->look_away(); }
+  // What was touched so far may be of another space.
+  void touch_anew();
   // What to do now, a line each.
   std::string text() const { return points_->text(); }
 

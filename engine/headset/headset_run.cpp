@@ -195,7 +195,7 @@ void HeadsetRun::lose_session() {
   // Another session may have another space, and says nothing of it.
   if (!colocated_) return;
   if (colocated_->is_asked())
-    colocated_->space_moved();
+    colocated_->touch_anew();
   else if (colocated_->placement() && options_.headset.space == app::kLocalSpace)
     app::complain("local space may be elsewhere then: see that the tool is at the hand before you go on.");
 }

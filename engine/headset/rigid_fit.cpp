@@ -23,12 +23,15 @@ PointPair mean_of(std::span<const PointPair> pairs) {
   return {mean.p_D / n, mean.p_L / n};
 }
 
-// m^2, about their mean, in D.
-Mat3 spread_D(std::span<const PointPair> pairs) {
-  const Vec3 mean_D = mean_of(pairs).p_D;
+// m, RMS, of the points from the line that fits them best, in the one frame or the other.
+double aside_of(std::span<const PointPair> pairs, Vec3 PointPair::*point) {
+  const Vec3 mean = mean_of(pairs).*point;
   Mat3 spread = Mat3::Zero();
-  for (const PointPair& pair : pairs) spread += (pair.p_D - mean_D) * (pair.p_D - mean_D).transpose();
-  return spread / static_cast<double>(pairs.size());
+  for (const PointPair& pair : pairs) spread += (pair.*point - mean) * (pair.*point - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread / static_cast<double>(pairs.size()),
+                                                      Eigen::EigenvaluesOnly);
+  const Vec3& variance = principal.eigenvalues();  // ascending
+  return std::sqrt(std::max(0.0, variance[0] + variance[1]));
 }
 
 std::string mm(double m) {
@@ -48,11 +51,14 @@ std::optional<Error> refuse(std::span<const PointPair> pairs) {
         return Error{"Points " + std::to_string(j + 1) + " and " + std::to_string(i + 1) + " are " +
                      mm(apart) + " apart: touch places that are " + mm(kNearestPoints) +
                      " apart at least, and better as far as the handle reaches."};
-  const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread_D(pairs), Eigen::EigenvaluesOnly);
-  const Vec3& variance = principal.eigenvalues();  // ascending
-  if (const double aside = std::sqrt(std::max(0.0, variance[0] + variance[1])); aside < kLeastAside)
+  if (const double aside = aside_of(pairs, &PointPair::p_D); aside < kLeastAside)
     return Error{"The points lie nearly in a line, " + mm(aside) +
                  " beside it: touch one well to the side of the others."};
+  if (aside_of(pairs, &PointPair::p_L) < kLeastAside / 2)
+    return Error{
+        "The controller was at one place, or in a line, while the handle was not: hold its tip at the "
+        "handle's "
+        "point each time."};
   return std::nullopt;
 }
 
@@ -78,22 +84,6 @@ Result<RigidFit> fit_rigid(std::span<const PointPair> pairs) {
   }
   fit.rms = std::sqrt(squares / static_cast<double>(pairs.size()));
   return fit;
-}
-
-double expected_error(std::span<const PointPair> pairs, const Vec3& p_D, double sigma) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread_D(pairs));
-  const Vec3 away = principal.eigenvectors().transpose() * (p_D - mean_of(pairs).p_D);
-  double lever = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double f2 = principal.eigenvalues().sum() - principal.eigenvalues()[k];
-    lever += (away.squaredNorm() - away[k] * away[k]) / f2;
-  }
-  return sigma * std::sqrt(3 * (1 + lever / 3) / static_cast<double>(pairs.size()));
-}
-
-double sigma_of(const RigidFit& fit) {
-  const auto n = static_cast<double>(fit.residuals.size());
-  return fit.rms / std::sqrt(3 * (1 - 2 / n));
 }
 
 }  // namespace fulcrum::headset

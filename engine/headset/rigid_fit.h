@@ -4,9 +4,7 @@
 // The least squares rotation is found by a singular value decomposition (W. Kabsch, "A solution for the best
 // rotation to relate two sets of vectors", Acta Crystallographica A32, 1976), and never is a mirror image
 // (S. Umeyama, "Least-squares estimation of transformation parameters between two point patterns", IEEE
-// Transactions on Pattern Analysis and Machine Intelligence 13(4), 1991). How far the residual and the error
-// elsewhere are to be expected is that of J. M. Fitzpatrick, J. B. West, C. R. Maurer, "Predicting error in
-// rigid-body point-based registration", IEEE Transactions on Medical Imaging 17(5), 1998.
+// Transactions on Pattern Analysis and Machine Intelligence 13(4), 1991).
 
 #include <span>
 #include <vector>
@@ -33,17 +31,8 @@ inline constexpr double kNearestPoints = 0.03;  // m, from each other: what lies
 inline constexpr double kLeastAside = 0.01;     // m, RMS distance from the line that fits the points best
 
 // Errors: what is wrong with the points, and what to do about it: too few, not finite, too near each other,
-// or nearly in a line. Three points lie in a plane, and fit their mirror image as well as themselves; of four
-// that do not, a mirror image shows in the residual.
+// or nearly in a line, in either frame. Three points lie in a plane, and fit their mirror image as well as
+// themselves; of four that do not, a mirror image shows in the residual.
 Result<RigidFit> fit_rigid(std::span<const PointPair> pairs);
-
-// m, the error to be expected (RMS) at a place, where every pair is off by `sigma` (m) along each axis:
-//     error^2 = 3 sigma^2 / n (1 + (d_1^2 / f_1^2 + d_2^2 / f_2^2 + d_3^2 / f_3^2) / 3)
-// d_k: of the place from the k-th principal axis of the points; f_k: RMS of the points from it. pairs: such
-// as fit_rigid() takes.
-double expected_error(std::span<const PointPair> pairs, const Vec3& p_D, double sigma);
-
-// m along each axis, of the pairs of a fit, as its residual tells: rms^2 = (1 - 2 / n) 3 sigma^2.
-double sigma_of(const RigidFit& fit);
 
 }  // namespace fulcrum::headset

@@ -217,8 +217,10 @@ std::uint64_t scatter_bytes(Extent scene) {
 void add_scattering(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {
   plan.scattering = facts.scattering > 0 ? quality.scattering : 0;
   if (plan.scattering == 0) {
-    const std::string why = facts.scattering > 0 ? "the quality setting switches it off"
-                                                 : "no material says how far light spreads below it";
+    const std::string why =
+        facts.scattering > 0
+            ? "the quality setting switches it off"
+            : "no material that is lit and not seen through says how far light spreads below it";
     for (const char* kind : {"image", "buffer", "pipeline"})
       plan.left_out.push_back({"subsurface scattering", kind, 0, why});
     return;

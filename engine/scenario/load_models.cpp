@@ -84,7 +84,11 @@ std::optional<Fault> question_of_size(const ModelEntry& entry, const TriangleMes
 }
 
 // What there is in each file of which a scenario takes marked objects.
-using MarksOfFiles = std::map<std::filesystem::path, std::vector<ObjectMark>>;
+struct MarksOfFile {
+  std::vector<ObjectMark> objects;
+  std::vector<LightMark> lights;
+};
+using MarksOfFiles = std::map<std::filesystem::path, MarksOfFile>;
 
 // A model as the scenario places it; absent, with a fault: it cannot be.
 std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entry, const FileRef& file,
@@ -98,7 +102,7 @@ std::optional<Model> read_model(const Scenario& scenario, const ModelEntry& entr
     return std::nullopt;
   }
   if (entry.marked && &file == &entry.file) {
-    there[file.path] = marks_of(*model);
+    there[file.path] = {marks_of(*model), light_marks_of(*model)};
     if (const std::string refused = refuse_marked(*model, entry.role, entry.material); !refused.empty()) {
       faults.push_back(
           file.where.fault("model '" + entry.name + "': " + in_quotes(file.name) + " " + refused));
@@ -138,28 +142,40 @@ void count_lights(const ModelEntry& entry, const FileRef& file, const Model& mod
     faults.push_back(at(entry, brings + "with which the models have " + std::to_string(lights) +
                                    ": at most " + std::to_string(render::kMostLights) +
                                    " are drawn; take some out of the file."));
+  for (const ModelLight& light : model.lights)
+    if (!can_be_drawn(light))
+      faults.push_back(
+          at(entry, in_quotes(file.name) + " brings a light " + in_quotes(light.name) +
+                        " of more than a billion candela, or that ends within a micrometre, where "
+                        "'unit' and 'scale' are counted in: correct these, or the light."));
   loaded.lights.push_back(at(entry, brings +
                                         (more == 1 ? "which throws no shadow" : "which throw no shadows") +
                                         ": the scene's 'light' alone does."));
 }
 
-// Objects that are marked, and that no model takes.
-void tell_of_left_out(const Scenario& scenario, const std::filesystem::path& file,
-                      const std::vector<ObjectMark>& there, Faults& warnings) {
-  for (const ObjectMark& mark : there) {
-    const ModelEntry* of_file = nullptr;
-    const bool taken = std::ranges::any_of(scenario.models, [&](const ModelEntry& entry) {
-      if (!entry.marked || entry.file.path != file) return false;
-      of_file = &entry;
-      return ObjectMark{entry.role, entry.material} == mark;
+// Objects that are marked, and that no model takes; and lights, which go with objects.
+void tell_of_left_out(const Scenario& scenario, const std::filesystem::path& file, const MarksOfFile& there,
+                      Faults& warnings) {
+  const auto takes_of_file = [&](const ModelEntry& entry) { return entry.marked && entry.file.path == file; };
+  const auto is_taken = [&](const ObjectMark& mark) {
+    return std::ranges::any_of(scenario.models, [&](const ModelEntry& entry) {
+      return takes_of_file(entry) && ObjectMark{entry.role, entry.material} == mark;
     });
-    if (taken) continue;
+  };
+  const ModelEntry& of_file = *std::ranges::find_if(scenario.models, takes_of_file);
+  for (const LightMark& light : there.lights)
+    if (!light.mark || !is_taken(*light.mark))
+      warnings.push_back(at(of_file, in_quotes(of_file.file.name) + " has a light " + in_quotes(light.name) +
+                                         " that lights nothing, for no model takes it: mark it as an object "
+                                         "that one does."));
+  for (const ObjectMark& mark : there.objects) {
+    if (is_taken(mark)) continue;
     const std::string role(names_of<ModelRole>[static_cast<std::size_t>(mark.role)]);
-    std::string sentence = in_quotes(of_file->file.name) + " has objects that are marked '" + role + "'";
+    std::string sentence = in_quotes(of_file.file.name) + " has objects that are marked '" + role + "'";
     if (!mark.material.empty()) sentence.append(" with the material '").append(mark.material).append("'");
     sentence.append(", which no model takes: add one with 'role: ").append(role).append("'");
     if (!mark.material.empty()) sentence.append(", 'material: ").append(mark.material).append("'");
-    warnings.push_back(at(*of_file, sentence.append(" and 'marked: true'.")));
+    warnings.push_back(at(of_file, sentence.append(" and 'marked: true'.")));
   }
 }
 
@@ -207,17 +223,17 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
     if (!model) continue;
     loaded.drawn.push_back(
         entry.drawn.path.empty() ? std::nullopt : read_model(scenario, entry, entry.drawn, marks, faults));
-    if (scenario.left_handed && entry.lettering)
+    const bool is_drawn = !scenario.left_handed || !entry.lettering;
+    if (!is_drawn)
       loaded.notes.push_back("the model '" + entry.name + "' is not drawn: it would be mirror-written");
     loaded.models.push_back(std::move(*model));
     const std::optional<Model>& drawn = loaded.drawn.back();
     if (auto warning =
             drawn ? plainer(entry, entry.drawn, *drawn) : plainer(entry, entry.file, loaded.models.back()))
       loaded.warnings.push_back(std::move(*warning));
-    if (drawn)
-      count_lights(entry, entry.drawn, *drawn, lights, loaded, faults);
-    else
-      count_lights(entry, entry.file, loaded.models.back(), lights, loaded, faults);
+    if (is_drawn)
+      count_lights(entry, drawn ? entry.drawn : entry.file, drawn ? *drawn : loaded.models.back(), lights,
+                   loaded, faults);
     if (entry.role == ModelRole::decor) continue;
     const TriangleMesh mesh_M = to_triangle_mesh(loaded.models.back());
     if (auto question = question_of_size(entry, mesh_M)) loaded.warnings.push_back(std::move(*question));

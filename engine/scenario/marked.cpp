@@ -38,6 +38,12 @@ std::vector<ObjectMark> marks_of(const Model& model) {
   return marks;
 }
 
+std::vector<LightMark> light_marks_of(const Model& model) {
+  std::vector<LightMark> marks;
+  for (const ModelLight& light : model.lights) marks.push_back({light.name, mark_of(light)});
+  return marks;
+}
+
 std::string refuse_marked(const Model& model, ModelRole role, const std::string& material) {
   const auto unknown = [](const auto& object) { return !object.marked_role.empty() && !mark_of(object); };
   const auto refused = [](const auto& object) {

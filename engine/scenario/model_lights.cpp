@@ -37,6 +37,11 @@ void transform(std::vector<ModelLight>& lights, const Eigen::Affine3d& X) {
   }
 }
 
+bool can_be_drawn(const ModelLight& light) {
+  constexpr double kBrightest = 1e9, kNearestEnd = 1e-6;  // cd or lx; m
+  return light.intensity <= kBrightest && light.range.value_or(1.0) >= kNearestEnd;
+}
+
 void add_lights(render::VisualDesc& desc, const std::vector<ModelLight>& lights, const Vec3& origin,
                 std::optional<std::size_t> carried_by, std::uint32_t layers) {
   for (const ModelLight& light : lights) {

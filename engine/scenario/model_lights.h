@@ -14,6 +14,9 @@ namespace fulcrum::scenario {
 // falls on all of it as before.
 void transform(std::vector<ModelLight>& lights, const Eigen::Affine3d& X);
 
+// Its numbers, moved so, are such as are drawn.
+bool can_be_drawn(const ModelLight& light);
+
 // Appends them, `origin` (m, in M) lying at the origin of the frame that they are drawn in.
 // carried_by: as PunctualLight has it.
 void add_lights(render::VisualDesc& desc, const std::vector<ModelLight>& lights, const Vec3& origin,

@@ -13,9 +13,15 @@ MovingShot::MovingShot(const Shot& shot) : shot_(shot), moved_(shot.X_WM) {
 
 render::FrameState MovingShot::next() {
   is_moved_ = !is_moved_;
+  render::FrameState state = still();
+  if (is_moved_) state.X_WM = moved_;
+  return state;
+}
+
+render::FrameState MovingShot::still() const {
   render::FrameState state;
   state.camera = shot_.camera;
-  state.X_WM = is_moved_ ? moved_ : shot_.X_WM;
+  state.X_WM = shot_.X_WM;
   return state;
 }
 

@@ -17,6 +17,8 @@ public:
 
   // Valid until the next.
   render::FrameState next();
+  // The moment itself.
+  render::FrameState still() const;
 
 private:
   const Shot& shot_;

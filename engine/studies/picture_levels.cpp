@@ -20,6 +20,7 @@ Result<DrawnLevel> draw_level(vulkan::Device& device, const render::VisualDesc& 
     if (const auto error = (*renderer)->frame(frames.next())) return *error;
     times.add((*renderer)->last_frame_s());
   }
+  if (const auto error = (*renderer)->frame(frames.still())) return *error;
   Result<render::Picture> picture = (*renderer)->read_back();
   if (!picture) return picture.error();
   return DrawnLevel{std::move(*picture), times.median_ms(0)};

@@ -4,6 +4,7 @@
 #define FULCRUM_SCATTER_TAG_GLSL
 
 const uint kNumberBits = 1023u;
+const float kDepthStep = 1.0 / 4096.0;  // of a distance: more than the bits that the number takes are worth
 
 uint tag_of(float ahead, uint number) { return (floatBitsToUint(ahead) & ~kNumberBits) | number; }
 uint number_in(uint tag) { return tag & kNumberBits; }

@@ -19,7 +19,7 @@ Below light_from_below(vec3 otherwise) {
   ivec2 size = textureSize(scattered, 0);
   float pixels = material.scattering.w * float(size.y) / (2.0 * frame.lens.y * z);
   float beside = clamp(pixels, 1e-4, 1.0);
-  float near_enough = material.scattering.w + 3.0 * fwidth(z);
+  float near_enough = material.scattering.w + 3.0 * fwidth(z) + z * kDepthStep;
   ivec2 here = ivec2(gl_FragCoord.xy);
   ivec2 nearest = here;
   float most = 0.0;

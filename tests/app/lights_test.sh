@@ -43,4 +43,21 @@ lamp '{"type":"point"}' 9 >lit/lamp.gltf
 expect 1 "scenario.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' brings 9 lights .*at most 8 are drawn" "$FULCRUM" check lit/scenario.yaml
 lamp '{"type":"spot","spot":{"innerConeAngle":1,"outerConeAngle":0.5}}' 1 >lit/lamp.gltf
 expect 1 "scenario.yaml:$line:[0-9]+: model 'lamp': .*lamp.gltf: its light '0' has an inner cone .*wider than the outer" "$FULCRUM" check lit/scenario.yaml
+lamp '{"type":"point","intensity":3e8}' 1 >lit/lamp.gltf
+sed 's/lamp.gltf,/& scale: 100,/' lit/scenario.yaml >lit/scaled.yaml
+expect 1 "scaled.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' brings a light '0' of more than a billion candela, .*'scale' are counted in" \
+  "$FULCRUM" check lit/scaled.yaml
+
+# What a terminal would obey is not told it.
+lamp '{"name":"\u001b[31mred\u001b]0;title\u0007","type":"point","intensity":-1}' 1 >lit/lamp.gltf
+expect 1 "its light '.*red.*' has a value of 'intensity' that is less than zero" "$FULCRUM" check lit/scenario.yaml
+"$FULCRUM" check lit/scenario.yaml | grep -q $'[\x07\x1b]' && fail "what a light is called reaches the terminal as it is"
+
+# Of marked objects, a light goes with those that are marked as it is.
+lamp '{"name":"bulb","type":"point","intensity":60}' 1 | sed 's/"nodes":\[{"mesh":0}/"nodes":[{"mesh":0,"extras":{"fulcrum_role":"decor"}}/' >lit/lamp.gltf
+sed 's/lamp.gltf,/& marked: true,/' lit/scenario.yaml >lit/marked.yaml
+expect 0 "marked.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' has a light 'bulb' that lights nothing, for no model takes it" \
+  "$FULCRUM" check lit/marked.yaml
+sed -i 's/"translation"/"extras":{"fulcrum_role":"decor"},&/' lit/lamp.gltf
+"$FULCRUM" check lit/marked.yaml | grep 'lights nothing' && fail "a light that is taken is told of as left out"
 exit $((failures > 0))

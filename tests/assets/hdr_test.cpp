@@ -49,6 +49,10 @@ TEST(DecodeHdr, ExposuresAreTakenOut) {
       2, 1, HdrRows::flat, even, "SOFTWARE=a test\nEXPOSURE=4\nEXPOSURE= 0.5\nFORMAT=32-bit_rle_rgbe\n"));
   ASSERT_TRUE(picture) << picture.error().sentence;
   EXPECT_EQ(picture->pixels[1], (Rgb{2, 1, 0.5F}));
+  const auto written = decode_hdr(test::hdr_of(
+      2, 1, HdrRows::flat, even, "FORMAT= 32-bit_rle_rgbe \nEXPOSURE=\t+2\nCOLORCORR= 1 0.5 2\n"));
+  ASSERT_TRUE(written) << written.error().sentence;
+  EXPECT_EQ(written->pixels[1], (Rgb{2, 2, 0.25F}));
 }
 
 // Those of the first version of the format: (1, 1, 1, n), and more digits after it.
@@ -78,9 +82,14 @@ TEST(DecodeHdr, SaysWhatIsWrongAndWhatToDo) {
       {bytes_of("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 2\n"), "exposure"},
       {bytes_of("#?RADIANCE\nEXPOSURE=nan\n\n-Y 1 +X 2\n"), "exposure"},
       {header("\n+Y 1 +X 2\n"), "do not go from the top"},
-      {header("\n-Y 1 +X 99999999999\n"), "do not go from the top"},
+      {header("\n+X 2 -Y 1\n"), "do not go from the top"},
+      {header("\n-Y 1 +X 99999999999\n"), "its size cannot be read"},
+      {header("EXPOSURE=1e30\nEXPOSURE=1e30\n\n-Y 1 +X 2\n"), "exposures together are out of all bounds"},
+      {header("EXPOSURE=1e-30\nEXPOSURE=1e-30\n\n-Y 1 +X 2\n"), "exposures together are out of all bounds"},
+      {header("COLORCORR=1 2\n\n-Y 1 +X 2\n"), "its exposure is no number above 0"},
+      {bytes_of("#?RADIANCE\r\n"), "its lines end as on Windows"},
       {header("\n-Y 4096 +X 8192\n"), "it is 8192 x 4096 pixels: make it smaller, at most 4096 x 2048"},
-      {header("\n-Y 0 +X 0\n"), "make it smaller"},
+      {header("\n-Y 0 +X 0\n"), "it has no pixels"},
       {header("\n-Y 6 +X 8\n"), "twice as wide as high"},
       {header("\n-Y 4 +X 8\n\x02\x02"), "ends too early"},
       {header(std::string_view("\n-Y 4 +X 8\n\x02\x02\x00\x09", 15)), "a row has another length"},

@@ -113,6 +113,17 @@ TEST_F(ScatteringWithinTest, AnyDistanceGivesLightThatThereIs) {
   }
 }
 
+// How far away a surface is is kept coarsely beside its light: seen square on, from wherever, a distance of
+// far less than that step gives the light that is there without.
+TEST_F(ScatteringWithinTest, ATinyDistanceIsLitFromAnywhere) {
+  for (const float away : {0.5F, 0.737F, 0.833F, 1.17F, 1.9F, 3.3F}) {
+    const Picture plain = drawn(half_lit(glm::vec3(0.0F), 0.1F, away), quality(16));
+    const Picture spread = drawn(half_lit(glm::vec3(1e-5F), 0.1F, away), quality(16));
+    EXPECT_GT(at(plain, 20, 120), 100);
+    EXPECT_NEAR(at(spread, 20, 120), at(plain, 20, 120), 1) << away;
+  }
+}
+
 // Stereo, a smaller scene, another size: each is built and drawn, and the layers have nothing to say.
 TEST_F(ScatteringWithinTest, EachEyeAndEachSizeHasItsOwn) {
   const VisualDesc desc = half_lit(glm::vec3(0.004F), 0.1F);

@@ -492,6 +492,12 @@ colocated_moves() {
   grep -q "^fulcrum: the headset's local space has moved in the room, .* anew with --colocate, best with --xr-space stage" said || fail "it says: $(cat said)"
   [ ! -e config/fulcrum/calibration/touch.xr-local.yaml ] || fail "what does not hold any more is kept"
   grep -q '"colocation"' A/summary.json && fail "the summary tells what does not hold any more"
+  # So it is while points are touched: what an earlier run kept is of a place that is no more.
+  sed 's/space: stage/space: local/' config/fulcrum/calibration/touch.xr-stage.yaml >config/fulcrum/calibration/touch.xr-local.yaml
+  printf '%s\n' 'size 64 64' '20 recenter 0.3 0 0.1' '60 exit' >script
+  run piping --device touch --colocate --out B
+  grep -q "^fulcrum: the headset's local space has moved in the room" said || fail "while points are touched it says: $(cat said)"
+  [ ! -e config/fulcrum/calibration/touch.xr-local.yaml ] || fail "what an earlier run kept stays"
 }
 
 # A program that is not ours runs on the runtime, too.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -57,9 +58,43 @@ double turned(const Pose& a, const Pose& b) {
   return angle_of(a.q * b.q.conjugate());
 }
 
+// What is to be expected of the residual and of the error elsewhere: J. M. Fitzpatrick, J. B. West, C. R.
+// Maurer, "Predicting error in rigid-body point-based registration", IEEE Transactions on Medical Imaging
+// 17(5), 1998.
+//
+// m, the error to be expected (RMS) at a place, where every pair is off by `sigma` (m) along each axis:
+//     error^2 = 3 sigma^2 / n (1 + (d_1^2 / f_1^2 + d_2^2 / f_2^2 + d_3^2 / f_3^2) / 3)
+// d_k: of the place from the k-th principal axis of the points; f_k: RMS of the points from it.
+double expected_error(const Pairs& pairs, const Vec3& p_D, double sigma) {
+  const auto n = static_cast<double>(pairs.size());
+  Vec3 mean = Vec3::Zero();
+  for (const PointPair& pair : pairs) mean += pair.p_D / n;
+  Mat3 spread = Mat3::Zero();
+  for (const PointPair& pair : pairs) spread += (pair.p_D - mean) * (pair.p_D - mean).transpose() / n;
+  const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread);
+  const Vec3 away = principal.eigenvectors().transpose() * (p_D - mean);
+  double lever = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double f2 = principal.eigenvalues().sum() - principal.eigenvalues()[k];
+    lever += (away.squaredNorm() - away[k] * away[k]) / f2;
+  }
+  return sigma * std::sqrt(3 * (1 + lever / 3) / n);
+}
+
 std::string refusal(const Pairs& pairs) {
   const auto fit = fit_rigid(pairs);
   return fit ? std::string() : fit.error().sentence;
+}
+
+// A controller whose place does not follow the handle tells no turn.
+TEST(RigidFit, PointsOfTheControllerInOnePlaceOrALineAreRefused) {
+  Pairs pairs;
+  for (const Vec3& p : places(4)) pairs.push_back({p, {0.1, 1, 0.2}});
+  EXPECT_EQ(refusal(pairs),
+            "The controller was at one place, or in a line, while the handle was not: hold its tip at the "
+            "handle's point each time.");
+  for (PointPair& pair : pairs) pair.p_L.x() += pair.p_D.x();
+  EXPECT_EQ(refusal(pairs).substr(0, 14), "The controller");
 }
 
 TEST(RigidFit, FindsAnyTransformAgain) {
@@ -97,17 +132,15 @@ TEST(RigidFit, ResidualIsThatOfTheory) {
   Chance chance(3);
   constexpr int kTrials = 4000;
   for (const int n : {3, 4, 6, 12}) {
-    double squares = 0, sigma_squares = 0;
+    double squares = 0;
     for (int i = 0; i < kTrials; ++i) {
       const auto fit = fit_rigid(touched(chance.pose(1), places(n), 1e-3, chance));
       ASSERT_TRUE(fit) << fit.error().sentence;
       squares += fit->rms * fit->rms;
-      sigma_squares += sigma_of(*fit) * sigma_of(*fit);
     }
     const double degrees = 3 * n - 6;
     const double five_sigma = 5 * std::sqrt(2 / (degrees * kTrials));  // relative, of a mean of chi squares
     EXPECT_NEAR(squares / kTrials / (3e-6 * (1 - 2.0 / n)), 1, five_sigma) << n;
-    EXPECT_NEAR(sigma_squares / kTrials / 1e-6, 1, five_sigma) << n;
   }
 }
 

@@ -11,6 +11,9 @@
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/commands/commands.h"
+#include "engine/files/plain_text.h"
+#include "engine/render/look.h"
+#include "engine/render/validate.h"
 #include "engine/scenario/advice.h"
 #include "engine/scenario/assemble.h"
 #include "engine/scenario/content.h"
@@ -47,6 +50,22 @@ std::string_view key_of(std::string_view refusal) {
   return {};
 }
 
+// Materials that light is to spread below, and that are drawn in a way that has none of this.
+void look_for_light_below(const scenario::Scenario& scenario, const render::VisualDesc& desc,
+                          CheckedFile& checked) {
+  for (const scenario::MaterialOverride& override : scenario.materials) {
+    if (override.scatter_distance == Vec3::Zero()) continue;
+    const bool all_do = std::ranges::all_of(desc.materials, [&](const render::Material& material) {
+      return material.name != override.name || render::is_scattering(render::look_of(material).value_or(0));
+    });
+    if (!all_do)
+      checked.warnings.push_back(override.where.fault(
+          "'scatter_distance' does nothing where the material " + scenario::in_quotes(override.name) +
+          " is unlit, or is seen through by its alpha or its transmission: export it opaque, or leave the "
+          "key out."));
+  }
+}
+
 // What `run` does before its first tick, and what it finds out in it.
 void look_at_assembly(const scenario::Inspected& inspected, const scenario::LoadedModels& models,
                       CheckedFile& checked) {
@@ -75,8 +94,14 @@ void look_at_assembly(const scenario::Inspected& inspected, const scenario::Load
       checked.notes.push_back(at("models", note));
   if (const Result<World> world = World::build(haptic->scene); !world)
     checked.faults.push_back(at("", world.error().sentence));
-  if (const auto visual = scenario::assemble_visual(scenario, models, haptic->scene); !visual)
+  const auto visual = scenario::assemble_visual(scenario, models, haptic->scene);
+  if (!visual) {
     checked.faults.push_back(at("materials", visual.error().sentence));
+    return;
+  }
+  if (const auto refused = render::validate(visual->desc))
+    checked.faults.push_back(at("models", refused->sentence));
+  look_for_light_below(scenario, visual->desc, checked);
 }
 
 // As they stand in the scenario's own file, and then those of the files that it names.
@@ -126,12 +151,17 @@ nlohmann::ordered_json as_json(const CheckedFile& checked) {
   return all;
 }
 
+// Names in models may hold what a terminal would obey.
+std::string shown(const scenario::Fault& fault) {
+  return plain_text(fault.text());
+}
+
 void print(const std::string& file, const CheckedFile& checked) {
-  for (const scenario::Fault& fault : checked.faults) std::printf("%s\n", fault.text().c_str());
+  for (const scenario::Fault& fault : checked.faults) std::printf("%s\n", shown(fault).c_str());
   if (checked.faults.empty()) std::printf("%s: good\n", file.c_str());
   for (const scenario::Fault& warning : checked.warnings)
-    std::printf("  %s %s\n", yellow("warning:").c_str(), warning.text().c_str());
-  for (const scenario::Fault& note : checked.notes) std::printf("  %s\n", note.text().c_str());
+    std::printf("  %s %s\n", yellow("warning:").c_str(), shown(warning).c_str());
+  for (const scenario::Fault& note : checked.notes) std::printf("  %s\n", shown(note).c_str());
 }
 
 int check_command(const std::vector<std::string>& files, bool json) {
