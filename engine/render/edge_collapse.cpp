@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kFewest = 64;      // triangles of a patch that is made coarser
 constexpr double kTurned = 0.2;          // cosine: a triangle that turns by more is taken for folded over
+constexpr double kDrawnOut = 0.05;       // of what it had: a triangle's part of a texture, for its area
 constexpr double kLargestExtent = 0.05;  // error at which it ends, in relation to the patch's size
 constexpr std::size_t kShareOfPass = 3;  // of the wanted collapses a pass does one in so many
 
@@ -43,6 +44,7 @@ public:
                            {patch_.seen[t[0]], patch_.seen[t[1]], patch_.seen[t[2]]});
       for (const std::uint32_t corner : t) quadrics_[corner].add(quadric);
     }
+    find_slides();
     find_kinds();
     keep_seams_in_place();
     glm::dvec3 low = patch_.positions.front(), high = low;
@@ -91,6 +93,17 @@ private:
     seam,  // so it is together with twin_, at the same place: the surface goes on, what is seen of it does
            // not
   };
+
+  void find_slides() {
+    if (patch_.uv.empty()) return;
+    slides_.resize(patch_.positions.size());
+    for (const Corners& t : patch_.triangles) {
+      SlideQuadric slide;
+      slide.add_triangle({patch_.positions[t[0]], patch_.positions[t[1]], patch_.positions[t[2]]},
+                         {patch_.uv[t[0]], patch_.uv[t[1]], patch_.uv[t[2]]});
+      for (const std::uint32_t corner : t) slides_[corner].add(slide);
+    }
+  }
 
   void find_kinds() {
     const std::size_t count = patch_.positions.size();
@@ -210,13 +223,16 @@ private:
   }
 
   double error_of(const Move& move) const {
-    return quadrics_[move.from].error(patch_.positions[move.to], patch_.seen[move.to]);
+    const double error = quadrics_[move.from].error(patch_.positions[move.to], patch_.seen[move.to]);
+    if (slides_.empty()) return error;
+    return error + slides_[move.from].error(patch_.positions[move.to], patch_.uv[move.to]);
   }
 
   void take(const Move& move) {
     now_[move.from] = move.to;
     touched_[move.from] = touched_[move.to] = true;
     quadrics_[move.to].add(quadrics_[move.from]);
+    if (!slides_.empty()) slides_[move.to].add(slides_[move.from]);
   }
 
   Corners moved(const Corners& t) const { return {now_[t[0]], now_[t[1]], now_[t[2]]}; }
@@ -239,7 +255,7 @@ private:
       for (const std::uint32_t corner : t)
         if (corner != move.from) around_from_.push_back(corner);
       if (std::ranges::find(t, move.to) != t.end()) continue;
-      if (turns(t, move)) return false;
+      if (turns(t, move) || folds(t, move)) return false;
       is_left = true;
     }
     if (!is_left) return false;
@@ -270,8 +286,33 @@ private:
     return glm::dot(was, is) <= kTurned * glm::length(was) * glm::length(is);
   }
 
+  // A texture would lie on the triangle mirrored, or be drawn out to a line.
+  bool folds(const Corners& t, const Move& move) const {
+    if (patch_.uv.empty()) return false;
+    Corners after = t;
+    std::ranges::replace(after, move.from, move.to);
+    for (const std::size_t u : {0U, 2U}) {
+      const double was = twice_area_in_texture(t, u), is = twice_area_in_texture(after, u);
+      const double kept = was * is * twice_area(t);
+      if (was != 0.0 && kept <= kDrawnOut * was * was * twice_area(after)) return true;
+    }
+    return false;
+  }
+
+  double twice_area(const Corners& t) const {
+    const glm::dvec3& a = patch_.positions[t[0]];
+    return glm::length(glm::cross(patch_.positions[t[1]] - a, patch_.positions[t[2]] - a));
+  }
+
+  // Negative: mirrored. u: where the set of coordinates begins.
+  double twice_area_in_texture(const Corners& t, std::size_t u) const {
+    const UvAt &a = patch_.uv[t[0]], &b = patch_.uv[t[1]], &c = patch_.uv[t[2]];
+    return (b[u] - a[u]) * (c[u + 1] - a[u + 1]) - (b[u + 1] - a[u + 1]) * (c[u] - a[u]);
+  }
+
   Patch patch_;
   std::vector<VertexQuadric> quadrics_;
+  std::vector<SlideQuadric> slides_;  // of each vertex; none: nothing is laid on
   std::vector<Kind> kinds_;
   std::vector<std::uint32_t> twin_;  // of those at a seam
   std::vector<bool> touched_;        // by a collapse of this pass

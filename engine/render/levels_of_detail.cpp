@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <thread>
@@ -50,6 +51,44 @@ SeenAt seen_at(const Mesh& mesh, std::size_t vertex) {
   return seen;
 }
 
+// 1/m: how fast each coordinate changes along the surface, root mean square. 0: it is the same everywhere, or
+// not read.
+UvAt mean_gradients(const Mesh& mesh, const UvSets& read) {
+  UvAt sums{};
+  double area = 0.0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return mesh.indices[i + k]; };
+    const glm::dvec3 origin(mesh.positions[at(0)]);
+    const glm::dvec3 e1 = glm::dvec3(mesh.positions[at(1)]) - origin,
+                     e2 = glm::dvec3(mesh.positions[at(2)]) - origin, across = glm::cross(e1, e2);
+    const double square = glm::dot(across, across);
+    if (!(square > 0.0)) continue;
+    area += std::sqrt(square);
+    const glm::dvec4 first(mesh.uv[at(0)]);
+    const glm::dvec4 d1 = glm::dvec4(mesh.uv[at(1)]) - first, d2 = glm::dvec4(mesh.uv[at(2)]) - first;
+    for (std::size_t k = 0; k < kUv; ++k) {
+      const auto axis = static_cast<int>(k);
+      const glm::dvec3 change = d1[axis] * e2 - d2[axis] * e1;  // a gradient times twice the area, turned
+      if (read[k / 2]) sums[k] += glm::dot(change, change) / std::sqrt(square);
+    }
+  }
+  for (double& sum : sums) sum = area > 0.0 ? std::sqrt(sum / area) : 0.0;
+  return sums;
+}
+
+// (n) m, as SlideQuadric has them; none, where no texture is laid on.
+std::vector<UvAt> places_in_textures(const Mesh& mesh, const UvSets& read) {
+  std::vector<UvAt> places;
+  if (mesh.uv.empty() || (!read[0] && !read[1])) return places;
+  const UvAt gradients = mean_gradients(mesh, read);
+  for (const glm::vec4& uv : mesh.uv) {
+    UvAt& place = places.emplace_back();
+    for (std::size_t k = 0; k < kUv; ++k)
+      if (gradients[k] > 0.0) place[k] = static_cast<double>(uv[static_cast<int>(k)]) / gradients[k];
+  }
+  return places;
+}
+
 // The levels of one piece, by numbers of the mesh's vertices.
 struct PieceLevels {
   Bounds bounds;
@@ -57,7 +96,7 @@ struct PieceLevels {
   std::vector<float> errors;
 };
 
-PieceLevels levels_of(const Mesh& mesh, Triangles triangles) {
+PieceLevels levels_of(const Mesh& mesh, const std::vector<UvAt>& uv, Triangles triangles) {
   std::ranges::sort(triangles);
   PieceLevels levels;
   levels.indices.emplace_back();
@@ -75,6 +114,7 @@ PieceLevels levels_of(const Mesh& mesh, Triangles triangles) {
         const glm::vec3& at = mesh.positions[vertex];
         patch.positions.push_back(glm::dvec3(at - mesh.positions[vertices.front()]));
         patch.seen.push_back(seen_at(mesh, vertex));
+        if (!uv.empty()) patch.uv.push_back(uv[vertex]);
         levels.bounds = vertices.size() == 1 ? Bounds{at, at} : united(levels.bounds, {at, at});
       }
       corners[i] = found->second;
@@ -93,7 +133,7 @@ PieceLevels levels_of(const Mesh& mesh, Triangles triangles) {
 
 }  // namespace
 
-LevelsOfDetail levels_of_detail(const Mesh& mesh) {
+LevelsOfDetail levels_of_detail(const Mesh& mesh, const UvSets& read) {
   std::vector<glm::vec3> middles(mesh.indices.size() / 3);
   for (std::size_t t = 0; t < middles.size(); ++t)
     middles[t] = (mesh.positions[mesh.indices[3 * t]] + mesh.positions[mesh.indices[3 * t + 1]] +
@@ -103,12 +143,13 @@ LevelsOfDetail levels_of_detail(const Mesh& mesh) {
   std::iota(triangles.begin(), triangles.end(), 0U);
   std::vector<Triangles> pieces;
   split(triangles, middles, pieces);
+  const std::vector<UvAt> uv = places_in_textures(mesh, read);
   std::vector<PieceLevels> made(pieces.size());
   std::atomic<std::size_t> next{0};
   {
     const auto work = [&] {
       for (std::size_t piece = next++; piece < pieces.size(); piece = next++)
-        made[piece] = levels_of(mesh, pieces[piece]);
+        made[piece] = levels_of(mesh, uv, pieces[piece]);
     };
     std::vector<std::jthread> others;
     const std::size_t workers = std::min<std::size_t>(std::thread::hardware_concurrency(), pieces.size());

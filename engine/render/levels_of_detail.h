@@ -4,8 +4,10 @@
 //
 // Edges are collapsed in the order of quadric errors: M. Garland and P. Heckbert, "Surface simplification
 // using quadric error metrics" (SIGGRAPH 1997); those of normals and colours as in H. Hoppe, "New quadric
-// metric for simplifying meshes with appearance attributes" (IEEE Visualization 1999).
+// metric for simplifying meshes with appearance attributes" (IEEE Visualization 1999). Places in textures are
+// told in metres, by which a texture slides over the surface.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,8 +22,9 @@ struct LevelsOfDetail {
     std::uint32_t first = 0;  // into indices
     std::uint32_t count = 0;
     // m, root mean square; the worst place is off by less than twice as much. It is hardly to be told from
-    // the finest where that is less than about half a pixel: as far as it is from that in place, and where
-    // normals or colours differ, the side of a square on which a large difference is as much.
+    // the finest where that is less than about half a pixel: as far as it is from that in place, as far as
+    // textures have slid, and where normals or colours differ, the side of a square on which a large
+    // difference is as much.
     float error = 0.0F;
   };
   struct Piece {
@@ -38,7 +41,10 @@ struct LevelsOfDetail {
 // Below this a mesh is drawn as it is.
 inline constexpr std::size_t kTrianglesWorthLevels = 200;
 
+// Which of a mesh's places in textures are looked up: the others may go anywhere.
+using UvSets = std::array<bool, 2>;
+
 // The same for the same mesh, however many cores there are.
-LevelsOfDetail levels_of_detail(const Mesh& mesh);
+LevelsOfDetail levels_of_detail(const Mesh& mesh, const UvSets& read = {true, true});
 
 }  // namespace fulcrum::render

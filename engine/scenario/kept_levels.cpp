@@ -14,11 +14,16 @@ namespace {
 
 // Another one where levels of the same mesh become others, or their bytes.
 constexpr std::string_view kLevelsFormat = "fulcrum levels 2";
+constexpr std::string_view kTexturesFormat = "textures 1";  // of a mesh that has any
 
 // A mesh of fewer triangles shares a file with the others of its scene: a plant has hundreds of bolts.
 constexpr std::size_t kTrianglesWorthAFile = 4096;
 
-using Meshes = std::vector<render::Mesh*>;
+struct MeshInUse {
+  render::Mesh* mesh = nullptr;
+  render::UvSets read{};  // by textures of what it is shown with
+};
+using Meshes = std::vector<MeshInUse>;
 using Levels = std::vector<render::LevelsOfDetail>;  // of each of them
 
 std::string name_of_levels(const Meshes& meshes) {
@@ -29,19 +34,23 @@ std::string name_of_levels(const Meshes& meshes) {
     hasher.update(std::as_bytes(std::span(&count, 1)));
     hasher.update(std::as_bytes(std::span(values)));
   };
-  for (const render::Mesh* mesh : meshes) {
+  for (const auto& [mesh, read] : meshes) {
     add(mesh->positions);
     add(mesh->normals);
     add(mesh->colours);
     add(mesh->indices);
+    if (!read[0] && !read[1]) continue;
+    hasher.update(kTexturesFormat);
+    add(read);
+    add(mesh->uv);
   }
   return hasher.finish_hex() + ".levels";
 }
 
 std::vector<std::byte> make_bytes(const Meshes& meshes) {
   ByteWriter to;
-  for (const render::Mesh* mesh : meshes) {
-    const render::LevelsOfDetail levels = render::levels_of_detail(*mesh);
+  for (const auto& [mesh, read] : meshes) {
+    const render::LevelsOfDetail levels = render::levels_of_detail(*mesh, read);
     to.vector(levels.indices);
     to.value(levels.pieces.size());
     for (const render::LevelsOfDetail::Piece& piece : levels.pieces) {
@@ -71,7 +80,7 @@ bool fits(const render::LevelsOfDetail& levels, const render::Mesh& mesh) {
 std::optional<Levels> levels_from(std::span<const std::byte> bytes, const Meshes& meshes) {
   ByteReader from(bytes);
   Levels all;
-  for (const render::Mesh* mesh : meshes) {
+  for (const MeshInUse& each : meshes) {
     render::LevelsOfDetail& levels = all.emplace_back();
     levels.indices = from.vector<std::uint32_t>();
     const auto pieces = from.value<std::size_t>();
@@ -82,7 +91,7 @@ std::optional<Levels> levels_from(std::span<const std::byte> bytes, const Meshes
       piece.levels = from.vector<render::LevelsOfDetail::Level>();
       levels.pieces.push_back(std::move(piece));
     }
-    if (!fits(levels, *mesh)) return std::nullopt;
+    if (!fits(levels, *each.mesh)) return std::nullopt;
   }
   if (!from.finished_well()) return std::nullopt;
   return all;
@@ -100,9 +109,21 @@ std::string add_levels(const Meshes& meshes, const BakeCache& cache) {
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     render::LevelsOfDetail& levels = (*all)[i];
     const bool is_all_edges = levels.pieces.size() == 1 && levels.pieces[0].levels.size() == 1;
-    if (!is_all_edges) meshes[i]->levels = std::move(levels);
+    if (!is_all_edges) meshes[i].mesh->levels = std::move(levels);
   }
   return kept.note;
+}
+
+// Of each mesh: which of its places in textures are looked up.
+std::vector<render::UvSets> read_sets(const render::VisualDesc& desc) {
+  std::vector<render::UvSets> sets(desc.meshes.size());
+  for (const render::Instance& instance : desc.instances) {
+    const auto& detail = desc.materials[instance.material].detail;
+    if (!detail || desc.meshes[instance.mesh].uv.empty()) continue;
+    for (const std::optional<render::TextureLayer>& layer : detail->layers)
+      if (layer) sets[instance.mesh][layer->uv_set == 1 ? 1 : 0] = true;
+  }
+  return sets;
 }
 
 }  // namespace
@@ -110,13 +131,15 @@ std::string add_levels(const Meshes& meshes, const BakeCache& cache) {
 std::vector<std::string> add_levels_of_detail(render::VisualDesc& desc, const BakeCache& cache) {
   std::vector<Meshes> files;
   Meshes small;
-  for (render::Mesh& mesh : desc.meshes) {
-    if (mesh.indices.size() / 3 < render::kTrianglesWorthLevels) continue;
-    if (!mesh.uv.empty()) continue;  // coarser triangles would bend what is laid onto them
-    if (mesh.indices.size() / 3 < kTrianglesWorthAFile)
-      small.push_back(&mesh);
+  const std::vector<render::UvSets> read = read_sets(desc);
+  for (std::size_t i = 0; i < desc.meshes.size(); ++i) {
+    const MeshInUse each{&desc.meshes[i], read[i]};
+    const std::size_t triangles = each.mesh->indices.size() / 3;
+    if (triangles < render::kTrianglesWorthLevels) continue;
+    if (triangles < kTrianglesWorthAFile)
+      small.push_back(each);
     else
-      files.push_back({&mesh});
+      files.push_back({each});
   }
   if (!small.empty()) files.push_back(std::move(small));
   std::vector<std::string> notes;

@@ -86,6 +86,36 @@ TEST_F(KeptLevels, OfAnotherMeshAreOthers) {
   EXPECT_EQ(files(), 2U);
 }
 
+// Of the same surface with nothing laid on there are others, which are kept as they were before.
+TEST_F(KeptLevels, OfATexturedMeshAreOthers) {
+  render::VisualDesc desc;
+  desc.meshes.push_back(fine_square());
+  for (const glm::vec3& p : desc.meshes.front().positions)
+    desc.meshes.front().uv.emplace_back(300.0F * (p.x * p.x + p.z * p.z), 10.0F * p.z, 0.0F, 0.0F);
+  desc.materials.push_back({});
+  desc.instances.push_back({});
+  const auto made = [&] {
+    desc.meshes.front().levels.reset();
+    EXPECT_TRUE(add_levels_of_detail(desc, BakeCache(folder_)).empty());
+    return desc.meshes.front().levels.value();
+  };
+  const render::LevelsOfDetail bare = made();
+  expect_same(bare, *levels(fine_square()));
+  EXPECT_EQ(files(), 1U);
+  auto& layers = desc.materials.front().detail.emplace().layers;
+  layers[render::SurfaceDetail::base_colour] = render::TextureLayer{};
+  for (int time = 0; time < 2; ++time) {  // made, and from the cache
+    const render::LevelsOfDetail textured = made();
+    EXPECT_GT(textured.pieces.front().levels.back().error,
+              10.0F * bare.pieces.front().levels.back().error + 1e-4F);
+    expect_same(textured, render::levels_of_detail(desc.meshes.front(), {true, false}));
+    EXPECT_EQ(files(), 2U);
+  }
+  layers[render::SurfaceDetail::base_colour]->uv_set = 1;  // where all of it lies at one place
+  expect_same(made(), bare);
+  EXPECT_EQ(files(), 3U);
+}
+
 TEST_F(KeptLevels, SmallMeshesShareAFile) {
   render::Mesh mesh = fine_square();
   mesh.indices.resize(3 * 1000);
