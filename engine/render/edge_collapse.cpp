@@ -138,6 +138,8 @@ private:
       return x != kNone && y != kNone && patch_.positions[x] == patch_.positions[y];
     };
     if (!meet(a.next, b.before) || !meet(a.before, b.next)) return;
+    // Where a sheet has two layers, its rims between patches run so, too.
+    if (patch_.stays[v] || patch_.stays[w]) return;
     kinds_[v] = kinds_[w] = Kind::seam;
     twin_[v] = w;
     twin_[w] = v;

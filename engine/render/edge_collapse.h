@@ -16,6 +16,7 @@ struct Patch {
   std::vector<glm::dvec3> positions;  // (n) m
   std::vector<SeenAt> seen;           // (n) in units of a large difference
   std::vector<UvAt> uv;               // (n) m, as SlideQuadric has it; or none
+  std::vector<bool> stays;            // (n) another patch has it, too
   std::vector<Corners> triangles;     // into these
 };
 
@@ -25,9 +26,9 @@ struct CoarserPatch {
 };
 
 // Each has about half the triangles of the one before. Vertices at a seam, where two of them with other
-// normals, colours or places in textures lie at one place, go along it, both at once. Those at a rim, where
-// seams end or meet, or where more than two triangles share an edge stay: the last is as coarse as these
-// allow.
+// normals, colours or places in textures lie at one place, go along it, both at once. Those that stay, at
+// a rim, where seams end or meet, or where more than two triangles share an edge stay: the last is as coarse
+// as these allow.
 std::vector<CoarserPatch> collapse_edges(Patch patch);
 
 }  // namespace fulcrum::render

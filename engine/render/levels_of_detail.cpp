@@ -96,7 +96,23 @@ struct PieceLevels {
   std::vector<float> errors;
 };
 
-PieceLevels levels_of(const Mesh& mesh, const std::vector<UvAt>& uv, Triangles triangles) {
+// Whether more than one piece has a vertex.
+std::vector<bool> shared_by(const std::vector<Triangles>& pieces, const Mesh& mesh) {
+  constexpr std::size_t kNoPiece = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> first(mesh.positions.size(), kNoPiece);
+  std::vector<bool> shared(mesh.positions.size(), false);
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    for (const std::uint32_t t : pieces[piece])
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t vertex = mesh.indices[3 * std::size_t{t} + i];
+        if (first[vertex] == kNoPiece) first[vertex] = piece;
+        shared[vertex] = shared[vertex] || first[vertex] != piece;
+      }
+  return shared;
+}
+
+PieceLevels levels_of(const Mesh& mesh, const std::vector<UvAt>& uv, const std::vector<bool>& shared,
+                      Triangles triangles) {
   std::ranges::sort(triangles);
   PieceLevels levels;
   levels.indices.emplace_back();
@@ -114,6 +130,7 @@ PieceLevels levels_of(const Mesh& mesh, const std::vector<UvAt>& uv, Triangles t
         const glm::vec3& at = mesh.positions[vertex];
         patch.positions.push_back(glm::dvec3(at - mesh.positions[vertices.front()]));
         patch.seen.push_back(seen_at(mesh, vertex));
+        patch.stays.push_back(shared[vertex]);
         if (!uv.empty()) patch.uv.push_back(uv[vertex]);
         levels.bounds = vertices.size() == 1 ? Bounds{at, at} : united(levels.bounds, {at, at});
       }
@@ -144,12 +161,13 @@ LevelsOfDetail levels_of_detail(const Mesh& mesh, const UvSets& read) {
   std::vector<Triangles> pieces;
   split(triangles, middles, pieces);
   const std::vector<UvAt> uv = places_in_textures(mesh, read);
+  const std::vector<bool> shared = shared_by(pieces, mesh);
   std::vector<PieceLevels> made(pieces.size());
   std::atomic<std::size_t> next{0};
   {
     const auto work = [&] {
       for (std::size_t piece = next++; piece < pieces.size(); piece = next++)
-        made[piece] = levels_of(mesh, uv, pieces[piece]);
+        made[piece] = levels_of(mesh, uv, shared, pieces[piece]);
     };
     std::vector<std::jthread> others;
     const std::size_t workers = std::min<std::size_t>(std::thread::hardware_concurrency(), pieces.size());

@@ -13,7 +13,7 @@ namespace fulcrum::scenario {
 namespace {
 
 // Another one where levels of the same mesh become others, or their bytes.
-constexpr std::string_view kLevelsFormat = "fulcrum levels 2";
+constexpr std::string_view kLevelsFormat = "fulcrum levels 3";
 constexpr std::string_view kTexturesFormat = "textures 1";  // of a mesh that has any
 
 // A mesh of fewer triangles shares a file with the others of its scene: a plant has hundreds of bolts.

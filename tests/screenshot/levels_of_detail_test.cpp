@@ -128,6 +128,25 @@ TEST(LevelsOfDetail, PiecesMeetWithoutAGapWhateverTheirLevels) {
   EXPECT_TRUE(is_closed(chosen(all, [](std::size_t piece, std::size_t levels) { return piece % levels; })));
 }
 
+// Both layers of a wall without thickness: rims between pieces are of two layers there, as seams are.
+TEST(LevelsOfDetail, PiecesOfTwoLayersMeetWithoutAGap) {
+  Mesh mesh = fine_ball();
+  const std::size_t count = mesh.positions.size(), corners = mesh.indices.size();
+  for (std::size_t v = 0; v < count; ++v) {
+    mesh.positions.push_back(mesh.positions[v]);
+    mesh.normals.push_back(-mesh.normals[v]);
+    mesh.colours.push_back(mesh.colours[v]);
+  }
+  for (std::size_t i = corners; i-- > 0;)
+    mesh.indices.push_back(mesh.indices[i] + static_cast<std::uint32_t>(count));
+  const LevelsOfDetail all = levels_of_detail(mesh);
+  ASSERT_GT(all.pieces.size(), 4u);
+  for (const std::size_t one : {0U, 1U})
+    EXPECT_TRUE(is_closed(chosen(
+        all, [one](std::size_t i, std::size_t n) { return i % 2 == one ? n - 1 : 0; })));
+  EXPECT_TRUE(is_closed(chosen(all, [](std::size_t, std::size_t n) { return n - 1; })));
+}
+
 // m, how wide the widest triangle is across the line where two colours meet.
 float widest_mixture(const Mesh& mesh, const LevelsOfDetail& all) {
   const std::vector<std::uint32_t> indices = chosen(all, [&all](std::size_t piece, std::size_t levels) {
