@@ -60,12 +60,17 @@ DetailedSurfaces::DetailedSurfaces(vulkan::Device& device, const VisualDesc& des
       if (layer && !textures_[layer->texture])
         textures_[layer->texture] = on_device(device, desc.textures[layer->texture]);
     materials_[instance.material] = make(device, material);
-    layout_ = materials_[instance.material]->set.layout();
+    layout_ = materials_[instance.material]->sets[0].layout();
   }
 }
 
-VkSampler DetailedSurfaces::sampler(vulkan::Device& device, Wrap wrap_u, Wrap wrap_v, bool nearest) {
-  vulkan::SamplerHandle& known = samplers_[{wrap_u, wrap_v, nearest}];
+VkDescriptorSet DetailedSurfaces::set_of(const SceneGeometry::Piece& piece) const {
+  return materials_[piece.material]->sets[follows_slants_ ? 1 : 0].get();
+}
+
+VkSampler DetailedSurfaces::sampler(vulkan::Device& device, Wrap wrap_u, Wrap wrap_v, bool nearest,
+                                    bool along_slant) {
+  vulkan::SamplerHandle& known = samplers_[{wrap_u, wrap_v, nearest, along_slant}];
   if (known.get() != VK_NULL_HANDLE) return known.get();
   VkSamplerCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
@@ -75,7 +80,7 @@ VkSampler DetailedSurfaces::sampler(vulkan::Device& device, Wrap wrap_u, Wrap wr
   info.maxLod = VK_LOD_CLAMP_NONE;
   info.addressModeU = address(wrap_u);
   info.addressModeV = address(wrap_v);
-  if (device.has_anisotropy() && !nearest) {
+  if (device.has_anisotropy() && !nearest && along_slant) {
     info.anisotropyEnable = VK_TRUE;
     info.maxAnisotropy = kAnisotropy;
   }
@@ -87,17 +92,19 @@ DetailedSurfaces::OnDevice DetailedSurfaces::make(vulkan::Device& device, const 
   const gpu::MaterialData data = numbers_of(*material.detail);
   OnDevice made{{device, sizeof(data), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload}, {}};
   std::memcpy(made.numbers.mapped(), &data, sizeof(data));
-  std::vector<vulkan::Binding> bindings{
-      {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT, made.numbers.get()}};
-  for (std::size_t i = 0; i < SurfaceDetail::kKinds; ++i) {
-    const auto& layer = material.detail->layers[i];
-    const TextureLayer how = layer.value_or(TextureLayer{});
-    bindings.push_back({static_cast<std::uint32_t>(i + 1), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                        VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE,
-                        layer ? textures_[layer->texture]->view() : white_.view(),
-                        sampler(device, how.wrap_u, how.wrap_v, how.nearest)});
+  for (const bool along_slant : {false, true}) {
+    std::vector<vulkan::Binding> bindings{
+        {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT, made.numbers.get()}};
+    for (std::size_t i = 0; i < SurfaceDetail::kKinds; ++i) {
+      const auto& layer = material.detail->layers[i];
+      const TextureLayer how = layer.value_or(TextureLayer{});
+      bindings.push_back({static_cast<std::uint32_t>(i + 1), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                          VK_SHADER_STAGE_FRAGMENT_BIT, VK_NULL_HANDLE,
+                          layer ? textures_[layer->texture]->view() : white_.view(),
+                          sampler(device, how.wrap_u, how.wrap_v, how.nearest, along_slant)});
+    }
+    made.sets[along_slant ? 1 : 0] = vulkan::DescriptorSet(device, bindings);
   }
-  made.set = vulkan::DescriptorSet(device, bindings);
   return made;
 }
 
@@ -113,7 +120,7 @@ void DetailedSurfaces::record(VkCommandBuffer commands, const Pipelines& pipelin
   for (const SceneGeometry::Piece& piece : pieces) {
     const VkPipeline pipeline = pipelines.detailed.at(piece.look).get();
     if (std::exchange(bound, pipeline) != pipeline) render::bind(commands, pipeline, layout, scene_set);
-    const VkDescriptorSet set = materials_[piece.material]->set.get();
+    const VkDescriptorSet set = set_of(piece);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
     // Through the near side of what is blended its far side is seen.
     const bool two_sided = is_two_sided(piece.look);
@@ -137,7 +144,7 @@ void DetailedSurfaces::record_occluders(VkCommandBuffer commands, const Pipeline
     render::bind(commands, masked ? pipelines.masked_occluders.get() : pipelines.occluders.get(), layout,
                  scene_set);
     if (masked) {
-      const VkDescriptorSet set = materials_[piece.material]->set.get();
+      const VkDescriptorSet set = set_of(piece);
       vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
     }
     vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
@@ -153,7 +160,7 @@ void DetailedSurfaces::record_entering(VkCommandBuffer commands, const Pipelines
   for (const SceneGeometry::Piece& piece : geometry.detailed(sight.layers)) {
     if (!is_scattering(piece.look)) continue;
     render::bind(commands, pipelines.entering.at(piece.look).get(), layout, scene_set);
-    const VkDescriptorSet set = materials_[piece.material]->set.get();
+    const VkDescriptorSet set = set_of(piece);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
     vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     geometry.draw(commands, piece, sight);
@@ -169,7 +176,7 @@ void DetailedSurfaces::record_shadows(VkCommandBuffer commands, const Pipelines&
   const VkPipelineLayout layout = pipelines.detailed_layout.get();
   render::bind(commands, pipelines.masked_shadow.get(), layout, scene_set);
   for (const SceneGeometry::Piece& piece : pieces) {
-    const VkDescriptorSet set = materials_[piece.material]->set.get();
+    const VkDescriptorSet set = set_of(piece);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
     vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     geometry.draw(commands, piece, light);

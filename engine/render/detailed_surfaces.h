@@ -1,6 +1,7 @@
 #pragma once
 // The textures and numbers of detailed materials on the device, and how their surfaces are drawn.
 
+#include <array>
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
@@ -22,6 +23,10 @@ public:
   // Of the second descriptor set, whose material's numbers are at 0 and whose textures follow in their order.
   VkDescriptorSetLayout layout() const { return layout_; }
 
+  // Whether textures are sampled along the slant where the device can: it makes them sharper, and costs much
+  // without a graphics card. Not while a frame is being drawn.
+  void follow_slants(bool follow) { follows_slants_ = follow; }
+
   enum class Which { opaque, blended };
   // Draws them as they are seen: blended ones the farthest first.
   void record(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
@@ -39,15 +44,17 @@ public:
 private:
   struct OnDevice {
     vulkan::Buffer numbers;
-    vulkan::DescriptorSet set;
+    std::array<vulkan::DescriptorSet, 2> sets;  // not along the slant, along it
   };
 
-  VkSampler sampler(vulkan::Device& device, Wrap wrap_u, Wrap wrap_v, bool nearest);
+  VkSampler sampler(vulkan::Device& device, Wrap wrap_u, Wrap wrap_v, bool nearest, bool along_slant);
+  VkDescriptorSet set_of(const SceneGeometry::Piece& piece) const;
   OnDevice make(vulkan::Device& device, const Material& material);
 
   vulkan::Image white_;                                 // stands where a material has no texture
   std::vector<std::optional<vulkan::Image>> textures_;  // by the description's; none: no instance shows it
-  std::map<std::tuple<Wrap, Wrap, bool>, vulkan::SamplerHandle> samplers_;
+  std::map<std::tuple<Wrap, Wrap, bool, bool>, vulkan::SamplerHandle> samplers_;
+  bool follows_slants_ = true;
   std::vector<std::optional<OnDevice>> materials_;  // by the description's; none: it is plain, or not shown
   VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;   // of all of them alike
 };

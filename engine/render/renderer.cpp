@@ -142,6 +142,7 @@ void Renderer::build(const RenderPlan& plan) {
   picture_ = {};
   picture_ = make_picture(device_, plan);
   generation_ = next_generation();
+  if (detailed_) detailed_->follow_slants(!plan.enlarged());  // what is enlarged is not so sharp anyway
   if (other_shadow) build_shadow_map();
   main_ = View(device_, plan, shared_);
   if (plan.stereo) stereo_.emplace(device_, plan, shared_);
