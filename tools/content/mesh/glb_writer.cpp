@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <utility>
 
 #include "engine/assets/gltf_builder.h"
 #include "tools/content/mesh/raster.h"
@@ -50,32 +52,51 @@ std::vector<Eigen::Vector2f> projected(const ShadedMesh& mesh, const std::vector
 }
 
 void add(tinygltf::Model& gltf, const Part& part) {
-  const ShadedMesh shaded =
+  ShadedMesh shaded =
       part.coat.normals.empty() ? shade(part.solid, part.crease, part.coat.colours) : coated(part);
+  const std::vector<Eigen::Vector2f> uv =
+      part.uv.empty() ? projected(shaded, part.projections) : split_at_seams(&shaded, part.uv);
   add_part(gltf, {part.name, static_cast<int>(part.material), shaded.positions, shaded.normals,
-                  shaded.colours, shaded.indices, projected(shaded, part.projections)});
+                  shaded.colours, shaded.indices, uv});
 }
 
-void add(tinygltf::Model& gltf, const Material& material) {
-  tinygltf::Material made =
-      gltf_material(material.name, material.base_colour, material.metallic, material.roughness);
-  if (const auto& pictures = material.pictures) {
-    const auto index_of = [&](const char* what, const Raster& picture) {
-      return add_picture(gltf, material.name + " " + what, png_of(picture));
-    };
-    made.pbrMetallicRoughness.baseColorTexture.index = index_of("colour", pictures->base_colour);
-    if (pictures->metal_rough)
-      made.pbrMetallicRoughness.metallicRoughnessTexture.index = index_of("finish", *pictures->metal_rough);
-    if (pictures->normal) made.normalTexture.index = index_of("relief", *pictures->normal);
+using PicturesOfFile = std::map<std::vector<std::uint8_t>, int>;  // their bytes, and which they are
+
+// Materials that look alike but for their colour share their pictures.
+void lay_on(tinygltf::Model& gltf, tinygltf::Material& made, const Pictures& pictures,
+            PicturesOfFile& pictures_of_file) {
+  const auto index_of = [&](const char* what, const Raster& picture) {
+    std::vector<std::uint8_t> png = png_of(picture);
+    const auto known = pictures_of_file.find(png);
+    if (known != pictures_of_file.end()) return known->second;
+    const int index = add_picture(gltf, made.name + " " + what, png);
+    pictures_of_file.emplace(std::move(png), index);
+    return index;
+  };
+  made.pbrMetallicRoughness.baseColorTexture.index = index_of("colour", pictures.base_colour);
+  if (pictures.metal_rough)
+    made.pbrMetallicRoughness.metallicRoughnessTexture.index = index_of("finish", *pictures.metal_rough);
+  if (pictures.normal) made.normalTexture.index = index_of("relief", *pictures.normal);
+}
+
+// What no part is made of keeps its name and its numbers alone.
+void add_materials(tinygltf::Model& gltf, const Model& model) {
+  PicturesOfFile pictures_of_file;
+  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+    const Material& material = model.materials[i];
+    tinygltf::Material made =
+        gltf_material(material.name, material.base_colour, material.metallic, material.roughness);
+    const bool is_seen = std::ranges::find(model.parts, i, &Part::material) != model.parts.end();
+    if (material.pictures && is_seen) lay_on(gltf, made, *material.pictures, pictures_of_file);
+    gltf.materials.push_back(made);
   }
-  gltf.materials.push_back(made);
 }
 
 }  // namespace
 
 std::string write_glb(const Model& model, const std::string& path, const std::string& program) {
   tinygltf::Model gltf = empty_gltf(model.name, "Fulcrum " + program);
-  for (const Material& material : model.materials) add(gltf, material);
+  add_materials(gltf, model);
   for (const Part& part : model.parts) add(gltf, part);
 
   constexpr bool embed_images = true;

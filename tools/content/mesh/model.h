@@ -7,6 +7,7 @@
 
 #include "tools/content/mesh/raster.h"
 #include "tools/content/mesh/solid.h"
+#include "tools/content/mesh/unwrap.h"
 
 namespace fulcrum::content {
 
@@ -50,6 +51,7 @@ struct Part {
   double crease = default_crease;  // rad: sharper edges are drawn sharp, where no normals are known
   Coat coat{};
   std::vector<Projection> projections{};  // of its material's pictures: that which a point faces the most
+  CornerUv uv{};                          // in its material's pictures, where nothing is projected; or none
 };
 
 struct Model {

@@ -1,6 +1,7 @@
 #include "tools/content/mesh/shading.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "haptics/math/functions.h"
 
@@ -63,6 +64,34 @@ ShadedMesh shade(const Solid& solid, double crease, const std::vector<Eigen::Vec
     }
   }
   return mesh;
+}
+
+std::vector<Eigen::Vector2f> split_at_seams(ShadedMesh* mesh, const CornerUv& corners) {
+  const std::size_t vertices = mesh->positions.size();
+  std::vector<std::optional<Eigen::Vector2f>> placed(vertices);
+  std::vector<std::vector<std::uint32_t>> others(vertices);
+  for (std::size_t i = 0; i < mesh->indices.size(); ++i) {
+    std::uint32_t& index = mesh->indices[i];
+    const std::uint32_t vertex = index;
+    const Eigen::Vector2f uv = corners[i / 3][i % 3].cast<float>();
+    const auto is_there = [&](std::uint32_t v) { return (*placed[v] - uv).norm() < 1e-5F; };
+    if (!placed[vertex]) placed[vertex] = uv;
+    if (is_there(vertex)) continue;
+    const auto known = std::ranges::find_if(others[vertex], is_there);
+    if (known != others[vertex].end()) {
+      index = *known;
+      continue;
+    }
+    index = static_cast<std::uint32_t>(placed.size());
+    others[vertex].push_back(index);
+    placed.emplace_back(uv);
+    mesh->positions.push_back(Eigen::Vector3f(mesh->positions[vertex]));
+    mesh->normals.push_back(Eigen::Vector3f(mesh->normals[vertex]));
+    if (!mesh->colours.empty()) mesh->colours.push_back(Eigen::Vector3f(mesh->colours[vertex]));
+  }
+  std::vector<Eigen::Vector2f> uv;
+  for (const auto& place : placed) uv.push_back(place.value_or(Eigen::Vector2f::Zero()));
+  return uv;
 }
 
 }  // namespace fulcrum::content

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tools/content/mesh/solid.h"
+#include "tools/content/mesh/unwrap.h"
 
 namespace fulcrum::content {
 
@@ -18,5 +19,9 @@ struct ShadedMesh {
 // Smooth normals within surfaces, split where neighbouring triangles turn by more than `crease` (rad).
 // `colours`: of the solid's points, or none.
 ShadedMesh shade(const Solid& solid, double crease, const std::vector<Eigen::Vector3d>& colours);
+
+// Of each vertex, from where its corners lie. Vertices that lie at several places are repeated, after all the
+// others.
+std::vector<Eigen::Vector2f> split_at_seams(ShadedMesh* mesh, const CornerUv& corners);
 
 }  // namespace fulcrum::content

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tools/content/mesh/steel.h"
 #include "tools/content/nut/place.h"
 
 namespace fulcrum::content {
@@ -10,16 +11,14 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 
 Model make_nut() {
-  Model model{
-      .name = "nut",
-      .materials = {{.name = "zinc", .base_colour = {0.46, 0.47, 0.48}, .metallic = 1.0, .roughness = 0.32}},
-      .parts = {}};
+  Model model{.name = "nut", .materials = {brushed("zinc", {0.50, 0.51, 0.52}, 0.32)}, .parts = {}};
   const Solid nut =
       threaded_nut(m12_thread, m12_iso.nut_height, m12_iso.across_flats, LeadIn::chamfered, thread_sectors);
   model.parts.push_back(
       {.name = "nut",
        .material = 0,
-       .solid = transformed(nut, Isometry3d(Translation3d(0.0, 0.0, -0.5 * m12_iso.nut_height)))});
+       .solid = transformed(nut, Isometry3d(Translation3d(0.0, 0.0, -0.5 * m12_iso.nut_height))),
+       .uv = unwrapped_round(nut, {2, 34.0 * mm})});
   return model;
 }
 

@@ -1,6 +1,8 @@
 #include "tools/content/nut/plant.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
 #include "tools/content/mesh/loft.h"
+#include "tools/content/mesh/steel.h"
 #include "tools/content/mesh/tube.h"
 #include "tools/content/nut/nut_part.h"
 #include "tools/content/nut/place.h"
@@ -27,25 +30,41 @@ enum Finish : std::size_t {
   dark_zinc,
   gasket_red,
   wall_grey,
-  rail
+  rail,
+  turned_steel
 };
+
+constexpr double steel_size = 34.0 * mm;  // of the picture of turned steel
 
 std::vector<Material> finishes() {
   // Colours after RAL 5010 (the pump), RAL 6011 (water) and RAL 7035 (the wall), linear.
-  return {{"paint, blue", {0.012, 0.055, 0.145}, 0.0, 0.38},
-          {"paint, water green", {0.085, 0.19, 0.12}, 0.0, 0.42},
-          {"bare steel", {0.42, 0.41, 0.39}, 1.0, 0.34},
-          {"zinc", {0.46, 0.47, 0.48}, 1.0, 0.32},
-          {"dark zinc", {0.20, 0.20, 0.21}, 1.0, 0.38},
-          {"gasket", {0.16, 0.045, 0.03}, 0.0, 0.9},
-          {"paint, light grey", {0.50, 0.51, 0.49}, 0.0, 0.6},
-          {"rail", {0.50, 0.52, 0.54}, 1.0, 0.48}};
+  return {
+      painted("paint, blue", {0.012, 0.055, 0.145}),       painted("paint, water green", {0.085, 0.19, 0.12}),
+      brushed("bare steel", {0.46, 0.45, 0.43}, 0.34),     brushed("zinc", {0.50, 0.51, 0.52}, 0.32),
+      {"dark zinc", {0.20, 0.20, 0.21}, 1.0, 0.38},        {"gasket", {0.16, 0.045, 0.03}, 0.0, 0.9},
+      {"paint, light grey", {0.50, 0.51, 0.49}, 0.0, 0.6}, {"rail", {0.50, 0.52, 0.54}, 1.0, 0.48},
+      brushed("turned steel", {0.56, 0.55, 0.53}, 0.30)};
 }
 
 void add(Model* model, std::string name, std::size_t finish, const Vector3d& p, Solid solid) {
   model->parts.push_back({.name = std::move(name),
                           .material = finish,
                           .solid = transformed(std::move(solid), Isometry3d(Translation3d(p)))});
+}
+
+// How often a picture of steel goes round what is as wide as that, its lines as close on a small part as on a
+// large one.
+Tiling turned(double radius) {
+  return {std::max(1, static_cast<int>(std::lround(2.0 * pi * radius / steel_size))), steel_size};
+}
+
+void add_unwrapped(Model* model, std::string name, std::size_t finish, const Isometry3d& X_WS, Solid solid,
+                   CornerUv uv, Coat coat = {}) {
+  model->parts.push_back({.name = std::move(name),
+                          .material = finish,
+                          .solid = transformed(std::move(solid), X_WS),
+                          .coat = std::move(coat),
+                          .uv = std::move(uv)});
 }
 
 // The middle of the cover, from the bare bolt.
@@ -55,6 +74,7 @@ Vector3d cover_middle() {
 }
 
 constexpr double cover_radius = 48.0 * mm;
+constexpr int cover_columns = 72;
 constexpr double cover_back = cover_face - 13.0 * mm;
 constexpr double gasket_back = cover_back - 2.5 * mm;
 
@@ -69,7 +89,7 @@ Solid cover_disc() {
                                                  {15.0 * mm, cover_face + 6.0 * mm},
                                                  {14.0 * mm, cover_face + 7.0 * mm},
                                                  {8.0 * mm, cover_face + 7.0 * mm}}};
-  return lathe(profile, 72);
+  return lathe(profile, cover_columns);
 }
 
 Solid housing() {
@@ -82,7 +102,7 @@ Solid housing() {
                                                  {cover_radius + 1.0 * mm, front - 15.0 * mm},
                                                  {cover_radius + 1.0 * mm, front - 0.8 * mm},
                                                  {cover_radius + 0.2 * mm, front}}};
-  return lathe(profile, 72);
+  return lathe(profile, cover_columns);
 }
 
 void add_bolts(Model* model) {
@@ -93,19 +113,26 @@ void add_bolts(Model* model) {
         k == 0 ? Vector3d::Zero().eval()
                : (middle + bolt_circle * Vector3d(math::cos(angle), math::sin(angle), 0.0)).eval();
     const std::string number = std::to_string(k + 1);
-    add(model, "washer/" + number, zinc, at - m12_iso.washer_height * Vector3d::UnitZ(), washer(m12_iso, 48));
+    const Solid disc = washer(m12_iso, 48);
+    add_unwrapped(model, "washer/" + number, zinc,
+                  Isometry3d(Translation3d(at - m12_iso.washer_height * Vector3d::UnitZ())), disc,
+                  unwrapped_sections(disc, 48, turned(m12_iso.washer_radius)), worn(disc));
     if (k == 0) {
       add(model, "bolt/1", dark_zinc, at, bare_bolt());
       continue;
     }
-    const auto turned = [&](double degrees, double z, Solid solid) {
-      return transformed(std::move(solid),
-                         Translation3d(0.0, 0.0, z) * turn_by(degrees * degree, Vector3d::UnitZ()));
+    const auto turn_to = [&](double degrees, double z) {
+      return Isometry3d(Translation3d(at + z * Vector3d::UnitZ()) *
+                        turn_by(degrees * degree, Vector3d::UnitZ()));
     };
     constexpr double head = gasket_back - 17.0 * mm;
-    add(model, "bolt/" + number, dark_zinc, at,
-        turned(31.0 * k, head, bolt(m12_iso, bolt_end - head, 2.0 * m12_iso.pitch, 36)));
-    add(model, "nut/" + number, zinc, at, turned(23.0 * k + 11.0, 0.0, nut(m12_iso, 36)));
+    model->parts.push_back({.name = "bolt/" + number,
+                            .material = dark_zinc,
+                            .solid = transformed(bolt(m12_iso, bolt_end - head, 2.0 * m12_iso.pitch, 36),
+                                                 turn_to(31.0 * k, head))});
+    const Solid hexagon = nut(m12_iso, 36);
+    add_unwrapped(model, "nut/" + number, zinc, turn_to(23.0 * k + 11.0, 0.0), hexagon,
+                  unwrapped_sections(hexagon, 36, turned(0.5 * m12_iso.across_flats)), worn(hexagon));
   }
 }
 
@@ -146,17 +173,28 @@ void add_holder(Model* model, const std::string& name, const Vector3d& on_pipe, 
 Model make_cover() {
   Model model{.name = "cover", .materials = finishes(), .parts = {}};
   const Vector3d middle = cover_middle();
-  add(&model, "cover", pump_blue, middle, cover_disc());
+  const Isometry3d X_WC(Translation3d{middle});
+  const Solid disc = cover_disc(), body = housing();
+  add_unwrapped(&model, "cover", turned_steel, X_WC, disc,
+                unwrapped_sections(disc, cover_columns, turned(cover_radius)), worn(disc));
   constexpr std::array<RadiusHeight, 2> seal{
       {{cover_radius - 2.0 * mm, gasket_back}, {cover_radius - 2.0 * mm, cover_back}}};
   add(&model, "gasket", gasket_red, middle, lathe(seal, 72));
-  add(&model, "housing", pump_blue, middle, housing());
+  add_unwrapped(&model, "housing", pump_blue, X_WC, body,
+                unwrapped_sections(body, cover_columns, {4, pi * cover_radius, 0.27}));
   // The plug in the hub.
-  Solid plug = nut({0, 0, 13.0 * mm, 0, 7.0 * mm, 0, 0}, 36);
-  add(&model, "plug", bare_steel, middle + (cover_face + 6.0 * mm) * Vector3d::UnitZ(), std::move(plug));
+  const Solid plug = nut({0, 0, 13.0 * mm, 0, 7.0 * mm, 0, 0}, 36);
+  add_unwrapped(&model, "plug", bare_steel,
+                Isometry3d(Translation3d(middle + (cover_face + 6.0 * mm) * Vector3d::UnitZ())), plug,
+                unwrapped_sections(plug, 36, turned(6.5 * mm)), worn(plug));
   add_bolts(&model);
-  add(&model, "pipe/1", green_paint, Vector3d::Zero(), pipe(pipe_in_the_way(), pipe_radius, 48));
-  add(&model, "pipe/2", bare_steel, Vector3d::Zero(), pipe(pipe_below(), 8.0 * mm, 36));
+  const Solid green = pipe(pipe_in_the_way(), pipe_radius, 48), bare = pipe(pipe_below(), 8.0 * mm, 36);
+  const double to_bend = pipe_turns_x + 0.42;
+  add_unwrapped(&model, "pipe/1", green_paint, Isometry3d::Identity(), green,
+                unwrapped_sections(
+                    green, 48, {1, 4.0 * pi * pipe_radius, worn_at - to_bend / (4.0 * pi * pipe_radius)}));
+  add_unwrapped(&model, "pipe/2", bare_steel, Isometry3d::Identity(), bare,
+                unwrapped_sections(bare, 36, turned(8.0 * mm)));
   return model;
 }
 

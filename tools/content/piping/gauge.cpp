@@ -3,8 +3,8 @@
 #include <array>
 
 #include "haptics/math/rotation.h"
-#include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/fasteners.h"
+#include "tools/content/mesh/loft.h"
 
 namespace fulcrum::content {
 namespace {
@@ -66,7 +66,7 @@ void add_gauge(Plant* plant, const std::string& name, const Isometry3d& X_WG, do
                                               {8.0 * mm, pipe_radius + 3 * mm},
                                               {8.0 * mm, socket - 0.6 * mm},
                                               {7.4 * mm, socket}}};
-  plant->add("gauge/" + name + "/socket", Finish::bare_steel, X_WG, lathe(weldolet, 24));
+  plant->add_round("gauge/" + name + "/socket", Finish::bare_steel, X_WG, lathe(weldolet, 24), 24, 8 * mm);
   const std::array<RadiusHeight, 4> stem{{{4.5 * mm, socket - 1 * mm},
                                           {4.5 * mm, top - 6 * mm},
                                           {5.5 * mm, top - 3 * mm},

@@ -4,6 +4,7 @@
 
 #include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
+#include "tools/content/mesh/steel.h"
 #include "tools/content/mesh/tube.h"
 
 namespace fulcrum::content {
@@ -28,9 +29,11 @@ Isometry3d joint_pose(const PipeLine& line, const Joint& joint) {
 
 void add_joint(Plant* plant, const std::string& name, const Isometry3d& X_WJ, const FlangeSize& size,
                bool blind) {
-  plant->add("flange/" + name + "/1", Finish::bare_steel, flange_pose(X_WJ, 1), weld_neck_flange(size));
-  plant->add(blind ? "blind_flange/" + name : "flange/" + name + "/2", Finish::bare_steel,
-             flange_pose(X_WJ, -1), blind ? blind_flange(size) : weld_neck_flange(size));
+  plant->add_round("flange/" + name + "/1", Finish::bare_steel, flange_pose(X_WJ, 1), weld_neck_flange(size),
+                   size.columns, size.radius);
+  plant->add_round(blind ? "blind_flange/" + name : "flange/" + name + "/2", Finish::bare_steel,
+                   flange_pose(X_WJ, -1), blind ? blind_flange(size) : weld_neck_flange(size), size.columns,
+                   size.radius, 0.37);
   plant->add("gasket/" + name, Finish::gasket, X_WJ * Translation3d(0.0, 0.0, -0.5 * gasket_thickness),
              gasket(size));
   add_bolts(plant, name, X_WJ, size);
@@ -68,8 +71,17 @@ void add_pipe_line(Plant* plant, const PipeLine& line) {
   const double radius = line.size.pipe_radius;
   const bool blind = line.end == LineEnd::blind;
   const std::vector<Station> centreline = stations({line.corners, 3.0 * radius, 9.0 * degree, 0.6 * mm});
-  plant->add("pipe/" + two_digits(line.number), line.finish,
-             tube(centreline, radius, line.size.columns, TubeEnd::cut, blind ? TubeEnd::flat : TubeEnd::cut));
+  Solid pipe =
+      tube(centreline, radius, line.size.columns, TubeEnd::cut, blind ? TubeEnd::flat : TubeEnd::cut);
+  const std::string name = "pipe/" + two_digits(line.number);
+  if (line.finish == Finish::galvanised) {
+    plant->add(name, line.finish, std::move(pipe));
+  } else {
+    // Paint is worn the most where the pipe bends first.
+    const double to_bend = (line.corners[1] - line.corners[0]).norm();
+    plant->add_round(name, line.finish, Isometry3d::Identity(), std::move(pipe), line.size.columns, radius,
+                     worn_at - to_bend / (4.0 * pi * radius));
+  }
   std::size_t index = 0;
   for (const Joint& joint : line.joints) {
     add_joint(plant, joint_name(line, index), joint_pose(line, joint), line.size, false);

@@ -27,6 +27,10 @@ public:
 
   void add(std::string name, Finish finish, Solid solid);
   void add(std::string name, Finish finish, const Eigen::Isometry3d& X_WS, Solid solid);
+  // With a place in its finish's pictures: a solid through sections of `columns` points, of about that radius
+  // (m), which begins at `first` of the picture.
+  void add_round(std::string name, Finish finish, const Eigen::Isometry3d& X_WS, Solid solid, int columns,
+                 double radius, double first = 0.0);
 
   Model take() { return std::move(model_); }
 

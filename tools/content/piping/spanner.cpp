@@ -5,6 +5,7 @@
 
 #include "haptics/math/functions.h"
 #include "tools/content/mesh/mass.h"
+#include "tools/content/mesh/steel.h"
 #include "tools/content/piping/spanner_head.h"
 
 namespace fulcrum::content {
@@ -18,6 +19,7 @@ constexpr double panel_depth = 0.9 * mm;
 constexpr double panel_wall = 0.7 * mm;
 constexpr double panel_half_length = 36.0 * mm;
 constexpr double panel_end_radius = 4.0 * mm;
+constexpr double brush_size = 34.0 * mm;  // of the picture of its steel
 
 double smooth_step(double u) {
   const double t = std::clamp(u, 0.0, 1.0);
@@ -255,10 +257,16 @@ Model make_spanner() {
   X.translation() = -spanner_centre_of_mass();
   Model model;
   model.name = "spanner";
-  model.materials.push_back({"chrome vanadium", {0.62, 0.61, 0.59}, 1.0, 0.22});
+  model.materials.push_back(brushed("chrome vanadium", {0.72, 0.71, 0.69}, 0.24));
   // The walls of a twelve-point hole meet at 30 degrees between its points.
   constexpr double crease = 27.0 * degree;
-  model.parts.push_back({"spanner/19x17", 0, transformed(spanner_solid(), X), crease});
+  const Solid solid = transformed(spanner_solid(), X);
+  model.parts.push_back({.name = "spanner/19x17",
+                         .material = 0,
+                         .solid = solid,
+                         .crease = crease,
+                         .coat = worn(solid),
+                         .uv = unwrapped_box(solid, brush_size)});
   return model;
 }
 

@@ -5,9 +5,9 @@
 
 #include "haptics/math/functions.h"
 #include "haptics/math/rotation.h"
+#include "tools/content/mesh/fasteners.h"
 #include "tools/content/mesh/loft.h"
 #include "tools/content/mesh/tube.h"
-#include "tools/content/mesh/fasteners.h"
 #include "tools/content/piping/pipe_line.h"
 
 namespace fulcrum::content {
@@ -123,27 +123,29 @@ void add_bonnet_bolts(Plant* plant, const std::string& name, const Isometry3d& X
 }  // namespace
 
 void add_valve(Plant* plant, const std::string& name, const Isometry3d& X_WV, const FlangeSize& size) {
-  plant->add("valve/" + name + "/body", Finish::water_paint, X_WV, body(size));
+  plant->add_round("valve/" + name + "/body", Finish::water_paint, X_WV, body(size), size.columns,
+                   size.radius);
   for (const int side : {-1, 1}) {
     const Isometry3d X_WJ = X_WV * Translation3d(0, 0, side * (half_length + 0.5 * gasket_thickness));
     const std::string joint = name + (side < 0 ? "/v" : "/w");
     plant->add("gasket/" + joint, Finish::gasket, X_WJ * Translation3d(0, 0, -0.5 * gasket_thickness),
                gasket(size));
-    plant->add("flange/" + joint, Finish::bare_steel, flange_pose(X_WJ, -side), weld_neck_flange(size));
+    plant->add_round("flange/" + joint, Finish::bare_steel, flange_pose(X_WJ, -side), weld_neck_flange(size),
+                     size.columns, size.radius);
     add_bolts(plant, joint, X_WJ, size);
   }
 
   const Isometry3d X_WS = X_WV * turn_by(0.5 * pi, Vector3d::UnitY());
-  plant->add("valve/" + name + "/chest", Finish::water_paint, X_WS, chest());
+  plant->add_round("valve/" + name + "/chest", Finish::water_paint, X_WS, chest(), 32, bonnet_radius, 0.3);
   const std::array<RadiusHeight, 2> seal{{{21 * mm, bonnet_seat}, {21 * mm, bonnet_seat + 2 * mm}}};
   plant->add("gasket/" + name + "/bonnet", Finish::gasket, X_WS, lathe(seal, 32));
-  plant->add("valve/" + name + "/bonnet", Finish::water_paint, X_WS, bonnet());
+  plant->add_round("valve/" + name + "/bonnet", Finish::water_paint, X_WS, bonnet(), 32, bonnet_radius, 0.2);
   add_bonnet_bolts(plant, name, X_WS);
   const double gland = bonnet_seat + 2 * mm + 28.6 * mm;
   plant->add("valve/" + name + "/gland_nut", Finish::brass, X_WS * Translation3d(0, 0, gland), nut(m8, 24));
   const std::array<RadiusHeight, 3> stem{
       {{4 * mm, gland}, {4 * mm, wheel_height + 9 * mm}, {3 * mm, wheel_height + 10.5 * mm}}};
-  plant->add("valve/" + name + "/stem", Finish::bare_steel, X_WS, lathe(stem, 16));
+  plant->add_round("valve/" + name + "/stem", Finish::bare_steel, X_WS, lathe(stem, 16), 16, 4 * mm);
   add_wheel(plant, name, X_WS * Translation3d(0, 0, wheel_height));
 }
 
