@@ -84,6 +84,8 @@ void write_volume(const VolumeOnDevice& volume, gpu::FrameData& to) {
   to.volume_from_world = volume.from_world;
   to.volume_low = volume.low;
   to.unhidden = volume.unhidden;
+  to.mirror_from_world = volume.mirror_from_world;
+  to.mirror_low = volume.mirror_low;
 }
 
 std::uint32_t write_markers(std::span<const Marker> markers, std::span<const MarkerState> states,

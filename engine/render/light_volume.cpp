@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <utility>
 
-#include "engine/render/bounds.h"
-#include "engine/render/look.h"
-#include "engine/render/mip_chain.h"
+#include "engine/render/voxels.h"
 
 namespace fulcrum::render {
 namespace {
@@ -17,182 +15,6 @@ constexpr float kMostVoxels = 64.0F;  // along the longest side
 constexpr std::size_t kDirections = 64;
 constexpr std::size_t kFineDirections = 4096;  // that those stand for, of light that changes little
 constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F};
-
-struct Grid {
-  glm::vec3 low{0.0F};
-  float voxel = 1.0F;
-  glm::uvec3 counts{1U};
-
-  std::size_t size() const { return std::size_t{counts.x} * counts.y * counts.z; }
-  // Of the voxel around a point; none: it lies outside.
-  std::optional<std::size_t> index(const glm::vec3& at) const {
-    const glm::vec3 in = (at - low) / voxel;
-    for (int i = 0; i < 3; ++i)
-      if (!(in[i] >= 0.0F && in[i] < static_cast<float>(counts[i]))) return {};
-    const glm::uvec3 cell(in);
-    return (std::size_t{cell.z} * counts.y + cell.y) * counts.x + cell.x;
-  }
-};
-
-bool hides_light(const VisualDesc& desc, const Instance& instance, std::uint32_t layers) {
-  if (instance.movable || (instance.layers & layers) == 0) return false;
-  const auto look = look_of(desc.materials[instance.material]);
-  return !look || !is_blended(*look);
-}
-
-// Around what stands and throws a shadow; a floor or wall near it belongs to it as far as it is near.
-std::optional<Grid> grid_over(const VisualDesc& desc, std::uint32_t layers) {
-  std::vector<Bounds> casters, others;
-  for (const Instance& instance : desc.instances) {
-    if (!hides_light(desc, instance, layers)) continue;
-    const Bounds box = transformed(bounds_of(desc.meshes[instance.mesh].positions), instance.X_WM);
-    (instance.casts_shadow ? casters : others).push_back(box);
-  }
-  if (casters.empty()) casters.swap(others);
-  if (casters.empty()) return {};
-  Bounds all = casters.front();
-  for (const Bounds& box : casters) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
-  const glm::vec3 reach(0.5F *
-                        std::max({all.high.x - all.low.x, all.high.y - all.low.y, all.high.z - all.low.z}));
-  const Bounds around{all.low - reach, all.high + reach};
-  for (const Bounds& box : others) {
-    const glm::vec3 low = glm::max(box.low, around.low), high = glm::min(box.high, around.high);
-    if (glm::all(glm::lessThanEqual(low, high))) all = {glm::min(all.low, low), glm::max(all.high, high)};
-  }
-  const glm::vec3 size = all.high - all.low;
-  Grid grid;
-  grid.voxel = std::max({size.x, size.y, size.z, 1e-6F}) / (kMostVoxels - 6.0F);
-  grid.counts = glm::uvec3(glm::ceil(size / grid.voxel)) + 6U;  // an open rim of three all round
-  grid.low = 0.5F * (all.low + all.high) - 0.5F * grid.voxel * glm::vec3(grid.counts);
-  return grid;
-}
-
-// What the triangles in a voxel amount to.
-struct Matter {
-  float area = 0.0F;       // m^2
-  glm::vec3 normal{0.0F};  // times area
-  glm::vec3 colour{0.0F};  // what they send on of what they receive, times area
-};
-
-struct Corner {
-  glm::vec3 at, colour;
-};
-
-// Triangles cut into pieces of about a voxel, each of which belongs to the voxel that its middle lies in.
-class Voxeliser {
-public:
-  // piece: m, the longest edge of one.
-  Voxeliser(const Grid& grid, float piece) : grid_(grid), piece_(piece), matter_(grid.size()) {}
-
-  void add(const Corner& a, const Corner& b, const Corner& c) { add(a, b, c, 0); }
-  std::vector<Matter> take() { return std::move(matter_); }
-
-private:
-  static constexpr int kMostHalvings = 60;
-
-  bool is_beside(const Corner& a, const Corner& b, const Corner& c) const {
-    const glm::vec3 high = grid_.low + grid_.voxel * glm::vec3(grid_.counts);
-    return glm::any(glm::lessThan(glm::max(a.at, glm::max(b.at, c.at)), grid_.low)) ||
-           glm::any(glm::greaterThan(glm::min(a.at, glm::min(b.at, c.at)), high));
-  }
-
-  void add(const Corner& a, const Corner& b, const Corner& c, int halvings) {
-    if (is_beside(a, b, c)) return;
-    const float ab = glm::distance(a.at, b.at), bc = glm::distance(b.at, c.at),
-                ca = glm::distance(c.at, a.at);
-    const float longest = std::max({ab, bc, ca});
-    if (longest <= piece_ || halvings == kMostHalvings) return keep(a, b, c);
-    const auto halve = [&](const Corner& from, const Corner& to, const Corner& rest) {
-      const Corner middle{0.5F * (from.at + to.at), 0.5F * (from.colour + to.colour)};
-      if (middle.at == from.at || middle.at == to.at) return keep(a, b, c);  // no float lies between
-      add(from, middle, rest, halvings + 1);
-      add(middle, to, rest, halvings + 1);
-    };
-    if (ab == longest) return halve(a, b, c);
-    if (bc == longest) return halve(b, c, a);
-    halve(c, a, b);
-  }
-
-  void keep(const Corner& a, const Corner& b, const Corner& c) {
-    const auto where = grid_.index((a.at + b.at + c.at) / 3.0F);
-    if (!where) return;
-    const glm::vec3 normal = 0.5F * glm::cross(b.at - a.at, c.at - a.at);
-    const float area = glm::length(normal);
-    Matter& voxel = matter_[*where];
-    voxel.area += area;
-    voxel.normal += normal;
-    voxel.colour += area / 3.0F * (a.colour + b.colour + c.colour);
-  }
-
-  Grid grid_;
-  float piece_;
-  std::vector<Matter> matter_;
-};
-
-// What a surface of it sends on of what it receives, in the mean of its picture.
-glm::vec3 sent_on_by(const VisualDesc& desc, const Material& material) {
-  if (!material.detail) return material.base_colour;
-  const auto& layer = material.detail->layers[SurfaceDetail::base_colour];
-  return layer ? material.base_colour * mean_colour(desc.textures[layer->texture]) : material.base_colour;
-}
-
-// An instance that hides light, its vertices in the world.
-struct Standing {
-  const Mesh* mesh;
-  std::vector<Corner> corners;
-};
-
-std::vector<Standing> standing_in(const VisualDesc& desc, std::uint32_t layers) {
-  std::vector<Standing> found;
-  std::vector<glm::vec3> colours;  // of each material
-  for (const Material& material : desc.materials) colours.push_back(sent_on_by(desc, material));
-  for (const Instance& instance : desc.instances) {
-    if (!hides_light(desc, instance, layers)) continue;
-    const Mesh& mesh = desc.meshes[instance.mesh];
-    const glm::vec3 colour = colours[instance.material];
-    Standing& standing = found.emplace_back(Standing{&mesh, {}});
-    standing.corners.reserve(mesh.positions.size());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-      standing.corners.push_back({glm::vec3(instance.X_WM * glm::vec4(mesh.positions[i], 1.0F)),
-                                  colour * (mesh.colours.empty() ? glm::vec3(1.0F) : mesh.colours[i])});
-  }
-  return found;
-}
-
-template <typename Each>
-void for_each_triangle(const std::vector<Standing>& all, const Each& each) {
-  for (const Standing& standing : all)
-    for (std::size_t i = 0; i + 2 < standing.mesh->indices.size(); i += 3) {
-      const std::uint32_t* corner = standing.mesh->indices.data() + i;
-      each(standing.corners[corner[0]], standing.corners[corner[1]], standing.corners[corner[2]]);
-    }
-}
-
-// Pieces of a voxel, unless that made millions of them: a thousand sheets, each as large as the scene.
-float piece_for(const std::vector<Standing>& all, const Grid& grid) {
-  constexpr float kMostPieces = 4e6F, kMostOfOne = 16.0F * kMostVoxels * kMostVoxels;
-  float pieces = 0.0F;
-  for_each_triangle(all, [&](const Corner& a, const Corner& b, const Corner& c) {
-    const float size =
-        std::max({glm::distance(a.at, b.at), glm::distance(b.at, c.at), glm::distance(c.at, a.at)});
-    pieces += std::min(size * size / (grid.voxel * grid.voxel), kMostOfOne);
-  });
-  return grid.voxel * std::sqrt(std::max(1.0F, pieces / kMostPieces));
-}
-
-std::vector<Matter> matter_of(const VisualDesc& desc, std::uint32_t layers, const Grid& grid) {
-  const std::vector<Standing> all = standing_in(desc, layers);
-  Voxeliser voxeliser(grid, piece_for(all, grid));
-  for_each_triangle(all, [&](const Corner& a, const Corner& b, const Corner& c) { voxeliser.add(a, b, c); });
-  return voxeliser.take();
-}
-
-// Unit; none: as much of it faces one way as the other.
-std::optional<glm::vec3> facing(const Matter& matter) {
-  const float net = glm::length(matter.normal);
-  if (net < 0.1F * matter.area || net == 0.0F) return {};
-  return matter.normal / net;
-}
 
 // Unit, spread evenly.
 template <std::size_t n>
@@ -234,7 +56,7 @@ template <typename Light>
 class Sweep {
 public:
   // outside: what arrives at the grid.
-  Sweep(const Grid& grid, const glm::vec3& from, const Light& outside) {
+  Sweep(const VoxelGrid& grid, const glm::vec3& from, const Light& outside) {
     const glm::vec3 size = glm::abs(from);
     along_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     u_ = (along_ + 1) % 3;
@@ -287,14 +109,7 @@ private:
   std::vector<Light> before_, after_;
 };
 
-std::vector<float> passing(const Grid& grid, const std::vector<Matter>& matter) {
-  const float face = grid.voxel * grid.voxel;
-  std::vector<float> passes(matter.size());
-  for (std::size_t i = 0; i < matter.size(); ++i) passes[i] = 1.0F - std::min(matter[i].area / face, 1.0F);
-  return passes;
-}
-
-void let_in(LightVolume& made, const Grid& grid, const std::vector<float>& passes,
+void let_in(LightVolume& made, const VoxelGrid& grid, const std::vector<float>& passes,
             const std::vector<Ray>& rays) {
   made.open.assign(grid.size(), glm::vec4(0.0F));
   made.received.assign(grid.size(), glm::vec4(0.0F));
@@ -314,36 +129,23 @@ float in(const glm::vec4& harmonics, const glm::vec3& d) {
   return std::max(glm::dot(glm::vec3(harmonics), d) + harmonics.w, 0.0F);
 }
 
-// voxel: no light is nearer than one.
-glm::vec3 key_irradiance(const KeyLight& key, float voxel, const glm::vec3& at, const glm::vec3& n,
-                         const glm::vec4& open) {
-  glm::vec3 towards = -glm::normalize(key.direction);
-  float strength = key.intensity;
-  if (key.kind == KeyLight::Kind::spot) {
-    const glm::vec3 way = key.position - at;
-    towards = glm::normalize(way);
-    const float radius2 = 0.25F * key.diameter * key.diameter;
-    strength *= (1.0F + radius2) / std::max(glm::dot(way, way) + radius2, voxel * voxel);
-    if (glm::dot(-towards, glm::normalize(key.direction)) < std::cos(0.5F * key.cone_rad)) strength = 0.0F;
-  }
-  return key.colour * (strength * std::max(glm::dot(n, towards), 0.0F) * std::min(in(open, towards), 1.0F));
-}
-
 // Radiance that a voxel's surfaces send on, lit as the place two voxels before them is.
-std::vector<glm::vec3> radiance_of(const LightVolume& made, const Grid& grid,
+std::vector<glm::vec3> radiance_of(const LightVolume& made, const VoxelGrid& grid,
                                    const std::vector<Matter>& matter, const VisualDesc& desc,
                                    const Irradiance& around) {
   std::vector<glm::vec3> sent(matter.size(), glm::vec3(0.0F));
   for (std::size_t i = 0; i < matter.size(); ++i) {
     if (matter[i].area == 0.0F) continue;
     const glm::vec3 n = facing(matter[i]).value_or(glm::vec3(0, 1, 0));
-    const glm::uvec3 cell(i % grid.counts.x, i / grid.counts.x % grid.counts.y,
-                          i / (grid.counts.x * grid.counts.y));
-    const glm::vec3 at = grid.low + grid.voxel * (glm::vec3(cell) + 0.5F + 1.5F * n);
+    const glm::vec3 at = grid.low + grid.voxel * (glm::vec3(grid.cell(i)) + 0.5F + 1.5F * n);
     const std::size_t seen = grid.index(at).value_or(i);
     const float lit = std::min(in(made.received[seen], n) / std::max(in(made.unhidden, n), 1e-6F), 1.0F);
     glm::vec3 arrives = irradiance(around, n) * lit;
-    if (desc.key_light) arrives += key_irradiance(*desc.key_light, grid.voxel, at, n, made.open[seen]);
+    if (desc.key_light) {
+      const KeyBeam beam = key_beam(*desc.key_light, at, grid.voxel);
+      arrives += beam.arriving * (std::max(glm::dot(n, beam.towards), 0.0F) *
+                                  std::min(in(made.open[seen], beam.towards), 1.0F));
+    }
     sent[i] = matter[i].colour / matter[i].area * arrives;
   }
   return sent;
@@ -351,7 +153,7 @@ std::vector<glm::vec3> radiance_of(const LightVolume& made, const Grid& grid,
 
 // Nothing arrives from outside; what leaves a voxel is what it lets through and, to the side that it faces,
 // what it sends.
-void send_on(LightVolume& made, const Grid& grid, const std::vector<Matter>& matter,
+void send_on(LightVolume& made, const VoxelGrid& grid, const std::vector<Matter>& matter,
              const std::vector<float>& passes, const std::vector<Ray>& rays,
              const std::vector<glm::vec3>& sent) {
   std::vector<std::optional<glm::vec3>> normals;
@@ -373,6 +175,18 @@ void send_on(LightVolume& made, const Grid& grid, const std::vector<Matter>& mat
 
 }  // namespace
 
+KeyBeam key_beam(const KeyLight& key, const glm::vec3& at, float nearest) {
+  if (key.kind != KeyLight::Kind::spot)
+    return {-glm::normalize(key.direction), key.colour * key.intensity, std::numeric_limits<float>::max()};
+  const glm::vec3 way = key.position - at;
+  const glm::vec3 towards = glm::normalize(way);
+  const float radius2 = 0.25F * key.diameter * key.diameter;
+  float strength =
+      key.intensity * (1.0F + radius2) / std::max(glm::dot(way, way) + radius2, nearest * nearest);
+  if (glm::dot(-towards, glm::normalize(key.direction)) < std::cos(0.5F * key.cone_rad)) strength = 0.0F;
+  return {towards, key.colour * strength, glm::length(way)};
+}
+
 std::vector<std::uint32_t> light_volume_layers(const VisualDesc& desc) {
   std::uint32_t any = 0, common = ~0U;
   for (const Instance& instance : desc.instances) {
@@ -390,7 +204,7 @@ std::vector<std::uint32_t> light_volume_layers(const VisualDesc& desc) {
 std::uint64_t light_volume_voxels(const VisualDesc& desc) {
   std::uint64_t all = 0;
   for (const std::uint32_t layers : light_volume_layers(desc)) {
-    const std::optional<Grid> grid = grid_over(desc, layers);
+    const std::optional<VoxelGrid> grid = voxel_grid(desc, layers, kMostVoxels);
     all += grid ? grid->size() : 1;
   }
   return all;
@@ -402,7 +216,7 @@ LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, cons
   const std::vector<Ray> rays = rays_of(around);
   for (const Ray& ray : rays) made.unhidden += glm::vec4(2.0F * ray.from, 1.0F) * ray.luminance;
   made.received = {made.unhidden};
-  const std::optional<Grid> grid = grid_over(desc, layers);
+  const std::optional<VoxelGrid> grid = voxel_grid(desc, layers, kMostVoxels);
   if (!grid) return made;
   made.low = grid->low;
   made.voxel = grid->voxel;

@@ -27,6 +27,16 @@ struct LightVolume {
   glm::vec4 unhidden{0.0F};  // received, where nothing hides anything
 };
 
+// The key light as a place sees it.
+struct KeyBeam {
+  glm::vec3 towards;   // unit
+  glm::vec3 arriving;  // irradiance / pi facing it, where nothing hides it
+  float far;           // m, how far away it is
+};
+
+// nearest: m, no light is nearer than that.
+KeyBeam key_beam(const KeyLight& key, const glm::vec3& at, float nearest);
+
 // What it is to be made for: all layers at once where all that stands is seen together, else each layer by
 // itself.
 std::vector<std::uint32_t> light_volume_layers(const VisualDesc& desc);

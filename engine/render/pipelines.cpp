@@ -51,10 +51,16 @@ std::string lit_as_planned(std::string name, const RenderPlan& plan) {
   return name;
 }
 
+// A surface's specialisation constant.
+std::uint32_t planned(std::uint32_t look, const RenderPlan& plan) {
+  return plan.reflections ? look | FULCRUM_LOOK_NEIGHBOURS : look;
+}
+
 PipelineHandle make_surfaces(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                              VkPipelineLayout layout) {
   PipelineDesc desc = scene_desc(plan, layout);
   desc.stages = stages(shaders, "surface.vert", (lit_as_planned("surface", plan) + ".frag").c_str());
+  desc.stages.back().constant = planned(0, plan);
   read_vertices(desc, true);
   desc.cull = VK_CULL_MODE_BACK_BIT;
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, true, false};
@@ -74,7 +80,7 @@ PipelineHandle make_detailed(vulkan::Device& device, const RenderPlan& plan, con
                                    ? "detailed_scattered.frag"
                                    : lit_as_planned("detailed", plan) + ".frag";
   desc.stages = stages(shaders, "detailed.vert", fragment.c_str());
-  desc.stages.back().constant = look;
+  desc.stages.back().constant = planned(look, plan);
   read_vertices(desc, true);
   read_uv(desc);
   desc.cull.reset();
@@ -146,7 +152,7 @@ PipelineHandle make_entering(vulkan::Device& device, const RenderPlan& plan, con
   desc.depth = kDepthFormat;
   desc.stages =
       stages(shaders, "detailed.vert", (lit_as_planned("detailed", plan) + "_entering.frag").c_str());
-  desc.stages.back().constant = look;
+  desc.stages.back().constant = planned(look, plan);
   read_vertices(desc, true);
   read_uv(desc);
   desc.cull.reset();

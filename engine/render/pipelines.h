@@ -23,6 +23,7 @@ constexpr std::uint32_t kShadowDepthBinding = 9;
 constexpr std::uint32_t kLightsBinding = 10;
 constexpr std::uint32_t kScatteredBinding = 11;
 constexpr std::uint32_t kEnteringBinding = 12;
+constexpr std::uint32_t kMirroredBinding = 13;
 
 // Bindings of the ghost's descriptor set.
 constexpr std::uint32_t kGhostChosenBinding = 0;

@@ -9,6 +9,7 @@
 #include "engine/render/light_volume.h"
 #include "engine/render/look.h"
 #include "engine/render/mip_chain.h"
+#include "engine/render/mirror_volume.h"
 #include "engine/render/occlusion_pass.h"
 #include "engine/render/scatter_taps.h"
 #include "engine/render/validate.h"
@@ -124,6 +125,22 @@ void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
     plan.built.push_back({"surfaces", "pipeline", 0, "metal-rough, lit from all around"});
   else
     plan.left_out.push_back({"surfaces", "pipeline", 0, "no material is of one colour alone"});
+}
+
+void add_reflections(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {
+  plan.reflections = plan.surfaces && facts.mirrored > 0 && quality.reflections;
+  if (plan.surfaces && facts.mirrored > 0)
+    plan.built.push_back({"mirror volume", "image", facts.mirrored * kSceneTexel,
+                          std::to_string(facts.mirrored) + " voxels: what metal mirrors of standing things"});
+  else
+    plan.left_out.push_back({"mirror volume", "image", 0, "no metal stands among things, or is among them"});
+  if (plan.reflections)
+    plan.built.push_back(
+        {"reflections", "pipeline", 0, "in those of surfaces: metal mirrors its neighbours"});
+  else
+    plan.left_out.push_back(
+        {"reflections", "pipeline", 0,
+         facts.mirrored > 0 ? "the quality setting switches them off" : "there is no mirror volume"});
 }
 
 void add_detail(const SceneFacts& facts, RenderPlan& plan) {
@@ -362,6 +379,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
   }
   facts.instances = desc.instances.size();
   facts.voxels = light_volume_voxels(desc);
+  facts.mirrored = mirror_volume_voxels(desc);
   std::set<std::size_t> meshes, textures;  // of detailed instances
   std::set<std::uint32_t> looks;
   for (const Instance& instance : desc.instances) {
@@ -422,6 +440,7 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   add_levels(facts, options.quality, plan);
   add_shadow(facts, options.quality, plan);
   add_lights(facts, plan);
+  add_reflections(facts, options.quality, plan);
   add_scattering(facts, options.quality, plan);
   add_detail(facts, plan);
   add_occlusion(options.quality, plan);

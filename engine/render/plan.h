@@ -56,6 +56,7 @@ struct RenderPlan {
   bool soft_shadows = false;      // with edges as wide as the light's size makes them
   bool occlusion = false;         // ambient
   int scattering = 0;             // samples per pixel; 0: nothing is built for light below surfaces
+  bool reflections = false;       // metal mirrors what stands near it
   bool surfaces = false;
   bool plain_surfaces = false;            // of one colour, one metallic and one roughness
   std::vector<std::uint32_t> looks = {};  // of the others (look.h), each once
@@ -89,6 +90,7 @@ struct SceneFacts {
   std::uint64_t textures = 0;             // that they show
   std::uint64_t texture_bytes = 0;        // of those, in all their sizes
   std::uint64_t voxels = 0;               // of light volumes
+  std::uint64_t mirrored = 0;             // voxels of what metal mirrors; 0: nothing mirrors its neighbours
   std::uint64_t lights = 0;               // beside the key light
   std::uint64_t scattering = 0;           // instances that light spreads below
   std::uint64_t markers = 0;

@@ -14,6 +14,7 @@ struct Quality {
   bool occlusion = true;          // near things hide light from all around from each other
   bool soft_shadows = true;       // their edges are as wide as the light's size makes them
   int scattering = 16;            // samples per pixel of light that spreads below surfaces; 0: it does not
+  bool reflections = true;        // metal mirrors what stands near it
 
   bool operator==(const Quality&) const = default;
 };
@@ -21,11 +22,11 @@ struct Quality {
 // From the best to the cheapest. What is given up first is the sharpness of edges, then of the whole: by its
 // shadow one sees how far something is away from what it is about to touch, so that goes last.
 inline constexpr std::array<Quality, 5> kQualityLevels = {{
-    {4, 2048, 1.0F, 0.25F, true, true, 16},
-    {1, 2048, 1.0F, 0.5F, true, true, 8},
-    {1, 1024, 0.5F, 0.5F, true, false, 0},
-    {1, 1024, 0.42F, 0.5F, true, false, 0},
-    {1, 512, 0.35F, 1.0F, false, false, 0},
+    {4, 2048, 1.0F, 0.25F, true, true, 16, true},
+    {1, 2048, 1.0F, 0.5F, true, true, 8, true},
+    {1, 1024, 0.5F, 0.5F, true, false, 0, false},
+    {1, 1024, 0.42F, 0.5F, true, false, 0, false},
+    {1, 512, 0.35F, 1.0F, false, false, 0, false},
 }};
 
 // Picks one of those levels so that a frame takes less than its budget. It begins with the cheapest and goes

@@ -108,8 +108,12 @@ void Renderer::build_environment(const VisualDesc& desc) {
   const Surroundings around = surroundings_of(desc.ambient);
   const Environment made = make_environment(around);
   setting_.around = made.irradiance;
-  for (const std::uint32_t layers : light_volume_layers(desc))
-    volumes_.emplace_back(device_, layers, make_light_volume(desc, layers, around, made.irradiance));
+  for (const std::uint32_t layers : light_volume_layers(desc)) {
+    const LightVolume light = make_light_volume(desc, layers, around, made.irradiance);
+    volumes_.emplace_back(device_, layers, light);
+    if (facts_.mirrored > 0)
+      volumes_.back().mirror(device_, make_mirror_volume(desc, layers, light, made.irradiance));
+  }
   shared_.volumes = volumes_;
   environment_ = vulkan::upload_texture(device_, VK_FORMAT_R16G16B16A16_SFLOAT,
                                         {kEnvironmentSize, kEnvironmentSize}, made.levels);
@@ -131,8 +135,8 @@ void Renderer::build(const RenderPlan& plan) {
   const bool other_pipelines =
       first || !ready_ || plan.samples != plan_.samples || plan.ghosts != plan_.ghosts ||
       plan.occlusion != plan_.occlusion || plan.scattering != plan_.scattering ||
-      plan.soft_shadows != plan_.soft_shadows || (plan.enlarged() && !plan_.enlarged()) ||
-      (plan.shadow_size > 0) != (plan_.shadow_size > 0);
+      plan.soft_shadows != plan_.soft_shadows || plan.reflections != plan_.reflections ||
+      (plan.enlarged() && !plan_.enlarged()) || (plan.shadow_size > 0) != (plan_.shadow_size > 0);
   ready_ = false;
   drawn_ = false;
   plan_ = plan;

@@ -42,6 +42,9 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
     lit_by(kOpenBinding, shared.volumes[volume].open.view());
     lit_by(kReceivedBinding, shared.volumes[volume].received.view());
     lit_by(kSentOnBinding, shared.volumes[volume].sent_on.view());
+    // Shaders name it even where they do not read it.
+    lit_by(kMirroredBinding,
+           (plan.reflections ? shared.volumes[volume].mirrored : shared.volumes[volume].sent_on).view());
   }
   if (plan.lights)
     bindings.push_back(

@@ -33,7 +33,7 @@ struct SharedParts {
   VkSampler shadow_sampler = VK_NULL_HANDLE;
   VkSampler shadow_depth_sampler = VK_NULL_HANDLE;
   VkImageView environment = VK_NULL_HANDLE;
-  VkSampler environment_sampler = VK_NULL_HANDLE;  // and of the three volumes
+  VkSampler environment_sampler = VK_NULL_HANDLE;  // and of the volumes
   std::span<const VolumeOnDevice> volumes;         // none without instances
   VkSampler scene_sampler = VK_NULL_HANDLE;
   std::vector<SharedGhost> ghosts;

@@ -49,6 +49,7 @@ std::string words_of(const render::Quality& quality) {
   if (quality.shadow_size > 0) words += " of " + std::to_string(quality.shadow_size);
   if (quality.occlusion) words += ", ambient occlusion";
   if (quality.scattering > 0) words += ", light below surfaces of " + std::to_string(quality.scattering);
+  if (quality.reflections) words += ", reflections";
   const auto percent = std::lround(100 * quality.resolution_scale);
   if (percent < 100) words += ", " + std::to_string(percent) + " % of the resolution";
   char coarse[48] = ", all triangles";

@@ -43,13 +43,16 @@ Image::Image(Device& device, const ImageDesc& desc) : extent_(desc.extent) {
   view_ = ImageViewHandle(device.get(), object);
 }
 
-Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
-                     std::span<const std::vector<std::uint8_t>> levels) {
+namespace {
+
+// depth 0: of two dimensions.
+Image upload_levels(Device& device, VkFormat format, VkExtent2D extent, std::uint32_t depth,
+                    std::span<const std::span<const std::byte>> levels) {
   std::size_t bytes = 0;
   for (const auto& level : levels) bytes += level.size();
   const Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Place::upload);
   Image made(device, {format, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                      VK_SAMPLE_COUNT_1_BIT, 0, static_cast<std::uint32_t>(levels.size())});
+                      VK_SAMPLE_COUNT_1_BIT, depth, static_cast<std::uint32_t>(levels.size())});
   std::vector<VkBufferImageCopy> copies;
   std::size_t at = 0;
   for (std::uint32_t i = 0; i < levels.size(); ++i) {
@@ -57,7 +60,8 @@ Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
     VkBufferImageCopy copy{};
     copy.bufferOffset = at;
     copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, i, 0, 1};
-    copy.imageExtent = {std::max(extent.width >> i, 1U), std::max(extent.height >> i, 1U), 1};
+    copy.imageExtent = {std::max(extent.width >> i, 1U), std::max(extent.height >> i, 1U),
+                        std::max(depth >> i, 1U)};
     copies.push_back(copy);
     at += levels[i].size();
   }
@@ -70,24 +74,18 @@ Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
   return made;
 }
 
-Image upload_volume(Device& device, VkFormat format, VkExtent3D extent, std::span<const std::byte> texels) {
-  const Buffer staging(device, texels.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Place::upload);
-  std::memcpy(staging.mapped(), texels.data(), texels.size());
-  Image made(device, {format,
-                      {extent.width, extent.height},
-                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                      VK_SAMPLE_COUNT_1_BIT,
-                      extent.depth});
-  VkBufferImageCopy copy{};
-  copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-  copy.imageExtent = extent;
-  Commands(device).run([&](VkCommandBuffer commands) {
-    barrier(commands, made.get(), VK_IMAGE_ASPECT_COLOR_BIT, {}, use::kCopyTarget);
-    vkCmdCopyBufferToImage(commands, staging.get(), made.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
-                           &copy);
-    barrier(commands, made.get(), VK_IMAGE_ASPECT_COLOR_BIT, use::kCopyTarget, use::kSampled);
-  });
-  return made;
+}  // namespace
+
+Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
+                     std::span<const std::vector<std::uint8_t>> levels) {
+  std::vector<std::span<const std::byte>> bytes;
+  for (const auto& level : levels) bytes.push_back(std::as_bytes(std::span(level)));
+  return upload_levels(device, format, extent, 0, bytes);
+}
+
+Image upload_volume(Device& device, VkFormat format, VkExtent3D extent,
+                    std::span<const std::span<const std::byte>> levels) {
+  return upload_levels(device, format, {extent.width, extent.height}, extent.depth, levels);
 }
 
 }  // namespace fulcrum::vulkan

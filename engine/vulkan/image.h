@@ -42,8 +42,9 @@ private:
 Image upload_texture(Device& device, VkFormat format, VkExtent2D extent,
                      std::span<const std::vector<std::uint8_t>> levels);
 
-// The same of a volume, x fastest, then y; one level.
-Image upload_volume(Device& device, VkFormat format, VkExtent3D extent, std::span<const std::byte> texels);
+// The same of a volume, x fastest, then y.
+Image upload_volume(Device& device, VkFormat format, VkExtent3D extent,
+                    std::span<const std::span<const std::byte>> levels);
 
 VkImageAspectFlags aspect_of(VkFormat format);
 

@@ -6,10 +6,7 @@
 // "Production Friendly Microfacet Sheen BRDF", 2017, with the visibility of D. Neubelt and M. Pettineo, "Crafting a
 // Next-Gen Material Pipeline for The Order: 1886", 2013.
 
-#include "../shared/material.h"
 #include "shading.glsl"
-
-layout(constant_id = 0) const uint LOOK = 0u;
 
 layout(set = 1, binding = 0) uniform Material { MaterialData material; };
 layout(set = 1, binding = 1) uniform sampler2D base_map;
@@ -24,7 +21,6 @@ layout(location = 5) in vec4 uv;
 #include "scattered.glsl"
 #endif
 
-bool has(uint look) { return (LOOK & look) != 0u; }
 bool has_texture(int which) { return has(1u << which); }
 
 vec2 uv_of(int which) {
@@ -148,14 +144,15 @@ void main() {
   Reached reached = what_reaches(n, mirrored, n_dot_v, roughness);
   vec3 around = mix(reached.sent_on, light_around(n), reached.facing) * open;
   vec2 scale_bias = environment_scale_bias(roughness, n_dot_v);
+  vec3 reflected_around = f0 * scale_bias.x + f90 * scale_bias.y;
 #ifdef FULCRUM_ENTERING
-  vec3 entering = around;  // irradiance / pi
+  vec3 entering = (1.0 - reflected_around) * around;  // irradiance / pi
   vec3 radiance = vec3(0.0);
 #else
-  vec3 radiance = diffuse * around;
+  vec3 radiance = diffuse * (1.0 - reflected_around) * around;
 #endif
-  radiance += (f0 * scale_bias.x + f90 * scale_bias.y) *
-              mix(reached.sent_on, light_mirrored(mirrored, roughness), reached.mirrored) * open;
+  radiance += reflected_around *
+              mirror_shows(reached, n, mirrored, roughness, metallic > 0.5) * open;
   float below_sheen = 1.0;
   if (has(FULCRUM_LOOK_SHEEN)) {
     float albedo = sheen_albedo(n_dot_v, max(material.coat.w, kLeastSheen));

@@ -15,8 +15,9 @@ void main() {
 
   vec3 mirrored = mirrored_from(n, v, roughness);
   Reached reached = what_reaches(n, mirrored, n_dot_v, roughness);
-  vec3 radiance = diffuse * mix(reached.sent_on, light_around(n), reached.facing);
-  radiance += environment_brdf(f0, roughness, n_dot_v) * mix(reached.sent_on, light_mirrored(mirrored, roughness), reached.mirrored);
+  vec3 reflected = environment_brdf(f0, roughness, n_dot_v);
+  vec3 radiance = diffuse * (1.0 - reflected) * mix(reached.sent_on, light_around(n), reached.facing);
+  radiance += reflected * mirror_shows(reached, n, mirrored, roughness, metallic > 0.5);
 
   Lobes lobes = Lobes(diffuse, f0, 1.0, alpha);
   vec3 l;

@@ -14,23 +14,27 @@ struct FrameData {
   vec4 camera_up;          // xyz unit
   vec4 key_position;       // xyz position, w 1 for a spot, 0 for a directional light
   vec4 key_direction;      // xyz unit, as the light travels; w cosine of the half angle where a spot ends
-  vec4 key_colour;         // rgb times intensity, of a spot times the square of the way from its rim to 1 m before
-                           // it; w cosine of the half angle where a spot begins to fade
-  vec4 around_linear[3];   // irradiance / pi from all around (engine/render/environment.h); red, green, blue
+  vec4 key_colour;  // rgb times intensity, of a spot times the square of the way from its rim to 1 m before
+                    // it; w cosine of the half angle where a spot begins to fade
+  vec4 around_linear[3];  // irradiance / pi from all around (engine/render/environment.h); red, green, blue
   vec4 around_quadratic[3];
   vec4 around_rest;        // rgb
   vec4 background_top;     // rgb
   vec4 background_bottom;  // rgb
-  vec4 volume_from_world;  // xyz what a place is multiplied by, w how far before a surface the volume is read (m)
+  vec4 volume_from_world;  // xyz what a place is multiplied by, w how far before a surface the volume is read
+                           // (m)
   vec4 volume_low;         // xyz added to that, w 4 / its longest side (1/m); engine/render/light_volume.h
-  vec4 unhidden;           // irradiance / pi (luminance) facing d, where nothing hides anything: dot(xyz, d) + w
+  vec4 unhidden;  // irradiance / pi (luminance) facing d, where nothing hides anything: dot(xyz, d) + w
+  vec4 mirror_from_world;  // xyz what a place is multiplied by, w edge of a voxel (m);
+                           // engine/render/mirror_volume.h
+  vec4 mirror_low;         // xyz added to that, w its coarsest level
   vec4 lens;               // xy tangents of half the picture's width and height, zw where its middle leans to
   vec4 occlusion;          // xy size of the image (pixels), z distance of depth 1 (m)
   vec4 shadow;             // x 1/size of the map, y width of one of its texels in the world (m), z spread
                            // (engine/render/light_fit.h), w half the light's diameter (m)
 };
 
-FULCRUM_GPU_SIZE(FrameData, 2 * 64 + 21 * 16);
+FULCRUM_GPU_SIZE(FrameData, 2 * 64 + 23 * 16);
 
 FULCRUM_GPU_END
 

@@ -23,6 +23,8 @@
 #define FULCRUM_LOOK_TRANSMISSION 4096u
 #define FULCRUM_LOOK_COVER 8192u  // of those that are blended: its alpha says how much of it is there
 #define FULCRUM_LOOK_SCATTERING 16384u
+// Of all surfaces, from the plan: metal mirrors what stands near it.
+#define FULCRUM_LOOK_NEIGHBOURS 32768u
 
 FULCRUM_GPU_BEGIN
 

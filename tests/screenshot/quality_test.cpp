@@ -45,6 +45,7 @@ TEST(AutoQuality, EachLevelAsksForNoMoreThanTheOneAbove) {
     EXPECT_GE(cheaper.coarseness, better.coarseness);
     EXPECT_LE(cheaper.soft_shadows, better.soft_shadows);
     EXPECT_LE(cheaper.scattering, better.scattering);
+    EXPECT_LE(cheaper.reflections, better.reflections);
   }
 }
 

@@ -1,0 +1,37 @@
+#pragma once
+// What metal mirrors of what stands: radiance and cover in a grid of voxels and its coarser levels, through
+// which shaders follow a cone as wide as a mirror's roughness makes it.
+//
+// Voxel cone tracing: C. Crassin et al., "Interactive Indirect Illumination Using Voxel Cone Tracing", 2011.
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "engine/render/light_volume.h"
+
+namespace fulcrum::render {
+
+struct MirrorVolume {
+  glm::vec3 low{0.0F};    // m, world: its first corner
+  float voxel = 1.0F;     // m, its edge, of the finest level
+  glm::uvec3 counts{1U};  // of voxels of that level; x runs fastest
+  // Each level of half as many along each side. w: the part of light that a voxel hides; rgb: radiance that
+  // it sends on, times that.
+  std::vector<std::vector<glm::vec4>> levels{{glm::vec4(0.0F)}};
+};
+
+// Voxels along the longest side. docs/looks.md has what more of them gain.
+inline constexpr float kMirrorVoxels = 128.0F;
+
+// Something in the scene is of metal smooth enough to mirror its neighbours, and something stands.
+bool mirrors_neighbours(const VisualDesc& desc);
+
+// Of what stands and is in one of these layers. light: of the same; received: irradiance of the surroundings.
+MirrorVolume make_mirror_volume(const VisualDesc& desc, std::uint32_t layers, const LightVolume& light,
+                                const Irradiance& received, float most = kMirrorVoxels);
+
+// Voxels of all of them, with their coarser levels, before they are made.
+std::uint64_t mirror_volume_voxels(const VisualDesc& desc);
+
+}  // namespace fulcrum::render

@@ -1,0 +1,160 @@
+// What metal mirrors of what stands near it, against the part of its lobe that geometry says a wall fills.
+
+#include "engine/render/mirror_volume.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <numbers>
+
+#include "engine/render/tone.h"
+#include "test_scene.h"
+
+namespace fulcrum::render {
+namespace {
+
+constexpr float kWall = 0.25F;  // m, its height
+constexpr float kRough = 0.3F;
+
+// The part of what a floor mirrors, seen at 45 degrees, that a wall of that height hides which stands that
+// far before it (m): GGX over half vectors, with the masking of both directions (Walter et al., 2007).
+double hidden_by_wall(double away) {
+  const double alpha = kRough * kRough, n_dot_v = std::sqrt(0.5);
+  constexpr int kMany = 400;
+  const auto masked = [&](double cosine) {
+    return 2 * cosine / (cosine + std::sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine));
+  };
+  double all = 0, hidden = 0;
+  for (int i = 0; i < kMany; ++i)
+    for (int j = 0; j < kMany; ++j) {
+      const double u = (i + 0.5) / kMany, turn = 2 * std::numbers::pi * (j + 0.5) / kMany;
+      const double cosine = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u)),
+                   sine = std::sqrt(1 - cosine * cosine);
+      // x along the wall, y up, z towards it.
+      const glm::dvec3 h(sine * std::cos(turn), cosine, sine * std::sin(turn));
+      const glm::dvec3 v(0, n_dot_v, -n_dot_v);
+      const glm::dvec3 l = 2 * glm::dot(v, h) * h - v;
+      if (l.y <= 0 || glm::dot(v, h) <= 0) continue;
+      const double weight = glm::dot(v, h) * masked(n_dot_v) * masked(l.y) / (n_dot_v * cosine);
+      all += weight;
+      if (l.z > 0 && away * l.y / l.z < kWall) hidden += weight;
+    }
+  return hidden / all;
+}
+
+class MirrorVolumeTest : public testing::Test {
+protected:
+  void TearDown() override {
+    for (const std::string& message : gpu_.instance.messages()) ADD_FAILURE() << message;
+  }
+
+  // A floor of white metal whose top is y = 0, below an even sky of 1, and before it at z = 0 the face of a
+  // wall.
+  static VisualDesc scene(std::optional<float> wall_colour) {
+    VisualDesc desc;
+    desc.key_light.reset();
+    desc.ambient.picture = Panorama{64, 32, std::vector<glm::vec3>(64 * 32, glm::vec3(1.0F)), false};
+    desc.meshes = {test::make_box({0.5F, 0.02F, 0.5F}), test::make_box({0.5F, 0.5F * kWall, 0.03F})};
+    desc.materials = {{"metal", glm::vec3(1.0F), 1.0F, kRough},
+                      {"matt", glm::vec3(wall_colour.value_or(0.0F)), 0.0F, 1.0F}};
+    desc.instances = {{0, 0, "floor", glm::translate(glm::mat4(1.0F), {0, -0.02F, 0.5F})}};
+    if (wall_colour)
+      desc.instances.push_back({1, 1, "wall", glm::translate(glm::mat4(1.0F), {0, 0.5F * kWall, -0.03F})});
+    return desc;
+  }
+
+  std::unique_ptr<Renderer> renderer(const VisualDesc& desc, bool reflections) {
+    auto made = Renderer::create(*gpu_.device, desc,
+                                 {{24, 24}, {1, 0, 1.0F, 0.0F, false, false, 0, reflections}, {}});
+    if (!made) throw std::runtime_error(made.error().sentence);
+    return std::move(*made);
+  }
+
+  static Picture drawn(Renderer& renderer, float away) {
+    FrameState state;
+    const glm::vec3 place(0.0F, 0.0F, away);
+    state.camera = {place + glm::vec3(0.0F, 1.0F, 1.0F), place, 0.004F};
+    if (const auto error = renderer.frame(state)) throw std::runtime_error(error->sentence);
+    return *renderer.read_back();
+  }
+
+  // Radiance of the floor that far before the wall, seen at 45 degrees.
+  static double radiance(Renderer& renderer, float away) {
+    const float shown = test::mean(drawn(renderer, away), 0.25F, 0.25F, 0.75F, 0.75F).g / 255.0F;
+    float low = 0.0F, high = 4.0F;
+    for (int i = 0; i < 40; ++i) {
+      const float middle = 0.5F * (low + high);
+      (tone_mapped(glm::vec3(middle)).g < shown ? low : high) = middle;
+    }
+    return static_cast<double>(low);
+  }
+
+  static constexpr float kPlaces[] = {0.04F, 0.08F, 0.12F, 0.16F, 0.2F, 0.24F, 0.28F,
+                                      0.32F, 0.36F, 0.4F,  0.5F,  0.6F, 0.7F,  0.8F};
+
+  test::Gpu gpu_ = test::make_gpu("llvmpipe");
+};
+
+TEST_F(MirrorVolumeTest, ABlackWallHidesAsMuchOfTheSkyAsGeometrySays) {
+  const auto bare = renderer(scene({}), true), walled = renderer(scene(0.0F), true),
+             unmirrored = renderer(scene(0.0F), false);
+  double sum = 0, worst = 0, without = 0;
+  for (const float away : kPlaces) {
+    const double truth = 1 - hidden_by_wall(static_cast<double>(away));
+    const double all = radiance(*bare, away);
+    const double error = std::abs(radiance(*walled, away) / all - truth);
+    sum += error / std::size(kPlaces);
+    worst = std::max(worst, error);
+    without += std::abs(radiance(*unmirrored, away) / all - truth) / std::size(kPlaces);
+  }
+  EXPECT_LT(sum, 0.08);
+  EXPECT_LT(worst, 0.2);
+  EXPECT_LT(sum, 0.25 * without);
+}
+
+TEST_F(MirrorVolumeTest, NothingIsMirroredWhereThereIsNothing) {
+  const auto bare = renderer(scene({}), true);
+  for (const float away : kPlaces) EXPECT_NEAR(radiance(*bare, away), 1.0, 0.03) << away;
+}
+
+// A white wall below an even sky is as bright as that at the most.
+TEST_F(MirrorVolumeTest, NoMoreIsMirroredThanIsSent) {
+  const auto walled = renderer(scene(1.0F), true);
+  for (const float away : kPlaces) {
+    EXPECT_LT(radiance(*walled, away), 1.03) << away;
+    EXPECT_GT(radiance(*walled, away), 0.6) << away;
+  }
+}
+
+TEST_F(MirrorVolumeTest, SurfacesThatAreNoMetalLookTheSame) {
+  VisualDesc desc = scene(0.3F);
+  desc.materials.push_back({"ball", glm::vec3(0.8F), 1.0F, kRough});  // far from what is looked at
+  desc.meshes.push_back(test::make_ball(0.01F));
+  desc.instances.push_back({2, 2, "ball", glm::translate(glm::mat4(1.0F), {0.4F, 0.01F, 0.1F})});
+  desc.materials[0].metallic = 0.0F;
+  EXPECT_EQ(drawn(*renderer(desc, true), 0.1F).rgba, drawn(*renderer(desc, false), 0.1F).rgba);
+}
+
+TEST(MirrorVolumePlan, IsBuiltForMetalAlone) {
+  const auto named = [](const std::vector<BuildItem>& items, const std::string& name) {
+    return std::ranges::count(items, name, &BuildItem::name);
+  };
+  VisualDesc desc = test::make_scene();
+  for (Material& material : desc.materials) material.metallic = 1.0F, material.roughness = 0.3F;
+  const auto metal = plan(desc, {});
+  EXPECT_TRUE(metal->reflections);
+  EXPECT_EQ(named(metal->built, "mirror volume"), 1);
+  RenderOptions low;
+  low.quality.reflections = false;
+  EXPECT_FALSE(plan(desc, low)->reflections);
+  for (Material& material : desc.materials) material.metallic = 0.0F;
+  const auto matt = plan(desc, {});
+  EXPECT_FALSE(matt->reflections);
+  EXPECT_EQ(named(matt->built, "mirror volume"), 0);
+  EXPECT_EQ(named(matt->left_out, "mirror volume"), 1);
+}
+
+}  // namespace
+}  // namespace fulcrum::render
