@@ -19,10 +19,12 @@ glm::vec4 with(const glm::vec3& xyz, float w = 0.0F) {
 void write_light(gpu::FrameData& data, const KeyLight& light) {
   const bool spot = light.kind == KeyLight::Kind::spot;
   const float half = 0.5F * light.cone_rad;
-  const float at_one_metre = spot ? 1.0F + 0.25F * light.diameter * light.diameter : 1.0F;
-  data.key_position = with(light.position, spot ? 1.0F : 0.0F);
-  data.key_direction = with(glm::normalize(light.direction), std::cos(half));
-  data.key_colour = with(light.colour * (light.intensity * at_one_metre), std::cos(0.8F * half));
+  const float at_one_metre = 1.0F + 0.25F * light.diameter * light.diameter;
+  const glm::vec3 direction = glm::normalize(light.direction);
+  data.key_position = spot ? with(light.position, 1.0F) : with(-direction);
+  data.key_direction = with(direction, spot ? std::cos(half) : -3.0F);
+  data.key_colour =
+      with(light.colour * (light.intensity * at_one_metre), spot ? std::cos(0.8F * half) : -2.0F);
 }
 
 float aspect_of(const Camera& camera, Extent picture) {
@@ -62,10 +64,7 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
   data.eye = with(state.camera.eye, static_cast<float>(std::fmod(state.time_s, 3600.0)));
   data.camera_right = with(glm::vec3(world_from_view[0]));
   data.camera_up = with(glm::vec3(world_from_view[1]));
-  if (setting.key_light)
-    write_light(data, *setting.key_light);
-  else
-    data.key_direction = {0.0F, -1.0F, 0.0F, 0.0F};  // of a light without colour
+  write_light(data, setting.key_light.value_or(KeyLight{.intensity = 0.0F}));
   std::ranges::copy(setting.around.linear, data.around_linear);
   std::ranges::copy(setting.around.quadratic, data.around_quadratic);
   data.around_rest = with(setting.around.rest);

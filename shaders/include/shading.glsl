@@ -182,19 +182,19 @@ vec3 environment_brdf(vec3 f0, float roughness, float n_dot_v) {
   return f0 * scale_bias.x + scale_bias.y;
 }
 
-// Light that arrives from the key light, the direction to it, and half its width as it is seen from there. It does not
-// branch: for a branch on a uniform Mesa's lavapipe compiles a shader anew wherever a draw binds other uniforms.
+// Light that arrives from the key light, the direction to it, and half its width as it is seen from there. A directional
+// light is one that is 1 m away from everywhere. No branch tells the two apart: where one depends on uniforms alone, Mesa's
+// lavapipe compiles the shader anew whenever a descriptor set is bound.
 vec3 key_light(vec3 position, out vec3 l, out float half_width) {
-  bool has_place = frame.key_position.w != 0.0;
-  vec3 to_light = frame.key_position.xyz - position;
+  vec3 to_light = frame.key_position.xyz - frame.key_position.w * position;
   float distance2 = max(dot(to_light, to_light), 1e-4);
   float inverse = inversesqrt(distance2);
-  l = mix(-frame.key_direction.xyz, to_light * inverse, bvec3(has_place));
+  l = to_light * inverse;
   half_width = frame.shadow.w;
   float cone = smoothstep(frame.key_direction.w, frame.key_colour.w, dot(-l, frame.key_direction.xyz));
   float received = cone / (distance2 + half_width * half_width);  // of a disc that faces the place
-  half_width *= mix(1.0, inverse, has_place);
-  return frame.key_colour.rgb * mix(1.0, received, has_place);
+  half_width *= inverse;
+  return frame.key_colour.rgb * received;
 }
 
 // The alpha with which a light of no size looks as one of this half width does, which a mirror shows as a disc: the mean

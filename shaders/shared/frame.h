@@ -12,10 +12,10 @@ struct FrameData {
   vec4 eye;                // xyz position, w simulated time in s, wrapped to an hour
   vec4 camera_right;       // xyz unit
   vec4 camera_up;          // xyz unit
-  vec4 key_position;       // xyz position, w 1 for a spot, 0 for a directional light
-  vec4 key_direction;      // xyz unit, as the light travels; w cosine of the half angle where a spot ends
-  vec4 key_colour;  // rgb times intensity, of a spot times the square of the way from its rim to 1 m before
-                    // it; w cosine of the half angle where a spot begins to fade
+  vec4 key_position;       // xyz position, w 1; of a directional light the way to it, unit, w 0
+  vec4 key_direction;      // xyz unit, as the light travels; w cosine of the half angle where it ends
+  vec4 key_colour;  // rgb times intensity and the square of the way from its rim to 1 m before it; w cosine
+                    // of the half angle where it begins to fade; a directional one's are below -1
   vec4 around_linear[3];  // irradiance / pi from all around (engine/render/environment.h); red, green, blue
   vec4 around_quadratic[3];
   vec4 around_rest;        // rgb
