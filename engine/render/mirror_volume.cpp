@@ -82,15 +82,18 @@ glm::vec3 arriving(const Lighting& by, const glm::vec3& middle, const glm::vec3&
   return all;
 }
 
-// Radiance that a voxel's surfaces send on; of what has another side in it, in the mean of all.
+// Radiance that a voxel's surfaces send on. Of what has another side in it, as a thin board has, that of the
+// brightest side: it is looked at from where light comes to it.
 glm::vec3 radiance_sent(const Lighting& by, const Matter& matter, const glm::vec3& middle) {
-  glm::vec3 arrives(0.0F);
-  if (const std::optional<glm::vec3> n = facing(matter))
-    arrives = arriving(by, middle, *n);
-  else
-    for (const glm::vec3& side : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
-      arrives += (arriving(by, middle, side) + arriving(by, middle, -side)) / 6.0F;
-  return matter.colour / matter.area * arrives;
+  const glm::vec3 colour = matter.colour / matter.area;
+  if (const std::optional<glm::vec3> n = facing(matter)) return colour * arriving(by, middle, *n);
+  glm::vec3 brightest(0.0F);
+  for (const glm::vec3& side : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
+    for (const float sign : {1.0F, -1.0F}) {
+      const glm::vec3 arrives = arriving(by, middle, sign * side);
+      if (arrives.x + arrives.y + arrives.z > brightest.x + brightest.y + brightest.z) brightest = arrives;
+    }
+  return colour * brightest;
 }
 
 // The part of light that a voxel of that face (m^2) hides: what faces one way all of it, of the rest, which
