@@ -43,13 +43,14 @@ int add_vectors(tinygltf::Model& gltf, const std::vector<Eigen::Vector3f>& vecto
   return static_cast<int>(gltf.accessors.size() - 1);
 }
 
-int add_coordinates(tinygltf::Model& gltf, const std::vector<Eigen::Vector2f>& uv) {
-  static_assert(sizeof(Eigen::Vector2f) == 2 * sizeof(float));
+template <int n>
+int add_floats(tinygltf::Model& gltf, const std::vector<Eigen::Matrix<float, n, 1>>& rows, int type) {
+  static_assert(sizeof(Eigen::Matrix<float, n, 1>) == n * sizeof(float));
   tinygltf::Accessor accessor;
-  accessor.bufferView = add_view(gltf, uv, TINYGLTF_TARGET_ARRAY_BUFFER);
+  accessor.bufferView = add_view(gltf, rows, TINYGLTF_TARGET_ARRAY_BUFFER);
   accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
-  accessor.count = uv.size();
-  accessor.type = TINYGLTF_TYPE_VEC2;
+  accessor.count = rows.size();
+  accessor.type = type;
   gltf.accessors.push_back(accessor);
   return static_cast<int>(gltf.accessors.size() - 1);
 }
@@ -107,7 +108,9 @@ void add_part(tinygltf::Model& gltf, const GltfPart& part) {
   primitive.attributes["POSITION"] = add_vectors(gltf, part.positions);
   primitive.attributes["NORMAL"] = add_vectors(gltf, part.normals);
   if (!part.colours.empty()) primitive.attributes["COLOR_0"] = add_vectors(gltf, part.colours);
-  if (!part.uv.empty()) primitive.attributes["TEXCOORD_0"] = add_coordinates(gltf, part.uv);
+  if (!part.uv.empty()) primitive.attributes["TEXCOORD_0"] = add_floats<2>(gltf, part.uv, TINYGLTF_TYPE_VEC2);
+  if (!part.tangents.empty())
+    primitive.attributes["TANGENT"] = add_floats<4>(gltf, part.tangents, TINYGLTF_TYPE_VEC4);
   primitive.indices = add_indices(gltf, part.indices);
   tinygltf::Mesh mesh;
   mesh.name = part.name;

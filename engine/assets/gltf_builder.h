@@ -20,6 +20,7 @@ struct GltfPart {
   const std::vector<Eigen::Vector3f>& colours;    // (n x 3) linear, or none
   const std::vector<std::uint32_t>& indices;      // (3 m)
   const std::vector<Eigen::Vector2f>& uv;         // (n x 2) of the material's pictures, or none
+  const std::vector<Eigen::Vector4f>& tangents;   // (n x 4) of its relief, or none
 };
 
 // A file with one scene of that name and nothing in it.

@@ -31,6 +31,7 @@ std::string to_glb(const Model& model, const std::string& name, const std::strin
                     single(part.normals),
                     single(part.colours),
                     part.indices,
+                    {},
                     {}});
   }
   std::ostringstream bytes;

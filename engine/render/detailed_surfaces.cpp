@@ -76,7 +76,7 @@ VkSampler DetailedSurfaces::sampler(vulkan::Device& device, Wrap wrap_u, Wrap wr
   info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
   info.magFilter = nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
   info.minFilter = VK_FILTER_LINEAR;
-  info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+  info.mipmapMode = along_slant ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
   info.maxLod = VK_LOD_CLAMP_NONE;
   info.addressModeU = address(wrap_u);
   info.addressModeV = address(wrap_v);

@@ -23,8 +23,9 @@ public:
   // Of the second descriptor set, whose material's numbers are at 0 and whose textures follow in their order.
   VkDescriptorSetLayout layout() const { return layout_; }
 
-  // Whether textures are sampled along the slant where the device can: it makes them sharper, and costs much
-  // without a graphics card. Not while a frame is being drawn.
+  // Whether textures are sampled between two of their sizes, and along the slant where the device can: it
+  // makes them smoother and sharper, and costs much without a graphics card. Not while a frame is being
+  // drawn.
   void follow_slants(bool follow) { follows_slants_ = follow; }
 
   enum class Which { opaque, blended };

@@ -14,7 +14,7 @@ constexpr std::uint32_t kLevels = 5;  // each side of the finest is a multiple o
 constexpr float kBefore = 1.25F;      // voxels before a surface: light is found there
 
 std::optional<VoxelGrid> mirror_grid(const VisualDesc& desc, std::uint32_t layers, float most) {
-  std::optional<VoxelGrid> grid = voxel_grid(desc, layers, most);
+  std::optional<VoxelGrid> grid = voxel_grid(desc, layers, most - 1.0F);  // rounding may bring one more
   if (!grid) return {};
   constexpr std::uint32_t step = 1U << (kLevels - 1);
   const glm::uvec3 counts = (grid->counts + step - 1U) / step * step;
@@ -169,7 +169,9 @@ bool mirrors_neighbours(const VisualDesc& desc) {
   constexpr float kRoughest = 0.7F;  // beyond, the light volume tells as much
   const bool metal = std::ranges::any_of(desc.instances, [&](const Instance& instance) {
     const Material& material = desc.materials[instance.material];
-    return material.metallic >= 0.5F && (material.roughness <= kRoughest || material.detail);
+    const bool is_textured = material.detail && material.detail->layers[SurfaceDetail::metal_rough];
+    const bool is_unlit = material.detail && material.detail->unlit;
+    return material.metallic > 0.0F && (material.roughness <= kRoughest || is_textured) && !is_unlit;
   });
   return metal && light_volume_voxels(desc) > light_volume_layers(desc).size();
 }

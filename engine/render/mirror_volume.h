@@ -21,7 +21,7 @@ struct MirrorVolume {
   std::vector<std::vector<glm::vec4>> levels{{glm::vec4(0.0F)}};
 };
 
-// Voxels along the longest side. docs/looks.md has what more of them gain.
+// Voxels along the longest side, at the most.
 inline constexpr float kMirrorVoxels = 128.0F;
 
 // Something in the scene is of metal smooth enough to mirror its neighbours, and something stands.

@@ -152,7 +152,7 @@ void main() {
   vec3 radiance = diffuse * (1.0 - reflected_around) * around;
 #endif
   radiance += reflected_around *
-              mirror_shows(reached, n, mirrored, roughness, metallic > 0.5) * open;
+              mirror_shows(reached, n, mirrored, roughness, metallic) * open;
   float below_sheen = 1.0;
   if (has(FULCRUM_LOOK_SHEEN)) {
     float albedo = sheen_albedo(n_dot_v, max(material.coat.w, kLeastSheen));

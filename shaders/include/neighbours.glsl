@@ -3,6 +3,7 @@
 // C. Crassin et al., "Interactive Indirect Illumination Using Voxel Cone Tracing", 2011.
 
 const int kMostSteps = 32;
+const int kFineSteps = 20;  // of these: the others go as far as the volume does, however wide they are for that
 const float kStep = 0.6;   // of the cone's width
 const float kGain = 1.15;   // a wall that a step just misses is still one
 const float kOff = 1.5;    // voxels: off the surface, which fills those that it lies in
@@ -27,6 +28,8 @@ vec4 neighbours(vec3 n, vec3 d, float roughness) {
   for (int i = 0; i < kMostSteps && way < end && met.a < 0.98; ++i) {
     // No wider than it is high above the surface, or it met that.
     float width = max(min(spread * way, (kOff * voxel + climb * way) / 1.5), voxel);
+    float left = float(kMostSteps - max(i, kFineSteps));
+    width = i < kFineSteps ? width : max(width, (end - way) / (kStep * left));
     vec4 here = textureLod(standing_mirrored, from + along * way, min(log2(width / voxel), frame.mirror_low.w));
     // What is behind something is mostly hidden by the same of it: of both, the more counts.
     float hides = min(kGain * here.a, 1.0);

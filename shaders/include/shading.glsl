@@ -137,14 +137,17 @@ Reached what_reaches(vec3 n, vec3 d, float n_dot_v, float roughness) {
 
 #include "neighbours.glsl"
 
-// What a mirror shows of all around it. metal: neighbours are followed, not only their mean.
-vec3 mirror_shows(Reached reached, vec3 n, vec3 d, float roughness, bool metal) {
+// What a mirror shows of all around it. Of metal, neighbours are followed, not only their mean, unless it is so rough that
+// this tells as much.
+vec3 mirror_shows(Reached reached, vec3 n, vec3 d, float roughness, float metallic) {
   vec3 far = light_mirrored(d, roughness);
-  if (has(FULCRUM_LOOK_NEIGHBOURS) && metal) {
+  vec3 shown = mix(reached.sent_on, far, reached.mirrored);
+  float follows = metallic * (1.0 - smoothstep(0.6, 0.7, roughness));
+  if (has(FULCRUM_LOOK_NEIGHBOURS) && follows > 0.0) {
     vec4 near = neighbours(n, d, roughness);
-    return near.rgb + mix(reached.sent_on, far, reached.near) * (1.0 - near.a);
+    shown = mix(shown, near.rgb + mix(reached.sent_on, far, reached.near) * (1.0 - near.a), follows);
   }
-  return mix(reached.sent_on, far, reached.mirrored);
+  return shown;
 }
 
 float ggx(float n_dot_h, float alpha) {
@@ -160,7 +163,8 @@ float visibility(float n_dot_l, float n_dot_v, float alpha) {
 }
 
 // What stands before the reflectances at normal and at grazing incidence, of even light from all around: the integrals of
-// the lobe above, with the visibility of height-correlated masking, fitted to 0.013 and 0.012 in the mean square.
+// GGX with the exact visibility of height-correlated masking, of which lights have the fast form above; fitted to 0.013
+// and 0.012, root mean square.
 vec2 environment_scale_bias(float roughness, float n_dot_v) {
   vec4 r = vec4(1.0, roughness, roughness * roughness, roughness * roughness * roughness);
   vec4 v = vec4(1.0, n_dot_v, n_dot_v * n_dot_v, n_dot_v * n_dot_v * n_dot_v);

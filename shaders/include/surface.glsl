@@ -17,7 +17,7 @@ void main() {
   Reached reached = what_reaches(n, mirrored, n_dot_v, roughness);
   vec3 reflected = environment_brdf(f0, roughness, n_dot_v);
   vec3 radiance = diffuse * (1.0 - reflected) * mix(reached.sent_on, light_around(n), reached.facing);
-  radiance += reflected * mirror_shows(reached, n, mirrored, roughness, metallic > 0.5);
+  radiance += reflected * mirror_shows(reached, n, mirrored, roughness, metallic);
 
   Lobes lobes = Lobes(diffuse, f0, 1.0, alpha);
   vec3 l;

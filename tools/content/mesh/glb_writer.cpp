@@ -11,6 +11,7 @@
 #include "engine/assets/gltf_builder.h"
 #include "tools/content/mesh/raster.h"
 #include "tools/content/mesh/shading.h"
+#include "tools/content/mesh/tangents.h"
 
 namespace fulcrum::content {
 namespace {
@@ -51,13 +52,15 @@ std::vector<Eigen::Vector2f> projected(const ShadedMesh& mesh, const std::vector
   return uv;
 }
 
-void add(tinygltf::Model& gltf, const Part& part) {
+void add(tinygltf::Model& gltf, const Part& part, const Material& material) {
   ShadedMesh shaded =
       part.coat.normals.empty() ? shade(part.solid, part.crease, part.coat.colours) : coated(part);
   const std::vector<Eigen::Vector2f> uv =
       part.uv.empty() ? projected(shaded, part.projections) : split_at_seams(&shaded, part.uv);
-  add_part(gltf, {part.name, static_cast<int>(part.material), shaded.positions, shaded.normals,
-                  shaded.colours, shaded.indices, uv});
+  const bool has_relief = material.pictures && material.pictures->normal && !uv.empty();
+  add_part(gltf,
+           {part.name, static_cast<int>(part.material), shaded.positions, shaded.normals, shaded.colours,
+            shaded.indices, uv, has_relief ? tangents(shaded, uv) : std::vector<Eigen::Vector4f>()});
 }
 
 using PicturesOfFile = std::map<std::vector<std::uint8_t>, int>;  // their bytes, and which they are
@@ -97,7 +100,7 @@ void add_materials(tinygltf::Model& gltf, const Model& model) {
 std::string write_glb(const Model& model, const std::string& path, const std::string& program) {
   tinygltf::Model gltf = empty_gltf(model.name, "Fulcrum " + program);
   add_materials(gltf, model);
-  for (const Part& part : model.parts) add(gltf, part);
+  for (const Part& part : model.parts) add(gltf, part, model.materials[part.material]);
 
   constexpr bool embed_images = true;
   constexpr bool embed_buffers = true;
