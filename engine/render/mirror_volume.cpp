@@ -166,12 +166,14 @@ std::uint64_t with_coarser(std::uint64_t voxels) {
 }  // namespace
 
 bool mirrors_neighbours(const VisualDesc& desc) {
-  constexpr float kRoughest = 0.7F;  // beyond, the light volume tells as much
+  // Of shaders/include/shading.glsl: voxels would be seen, and the light volume tells as much.
+  constexpr float kSmoothest = 0.06F, kRoughest = 0.7F;
   const bool metal = std::ranges::any_of(desc.instances, [&](const Instance& instance) {
     const Material& material = desc.materials[instance.material];
     const bool is_textured = material.detail && material.detail->layers[SurfaceDetail::metal_rough];
     const bool is_unlit = material.detail && material.detail->unlit;
-    return material.metallic > 0.0F && (material.roughness <= kRoughest || is_textured) && !is_unlit;
+    return material.metallic > 0.0F &&
+           ((material.roughness > kSmoothest && material.roughness < kRoughest) || is_textured) && !is_unlit;
   });
   return metal && light_volume_voxels(desc) > light_volume_layers(desc).size();
 }

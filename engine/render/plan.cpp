@@ -133,7 +133,9 @@ void add_reflections(const SceneFacts& facts, const Quality& quality, RenderPlan
     plan.built.push_back({"mirror volume", "image", facts.mirrored * kSceneTexel,
                           std::to_string(facts.mirrored) + " voxels: what metal mirrors of standing things"});
   else
-    plan.left_out.push_back({"mirror volume", "image", 0, "no lit metal below a roughness of 0.7 has anything that stands near it"});
+    plan.left_out.push_back(
+        {"mirror volume", "image", 0,
+         "no lit metal of a roughness between 0.06 and 0.7 has anything that stands near it"});
   if (plan.reflections)
     plan.built.push_back(
         {"reflections", "pipeline", 0, "in those of surfaces: metal mirrors its neighbours"});

@@ -3,7 +3,7 @@
 // C. Crassin et al., "Interactive Indirect Illumination Using Voxel Cone Tracing", 2011.
 
 const int kMostSteps = 32;
-const int kFineSteps = 20;  // of these: the others go as far as the volume does, however wide they are for that
+const int kFineSteps = 20;  // of these: the others go as far as the volume does, however long they are for that
 const float kStep = 0.6;   // of the cone's width
 const float kGain = 1.15;   // a wall that a step just misses is still one
 const float kOff = 1.5;    // voxels: off the surface, which fills those that it lies in
@@ -27,14 +27,14 @@ vec4 neighbours(vec3 n, vec3 d, float roughness) {
   vec4 met = vec4(0.0);
   for (int i = 0; i < kMostSteps && way < end && met.a < 0.98; ++i) {
     // No wider than it is high above the surface, or it met that.
-    float width = max(min(spread * way, (kOff * voxel + climb * way) / 1.5), voxel);
-    float left = float(kMostSteps - max(i, kFineSteps));
-    width = i < kFineSteps ? width : max(width, (end - way) / (kStep * left));
+    float widest = (kOff * voxel + climb * way) / 1.5;
+    float crossing = i < kFineSteps ? 0.0 : (end - way) / float(kMostSteps - i);
+    float width = max(min(max(spread * way, crossing / kStep), widest), voxel);
     vec4 here = textureLod(standing_mirrored, from + along * way, min(log2(width / voxel), frame.mirror_low.w));
     // What is behind something is mostly hidden by the same of it: of both, the more counts.
     float hides = min(kGain * here.a, 1.0);
     met += vec4(here.rgb / max(here.a, 1e-3), 1.0) * max(hides - met.a, 0.0);
-    way += kStep * width;
+    way += max(kStep * width, crossing);
   }
   return met;
 }

@@ -138,11 +138,11 @@ Reached what_reaches(vec3 n, vec3 d, float n_dot_v, float roughness) {
 #include "neighbours.glsl"
 
 // What a mirror shows of all around it. Of metal, neighbours are followed, not only their mean, unless it is so rough that
-// this tells as much.
+// this tells as much, or so smooth that voxels would be seen.
 vec3 mirror_shows(Reached reached, vec3 n, vec3 d, float roughness, float metallic) {
   vec3 far = light_mirrored(d, roughness);
   vec3 shown = mix(reached.sent_on, far, reached.mirrored);
-  float follows = metallic * (1.0 - smoothstep(0.6, 0.7, roughness));
+  float follows = metallic * smoothstep(0.06, 0.12, roughness) * (1.0 - smoothstep(0.6, 0.7, roughness));
   if (has(FULCRUM_LOOK_NEIGHBOURS) && follows > 0.0) {
     vec4 near = neighbours(n, d, roughness);
     shown = mix(shown, near.rgb + mix(reached.sent_on, far, reached.near) * (1.0 - near.a), follows);
