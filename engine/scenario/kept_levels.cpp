@@ -14,14 +14,14 @@ namespace {
 
 // Another one where levels of the same mesh become others, or their bytes.
 constexpr std::string_view kLevelsFormat = "fulcrum levels 3";
-constexpr std::string_view kTexturesFormat = "textures 1";  // of a mesh that has any
+constexpr std::string_view kUvFormat = "uv 1";  // of a mesh of which any are read
 
 // A mesh of fewer triangles shares a file with the others of its scene: a plant has hundreds of bolts.
 constexpr std::size_t kTrianglesWorthAFile = 4096;
 
 struct MeshInUse {
   render::Mesh* mesh = nullptr;
-  render::UvSets read{};  // by textures of what it is shown with
+  render::UvSets read{};  // by the materials that it is shown with
 };
 using Meshes = std::vector<MeshInUse>;
 using Levels = std::vector<render::LevelsOfDetail>;  // of each of them
@@ -40,7 +40,7 @@ std::string name_of_levels(const Meshes& meshes) {
     add(mesh->colours);
     add(mesh->indices);
     if (!read[0] && !read[1]) continue;
-    hasher.update(kTexturesFormat);
+    hasher.update(kUvFormat);
     add(read);
     add(mesh->uv);
   }

@@ -6,7 +6,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 
-expect_each 0 '4 samples, soft shadows of 2048, ambient occlusion, light below surfaces of 16, triangles to 0.25 px' '1 sample, shadows of 512, 35 % of the resolution' 'stick +overview' 'stick +ball' -- \
+expect_each 0 '4 samples, soft shadows of 2048, ambient occlusion, light below surfaces of 16, reflections, triangles to 0.25 px' '1 sample, shadows of 512, 35 % of the resolution' 'stick +overview' 'stick +ball' -- \
   "$FULCRUM" workprecision picture --scene stick --out P
 [ "$(head -1 P/picture.csv)" = scene,view,level,flip_mean,flip_p99,luminance_error,frame_ms ] ||
   fail "picture.csv has other columns: $(head -1 P/picture.csv)"
