@@ -10,11 +10,13 @@
 namespace fulcrum::render {
 namespace {
 
-constexpr std::uint32_t kLevels = 5;  // each side of the finest is a multiple of 16
-constexpr float kBefore = 1.25F;      // voxels before a surface: light is found there
+constexpr float kMirrorVoxels = 128.0F;  // along the longest side, at the most
+constexpr std::uint32_t kLevels = 5;     // each side of the finest is a multiple of 16
+constexpr float kBefore = 1.25F;         // voxels before a surface: light is found there
 
-std::optional<VoxelGrid> mirror_grid(const VisualDesc& desc, std::uint32_t layers, float most) {
-  std::optional<VoxelGrid> grid = voxel_grid(desc, layers, most - 1.0F);  // rounding may bring one more
+std::optional<VoxelGrid> mirror_grid(const VisualDesc& desc, std::uint32_t layers) {
+  std::optional<VoxelGrid> grid =
+      voxel_grid(desc, layers, kMirrorVoxels - 1.0F);  // rounding may bring one more
   if (!grid) return {};
   constexpr std::uint32_t step = 1U << (kLevels - 1);
   const glm::uvec3 counts = (grid->counts + step - 1U) / step * step;
@@ -163,8 +165,7 @@ std::uint64_t with_coarser(std::uint64_t voxels) {
   return all;
 }
 
-}  // namespace
-
+// Something is of metal smooth enough to mirror its neighbours, and something stands.
 bool mirrors_neighbours(const VisualDesc& desc) {
   // Of shaders/include/shading.glsl: voxels would be seen, and the light volume tells as much.
   constexpr float kSmoothest = 0.06F, kRoughest = 0.7F;
@@ -178,20 +179,22 @@ bool mirrors_neighbours(const VisualDesc& desc) {
   return metal && light_volume_voxels(desc) > light_volume_layers(desc).size();
 }
 
+}  // namespace
+
 std::uint64_t mirror_volume_voxels(const VisualDesc& desc) {
   if (!mirrors_neighbours(desc)) return 0;
   std::uint64_t all = 0;
   for (const std::uint32_t layers : light_volume_layers(desc)) {
-    const std::optional<VoxelGrid> grid = mirror_grid(desc, layers, kMirrorVoxels);
+    const std::optional<VoxelGrid> grid = mirror_grid(desc, layers);
     all += grid ? with_coarser(grid->size()) : 1;
   }
   return all;
 }
 
 MirrorVolume make_mirror_volume(const VisualDesc& desc, std::uint32_t layers, const LightVolume& light,
-                                const Irradiance& received, float most) {
+                                const Irradiance& received) {
   MirrorVolume made;
-  const std::optional<VoxelGrid> grid = mirror_grid(desc, layers, most);
+  const std::optional<VoxelGrid> grid = mirror_grid(desc, layers);
   if (!grid) return made;
   made.low = grid->low;
   made.voxel = grid->voxel;

@@ -21,17 +21,12 @@ struct MirrorVolume {
   std::vector<std::vector<glm::vec4>> levels{{glm::vec4(0.0F)}};
 };
 
-// Voxels along the longest side, at the most.
-inline constexpr float kMirrorVoxels = 128.0F;
-
-// Something in the scene is of metal smooth enough to mirror its neighbours, and something stands.
-bool mirrors_neighbours(const VisualDesc& desc);
-
 // Of what stands and is in one of these layers. light: of the same; received: irradiance of the surroundings.
 MirrorVolume make_mirror_volume(const VisualDesc& desc, std::uint32_t layers, const LightVolume& light,
-                                const Irradiance& received, float most = kMirrorVoxels);
+                                const Irradiance& received);
 
-// Voxels of all of them, with their coarser levels, before they are made.
+// Voxels of all of them, with their coarser levels, before they are made. 0: no metal is such that it mirrors
+// its neighbours, or nothing stands.
 std::uint64_t mirror_volume_voxels(const VisualDesc& desc);
 
 }  // namespace fulcrum::render
