@@ -93,6 +93,9 @@ void print(const std::string& file, const fs::path& out, const fs::path& drawn, 
   if (imported.images > 0)
     line(count_text(imported.images, "image") + (imported.images == 1 ? " is" : " are") +
          " left out: only colours are taken.");
+  if (imported.lights > 0)
+    line(count_text(imported.lights, "light") + (imported.lights == 1 ? " is" : " are") +
+         " left out: a scenario has those of a .glb or .gltf that it names itself.");
   if (imported.format == "glTF" &&
       std::ranges::any_of(imported.model.materials,
                           [](const ModelMaterial& material) { return material.detail.has_value(); }))
@@ -130,6 +133,7 @@ nlohmann::ordered_json as_json(const std::string& file, const fs::path& out, con
           {"drawn_triangles", imported.drawn ? nlohmann::ordered_json(imported.drawn_triangles) : nullptr},
           {"drawn_deviation_m", imported.drawn ? nlohmann::ordered_json(imported.drawn_deviation) : nullptr},
           {"images_left_out", imported.images},
+          {"lights_left_out", imported.lights},
           {"can_be_touched", imported.why_not_solid.empty()},
           {"why_not", or_null(imported.why_not_solid)},
           {"mended", imported.mended},

@@ -88,6 +88,7 @@ Result<Imported> import_file(const std::filesystem::path& file, const ImportOpti
   Imported imported;
   imported.format = read->format;
   imported.images = read->images;
+  imported.lights = read->lights;
   const Box3 box = box_of(read->model);
   imported.unit_m =
       options.unit ? Guess<double>{metres(*options.unit), {}} : guess_unit(*read, box.diagonal().norm());

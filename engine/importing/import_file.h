@@ -28,6 +28,7 @@ struct Imported {
   std::size_t triangles = 0;
   std::size_t drawn_triangles = 0;
   std::size_t images = 0;           // left out
+  std::size_t lights = 0;           // left out
   std::size_t thin_triangles = 0;   // lower than kThin
   std::vector<std::string> mended;  // sentences: what a scenario mends of its surface when it loads it
   std::string why_not_solid;        // empty: it can be touched

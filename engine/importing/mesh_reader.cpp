@@ -180,13 +180,14 @@ std::optional<double> unit_in_figures(const aiScene& scene) {
 Result<ReadMesh> read_gltf(const fs::path& file) {
   auto model = load_gltf(fs::absolute(file).parent_path(), fs::absolute(file));
   if (!model) return model.error();
-  const std::size_t images = model->images.size();
+  const std::size_t images = model->images.size(), lights = model->lights.size();
   return ReadMesh{.model = std::move(*model),
                   .format = "glTF",
                   .said_of_unit = {},
                   .unit_m = 1.0,
                   .y_is_up = true,
-                  .images = images};
+                  .images = images,
+                  .lights = lights};
 }
 
 }  // namespace
@@ -221,6 +222,7 @@ Result<ReadMesh> read_mesh(const fs::path& file) {
   read.format = upper(extension.substr(1));
   read.said_of_unit = line_about_units(file);
   read.unit_m = unit_in_figures(*scene);
+  read.lights = scene->mNumLights;
   read.y_is_up = extension == ".3ds" || extension == ".dae" || extension == ".fbx";
   for (unsigned int i = 0; i < scene->mNumMaterials; ++i)
     read.model.materials.push_back(material_from(*scene->mMaterials[i], read.images));

@@ -19,6 +19,7 @@ struct ReadMesh {
   std::optional<double> unit_m;  // what its format, or its own figures, say one unit is
   bool y_is_up = false;          // its format says so, or its reader has turned it
   std::size_t images = 0;        // that its materials name, and that are left out
+  std::size_t lights = 0;        // of the file, left out too
 };
 
 // Refused, with a sentence: no file, no such format, damaged, no triangles, numbers that are not finite, more

@@ -60,4 +60,8 @@ expect 0 "marked.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' has a light 'bulb'
   "$FULCRUM" check lit/marked.yaml
 sed -i 's/"translation"/"extras":{"fulcrum_role":"decor"},&/' lit/lamp.gltf
 "$FULCRUM" check lit/marked.yaml | grep 'lights nothing' && fail "a light that is taken is told of as left out"
+
+# An import takes none, and says so.
+lamp '{"type":"point","intensity":60}' 2 >lit/lamp.gltf
+expect 0 '2 lights are left out: a scenario has those of a .glb or .gltf that it names itself' "$FULCRUM" import lit/lamp.gltf --out imported
 exit $((failures > 0))

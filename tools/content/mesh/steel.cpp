@@ -61,13 +61,8 @@ PaintedPlace painted_place(const Vector2d& uv, const Vector3d& paint) {
           std::lerp(0.36 + 0.06 * clouds + 0.05 * peel + 0.14 * film, std::lerp(0.6, 0.38, steel), crack)};
 }
 
-Vector3d normal_of(const Solid& solid, const Triangle& t) {
-  const Vector3d& a = solid.points[t[0]];
-  return (solid.points[t[1]] - a).cross(solid.points[t[2]] - a);
-}
-
-}  // namespace
-
+// Brushed along u, or turned where that goes round: fine lines, some of them duller, and where hands have
+// been. A square of which the colour is about white, to be times the metal's.
 Pictures brushed_steel() {
   constexpr double depth = 0.35;  // of the lines, in relation to how far they are apart
   constexpr double pixel = 1.0 / steel_pixels;
@@ -86,6 +81,13 @@ Pictures brushed_steel() {
     }
   return pictures;
 }
+
+Vector3d normal_of(const Solid& solid, const Triangle& t) {
+  const Vector3d& a = solid.points[t[0]];
+  return (solid.points[t[1]] - a).cross(solid.points[t[2]] - a);
+}
+
+}  // namespace
 
 Material brushed(const std::string& name, const std::array<double, 3>& base_colour, double roughness) {
   return {.name = name,

@@ -5,11 +5,8 @@
 
 namespace fulcrum::content {
 
-// Brushed along u, or turned where that goes round: fine lines, some of them duller, and where hands have
-// been. A square of which the colour is about white, to be times the metal's.
-Pictures brushed_steel();
-
-// A material of it, of that colour and roughness in the mean.
+// A material of that colour and roughness in the mean, brushed along u, or turned where that goes round: fine
+// lines, some of them duller, and where hands have been. Its pictures are square.
 Material brushed(const std::string& name, const std::array<double, 3>& base_colour, double roughness);
 
 // Painted steel, a picture twice as high as wide: mottled paint of that colour and a little grime, which has
