@@ -47,13 +47,13 @@ std::string lit_as_planned(std::string name, const RenderPlan& plan) {
   else if (plan.shadow_size > 0)
     name += "_shadowed";
   if (plan.occlusion) name += "_occluded";
-  if (plan.lights) name += "_lamplit";
+  if (plan.lights > 0) name += "_lamplit";
   return name;
 }
 
 // A surface's specialisation constant.
 std::uint32_t planned(std::uint32_t look, const RenderPlan& plan) {
-  return plan.reflections ? look | FULCRUM_LOOK_NEIGHBOURS : look;
+  return look | (plan.reflections ? FULCRUM_LOOK_NEIGHBOURS : 0U) | plan.lights << FULCRUM_LOOK_LIGHTS_SHIFT;
 }
 
 PipelineHandle make_surfaces(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,

@@ -202,8 +202,8 @@ void add_shadow(const SceneFacts& facts, const Quality& quality, RenderPlan& pla
 }
 
 void add_lights(const SceneFacts& facts, RenderPlan& plan) {
-  plan.lights = plan.surfaces && facts.lights > 0;
-  if (!plan.lights) {
+  plan.lights = plan.surfaces ? static_cast<std::uint32_t>(facts.lights) : 0;
+  if (plan.lights == 0) {
     plan.left_out.push_back(
         {"lights of models", "buffer", 0,
          facts.lights == 0 ? "no model brings one (KHR_lights_punctual)" : "the scene has no instances"});

@@ -60,7 +60,7 @@ struct RenderPlan {
   bool surfaces = false;
   bool plain_surfaces = false;            // of one colour, one metallic and one roughness
   std::vector<std::uint32_t> looks = {};  // of the others (look.h), each once
-  bool lights = false;                    // beside the key light: that models bring
+  std::uint32_t lights = 0;               // beside the key light: that models bring
   bool seen_around = false;               // the surroundings are the background
   bool markers = false;
   bool ghosts = false;

@@ -42,11 +42,11 @@ PunctualLights::PunctualLights(const VisualDesc& desc) {
 
 gpu::LightsData PunctualLights::data(std::span<const glm::mat4> X_WM, std::uint32_t layers) const {
   gpu::LightsData data{};
-  std::size_t count = 0;
-  for (const Light& light : lights_)
-    if ((light.desc.layers & layers) != 0)
-      data.each[count++] = data_of(light.desc, light.carried_by ? X_WM[*light.carried_by] : glm::mat4(1.0F));
-  data.count.x = static_cast<float>(count);
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const Light& light = lights_[i];
+    data.each[i] = data_of(light.desc, light.carried_by ? X_WM[*light.carried_by] : glm::mat4(1.0F));
+    if ((light.desc.layers & layers) == 0) data.each[i].colour = glm::vec4(0.0F);
+  }
   return data;
 }
 

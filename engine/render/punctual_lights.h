@@ -17,8 +17,8 @@ public:
   // Of a valid description.
   explicit PunctualLights(const VisualDesc& desc);
 
-  // Those that shine for a camera of these layers, while the movable instances are there.
-  // X_WM: as in FrameState.
+  // As a camera of these layers sees them, to which the others are black, while the movable instances are
+  // there. X_WM: as in FrameState.
   gpu::LightsData data(std::span<const glm::mat4> X_WM, std::uint32_t layers) const;
 
 private:

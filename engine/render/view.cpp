@@ -15,7 +15,7 @@ std::optional<OcclusionPass> make_occlusion(vulkan::Device& device, const Render
 }
 
 vulkan::Buffer make_lights(vulkan::Device& device, const RenderPlan& plan) {
-  if (!plan.lights) return {};
+  if (plan.lights == 0) return {};
   return {device, sizeof(gpu::LightsData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload};
 }
 
@@ -46,7 +46,7 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
     lit_by(kMirroredBinding,
            (plan.reflections ? shared.volumes[volume].mirrored : shared.volumes[volume].sent_on).view());
   }
-  if (plan.lights)
+  if (plan.lights > 0)
     bindings.push_back(
         {kLightsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT, lights});
   if (plan.markers) {
@@ -125,7 +125,7 @@ void View::update(const gpu::FrameData& data, const FrameState& state) {
 }
 
 void View::light_by(const PunctualLights& models, std::span<const glm::mat4> X_WM) {
-  if (!plan.lights) return;
+  if (plan.lights == 0) return;
   const gpu::LightsData data = models.data(X_WM, sight.layers);
   std::memcpy(lights.mapped(), &data, sizeof(data));
 }

@@ -184,7 +184,7 @@ void main() {
   }
 #ifdef FULCRUM_PUNCTUAL
   vec3 coat_lit = vec3(0.0);
-  for (int i = 0; i < int(lights.count.x); ++i) {
+  for (int i = 0; i < lights_of_models(); ++i) {
     vec3 from;
     vec3 light = punctual_light(i, world_position, from);
     vec3 half_way = normalize(v + from);

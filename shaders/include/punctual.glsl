@@ -10,14 +10,13 @@ layout(std140, set = 0, binding = 10) uniform Lights { LightsData lights; };
 // degree across, as the key light is by default.
 const float kPointHalfWidth = 0.0087275;
 
+int lights_of_models() { return int(LOOK >> FULCRUM_LOOK_LIGHTS_SHIFT); }
+
 // Light that arrives from one of them, and the direction to it.
 vec3 punctual_light(int which, vec3 position, out vec3 l) {
   LightData light = lights.each[which];
-  if (light.position.w == 0.0) {
-    l = -light.direction.xyz;
-    return light.colour.rgb;
-  }
-  vec3 to_light = light.position.xyz - position;
+  // One formula for both kinds: where a shader branches on uniforms alone, lavapipe compiles it anew at each binding.
+  vec3 to_light = mix(-light.direction.xyz, light.position.xyz - position, light.position.w);
   float distance2 = max(dot(to_light, to_light), 1e-6);
   l = to_light * inversesqrt(distance2);
   float cone = clamp(dot(-l, light.direction.xyz) * light.fade.x + light.fade.y, 0.0, 1.0);

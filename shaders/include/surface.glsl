@@ -31,7 +31,7 @@ void main() {
     radiance += arriving * n_dot_l * sent_by(lobes, n, v, n_dot_v, normalize(v + l), n_dot_l, half_width);
   }
 #ifdef FULCRUM_PUNCTUAL
-  for (int i = 0; i < int(lights.count.x); ++i) {
+  for (int i = 0; i < lights_of_models(); ++i) {
     arriving = punctual_light(i, world_position, l);
     n_dot_l = dot(n, l);
     if (n_dot_l > 0.0) {

@@ -12,15 +12,15 @@ struct LightData {
   vec4 position;   // xyz in the world (m), w 1 for one that has a place, 0 for a directional one
   vec4 direction;  // xyz unit, as the light travels
   vec4 colour;     // rgb times intensity, irradiance / pi; of one that has a place at 1 m
-  vec4 fade;  // xy what the cosine to a spot's axis is multiplied by and what is added, z 1 / range^2 (1/m^2)
+  vec4 fade;  // xy what the cosine to a spot's axis is multiplied by and what is added, z 1 / range^2 (1/m^2);
+              // 0, 1 and 0 where it does not fade
 };
 
 struct LightsData {
   LightData each[FULCRUM_MOST_LIGHTS];
-  vec4 count;  // x
 };
 
-FULCRUM_GPU_SIZE(LightsData, (4 * FULCRUM_MOST_LIGHTS + 1) * 16);
+FULCRUM_GPU_SIZE(LightsData, 4 * FULCRUM_MOST_LIGHTS * 16);
 
 FULCRUM_GPU_END
 

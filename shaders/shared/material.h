@@ -25,6 +25,7 @@
 #define FULCRUM_LOOK_SCATTERING 16384u
 // Of all surfaces, from the plan: metal mirrors what stands near it.
 #define FULCRUM_LOOK_NEIGHBOURS 32768u
+#define FULCRUM_LOOK_LIGHTS_SHIFT 16  // bits from here on: how many lights models bring
 
 FULCRUM_GPU_BEGIN
 
