@@ -6,6 +6,7 @@
 
 #include "engine/render/turned.h"
 #include "engine/scenario/assemble.h"
+#include "engine/scenario/decor_shadows.h"
 #include "engine/scenario/device_shapes.h"
 #include "engine/scenario/holding_axes.h"
 #include "engine/scenario/level_bars.h"
@@ -143,6 +144,7 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
                                        !(scenario.left_handed && entry.lettering)))
       return *refused;
   }
+  let_decor_throw_shadows(desc);
   for (const MaterialOverride& material : scenario.materials)
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();
   if (draws_arms(scenario, scene)) {
