@@ -14,9 +14,19 @@ namespace {
 
 constexpr float kAnisotropy = 8.0F;  // samples along the slant, at most
 
-vulkan::Image on_device(vulkan::Device& device, const Texture& texture) {
+vulkan::Image on_device(vulkan::Device& device, const Texture& texture, bool is_relief) {
   return vulkan::upload_texture(device, texture.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
-                                {texture.width, texture.height}, mip_chain(texture));
+                                {texture.width, texture.height},
+                                is_relief ? relief_chain(texture) : mip_chain(texture));
+}
+
+// A texture of normals has no alpha that anything else would read.
+std::vector<bool> reliefs(const VisualDesc& desc) {
+  std::vector<bool> are(desc.textures.size(), false);
+  for (const Material& material : desc.materials)
+    if (material.detail)
+      if (const auto& layer = material.detail->layers[SurfaceDetail::normal]) are[layer->texture] = true;
+  return are;
 }
 
 gpu::MaterialData numbers_of(const SurfaceDetail& detail) {
@@ -50,7 +60,8 @@ VkSamplerAddressMode address(Wrap wrap) {
 }  // namespace
 
 DetailedSurfaces::DetailedSurfaces(vulkan::Device& device, const VisualDesc& desc)
-    : white_(on_device(device, {"white", 1, 1, {255, 255, 255, 255}, false})) {
+    : white_(on_device(device, {"white", 1, 1, {255, 255, 255, 255}, false}, false)) {
+  const std::vector<bool> is_relief = reliefs(desc);
   textures_.resize(desc.textures.size());
   materials_.resize(desc.materials.size());
   for (const Instance& instance : desc.instances) {
@@ -58,7 +69,8 @@ DetailedSurfaces::DetailedSurfaces(vulkan::Device& device, const VisualDesc& des
     if (!material.detail || materials_[instance.material]) continue;
     for (const auto& layer : material.detail->layers)
       if (layer && !textures_[layer->texture])
-        textures_[layer->texture] = on_device(device, desc.textures[layer->texture]);
+        textures_[layer->texture] =
+            on_device(device, desc.textures[layer->texture], is_relief[layer->texture]);
     materials_[instance.material] = make(device, material);
     layout_ = materials_[instance.material]->sets[0].layout();
   }

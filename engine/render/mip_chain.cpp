@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace fulcrum::render {
 namespace {
@@ -54,6 +55,25 @@ private:
   std::array<float, 256> decoded_{};
 };
 
+// Directions across a surface, as coordinates of 0 to 1, and the square of how far each leans.
+class FirstRelief {
+public:
+  explicit FirstRelief(const Texture& texture)
+      : width(texture.width), height(texture.height), texture_(texture) {}
+
+  glm::vec4 at(std::uint32_t x, std::uint32_t y) const {
+    const std::uint8_t* pixel = &texture_.rgba[4 * (std::size_t{y} * width + x)];
+    const glm::vec3 coordinates = glm::vec3(pixel[0], pixel[1], pixel[2]) / 255.0F;
+    const glm::vec2 leans = 2.0F * glm::vec2(coordinates) - 1.0F;
+    return {coordinates, glm::dot(leans, leans)};
+  }
+
+  std::uint32_t width, height;
+
+private:
+  const Texture& texture_;
+};
+
 struct SmallerLevel {
   std::uint32_t width, height;
   const Level& level;
@@ -96,19 +116,44 @@ std::vector<std::uint8_t> bytes_of(const Level& level, const Texture& texture) {
   return bytes;
 }
 
+std::vector<std::uint8_t> relief_bytes_of(const Level& level) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(4 * level.pixels.size());
+  for (const glm::vec4& pixel : level.pixels) {
+    for (int i = 0; i < 3; ++i) bytes.push_back(to_byte(pixel[i]));
+    const glm::vec2 mean = 2.0F * glm::vec2(pixel) - 1.0F;
+    bytes.push_back(to_byte(std::sqrt(std::max(pixel.a - glm::dot(mean, mean), 0.0F))));
+  }
+  return bytes;
+}
+
+// `first`: the texture's own pixels, of which `levels` has the bytes; bytes: of a Level.
+template <class First, class Bytes>
+std::vector<std::vector<std::uint8_t>> continued(std::vector<std::vector<std::uint8_t>> levels,
+                                                 const First& first, std::uint32_t count,
+                                                 const Bytes& bytes) {
+  if (count == 1) return levels;
+  Level level = halved(first);
+  levels.push_back(bytes(level));
+  while (levels.size() < count) {
+    level = halved(SmallerLevel{level.width, level.height, level});
+    levels.push_back(bytes(level));
+  }
+  return levels;
+}
+
 }  // namespace
 
 std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture) {
-  std::vector<std::vector<std::uint8_t>> levels{texture.rgba};
-  const std::uint32_t count = mip_levels(texture);
-  if (count == 1) return levels;
-  Level level = halved(FirstLevel(texture));
-  levels.push_back(bytes_of(level, texture));
-  while (levels.size() < count) {
-    level = halved(SmallerLevel{level.width, level.height, level});
-    levels.push_back(bytes_of(level, texture));
-  }
-  return levels;
+  return continued(
+      {texture.rgba}, FirstLevel(texture), mip_levels(texture),
+      [&](const Level& level) { return bytes_of(level, texture); });
+}
+
+std::vector<std::vector<std::uint8_t>> relief_chain(const Texture& texture) {
+  std::vector<std::uint8_t> own = texture.rgba;
+  for (std::size_t i = 3; i < own.size(); i += 4) own[i] = 0;
+  return continued({std::move(own)}, FirstRelief(texture), mip_levels(texture), relief_bytes_of);
 }
 
 glm::vec3 mean_colour(const Texture& texture) {

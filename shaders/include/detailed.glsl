@@ -31,9 +31,7 @@ vec2 uv_of(int which) {
 
 // Along the surface, the directions in which u and v grow fastest; v grows downwards in a picture, and a map's green
 // points up.
-vec3 mapped(vec3 n, vec2 at) {
-  vec3 bend = texture(normal_map, at).xyz * 2.0 - 1.0;
-  bend.xy *= material.amounts.x;
+vec3 mapped(vec3 n, vec2 at, vec3 bend) {
   vec3 dx = dFdx(world_position);
   vec3 dy = dFdy(world_position);
   vec2 du = dFdx(at);
@@ -106,8 +104,13 @@ void main() {
 
   vec3 geometric = normalize(world_normal);
   vec3 n = geometric;
+  float spread = 0.0;
   if (has_texture(FULCRUM_TEXTURE_NORMAL)) {
-    n = mapped(geometric, uv_of(FULCRUM_TEXTURE_NORMAL));
+    vec2 at = uv_of(FULCRUM_TEXTURE_NORMAL);
+    vec4 relief = texture(normal_map, at);
+    vec3 scale = vec3(material.amounts.xx, 1.0);
+    n = mapped(geometric, at, (relief.xyz * 2.0 - 1.0) * scale);
+    spread = relief.a * material.amounts.x;
   }
   if (has(FULCRUM_LOOK_DOUBLE_SIDED) && !gl_FrontFacing) {  // a bump is a dent from behind
     geometric = -geometric;
@@ -123,7 +126,8 @@ void main() {
     roughness *= found.g;
   }
   roughness = clamp(roughness, 0.045, 1.0);
-  float alpha = roughness * roughness;
+  float alpha = seen_alpha(roughness * roughness, geometric, spread);
+  roughness = sqrt(alpha);
   vec3 f0 = mix(material.specular.rgb, base.rgb, metallic);
   float f90 = mix(material.specular.w, 1.0, metallic);
   vec3 diffuse = base.rgb * (1.0 - metallic);

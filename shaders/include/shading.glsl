@@ -59,6 +59,16 @@ float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
 }
 #endif
 
+// The alpha of what a pixel shows: it faces many ways, and so mirrors as something rougher does. n: before textures bend
+// it. spread: root mean square of how far the normals of a texture lean within it.
+// Y. Tokuyoshi and A. Kaplanyan, "Improved Geometric Specular Antialiasing", 2019, its equation 1 in alpha^2.
+float seen_alpha(float alpha, vec3 n, float spread) {
+  vec3 dx = dFdx(n);
+  vec3 dy = dFdy(n);
+  float curved = min((dot(dx, dx) + dot(dy, dy)) / kPi, 0.18);
+  return sqrt(min(alpha * alpha + curved + spread * spread, 1.0));
+}
+
 // Irradiance / pi from all around, of a surface that faces n.
 vec3 light_around(vec3 n) {
   vec4 first = vec4(n, 1.0);

@@ -7,8 +7,9 @@ void main() {
   vec3 v = normalize(frame.eye.xyz - world_position);
   float n_dot_v = max(dot(n, v), 1e-3);
   float metallic = surface.x;
-  float roughness = clamp(surface.y, 0.045, 1.0);
-  float alpha = roughness * roughness;
+  float least = clamp(surface.y, 0.045, 1.0);
+  float alpha = seen_alpha(least * least, n, 0.0);
+  float roughness = sqrt(alpha);
   vec3 base = base_colour.rgb * (1.0 - absorbed);
   vec3 f0 = mix(vec3(0.04), base, metallic);
   vec3 diffuse = base * (1.0 - metallic);

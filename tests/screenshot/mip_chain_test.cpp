@@ -40,6 +40,17 @@ TEST(MipChain, WithoutHolesAlphaIsANumberLikeOthers) {
   EXPECT_EQ(mip_chain({"opaque", 2, 1, pixels, true})[1], (Bytes{200, 100, 50, 128}));
 }
 
+// Two normals that lean 0.6 to either side: their mean leans nowhere, and they do 0.6 in the root mean
+// square.
+TEST(ReliefChain, KeepsHowFarNormalsAreSpread) {
+  const Bytes ridge{204, 128, 230, 255, 51, 128, 230, 255};
+  const auto levels = relief_chain({"ridge", 2, 1, ridge, false});
+  EXPECT_EQ(levels[0], (Bytes{204, 128, 230, 0, 51, 128, 230, 0})) << "what is seen one by one is not spread";
+  EXPECT_EQ(levels[1], (Bytes{128, 128, 230, 153}));
+  const Bytes slope{204, 128, 230, 255, 204, 128, 230, 255};
+  EXPECT_EQ(relief_chain({"slope", 2, 1, slope, false})[1], (Bytes{204, 128, 230, 0}));
+}
+
 // Each level has the light of the whole, whatever the sides.
 TEST(MipChain, KeepsTheMean) {
   Texture texture{"noise", 64, 32, {}, false};
