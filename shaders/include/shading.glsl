@@ -59,13 +59,15 @@ float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
 }
 #endif
 
-// The alpha of what a pixel shows: it faces many ways, and so mirrors as something rougher does. n: before textures bend
-// it. spread: root mean square of how far the normals of a texture lean within it.
-// Y. Tokuyoshi and A. Kaplanyan, "Improved Geometric Specular Antialiasing", 2019, its equation 1 in alpha^2.
+// The alpha of what a pixel shows: it faces many ways, and so mirrors as something rougher does. GGX's alpha^2 is twice the
+// variance of slopes along each direction, and places in a pixel have a variance of 1 / 12 along each side; of what turns in
+// one direction the mean of both stands for it. n: before textures bend it. spread: root mean square of how far the normals
+// of a texture lean within the pixel.
+// Y. Tokuyoshi and A. Kaplanyan, "Improved Geometric Specular Antialiasing", 2019, with a narrower pixel, and its limit.
 float seen_alpha(float alpha, vec3 n, float spread) {
   vec3 dx = dFdx(n);
   vec3 dy = dFdy(n);
-  float curved = min((dot(dx, dx) + dot(dy, dy)) / kPi, 0.18);
+  float curved = min((dot(dx, dx) + dot(dy, dy)) / 12.0, 0.18);
   return sqrt(min(alpha * alpha + curved + spread * spread, 1.0));
 }
 

@@ -18,11 +18,10 @@ void add_square(render::VisualDesc& desc, float width, const glm::vec3& place, b
   instance.mesh = desc.meshes.size();
   instance.X_WM = glm::translate(glm::mat4(1.0F), place);
   instance.casts_shadow = throws_shadow;
-  desc.meshes.push_back(
-      {.name = "square",
-       .positions = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}},
-       .normals = std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)),
-       .indices = {0, 1, 2, 0, 2, 3}});
+  render::Mesh& mesh = desc.meshes.emplace_back();
+  mesh.positions = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
+  mesh.normals.assign(4, {0, 0, 1});
+  mesh.indices = {0, 1, 2, 0, 2, 3};
   desc.instances.push_back(instance);
 }
 
