@@ -21,11 +21,17 @@ glm::mat4 look_along(const glm::vec3& eye, const glm::vec3& direction) {
   return glm::lookAt(eye, eye + direction, up);
 }
 
+// The box around all of them, in that view.
+Bounds seen_in(const glm::mat4& view, std::span<const Bounds> casters) {
+  Bounds seen = transformed(casters.front(), view);
+  for (const Bounds& caster : casters.subspan(1)) seen = united(seen, transformed(caster, view));
+  return seen;
+}
+
 LightFit fit_directional(const KeyLight& light, const glm::vec3& direction, std::span<const Bounds> casters,
                          int map_size) {
   const glm::mat4 view = look_along(glm::vec3(0.0F), direction);
-  Bounds seen = transformed(casters.front(), view);
-  for (const Bounds& caster : casters.subspan(1)) seen = united(seen, transformed(caster, view));
+  const Bounds seen = seen_in(view, casters);
   const glm::vec3 size = seen.high - seen.low;
   // A rim of texels for the filter, and room for the centre to be rounded.
   const float side = rounded_up(std::max(size.x, size.y) * (1.0F + 16.0F / static_cast<float>(map_size)));
@@ -68,6 +74,11 @@ LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int m
   const glm::vec3 direction = glm::normalize(light.direction);
   return light.kind == KeyLight::Kind::spot ? fit_spot(light, direction, casters, map_size)
                                             : fit_directional(light, direction, casters, map_size);
+}
+
+float width_seen(const KeyLight& light, std::span<const Bounds> casters) {
+  const Bounds seen = seen_in(look_along(glm::vec3(0.0F), glm::normalize(light.direction)), casters);
+  return std::max(seen.high.x - seen.low.x, seen.high.y - seen.low.y);
 }
 
 bool still_fits(const LightFit& fit, const KeyLight& light, std::span<const Bounds> casters, int map_size) {

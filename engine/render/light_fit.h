@@ -21,6 +21,10 @@ struct LightFit {
 // moving caster does not make the edges of all the other shadows crawl.
 LightFit fit_light(const KeyLight& light, std::span<const Bounds> casters, int map_size);
 
+// How wide a map that sees all of these boxes, of which there is at least one, is in the world, seen from far
+// away along the light (m).
+float width_seen(const KeyLight& light, std::span<const Bounds> casters);
+
 // A fit that was made for casters elsewhere covers these as well, and not much more finely would another:
 // what stands need not be drawn again for every move of what does not.
 bool still_fits(const LightFit& fit, const KeyLight& light, std::span<const Bounds> casters, int map_size);

@@ -32,6 +32,10 @@ bool is_blended(std::uint32_t look) {
   return (look & FULCRUM_LOOK_BLEND) != 0;
 }
 
+bool throws_shadow(const Instance& instance, const Material& material) {
+  return instance.casts_shadow && !is_blended(look_of(material).value_or(0));
+}
+
 bool is_masked(std::uint32_t look) {
   return (look & FULCRUM_LOOK_MASK) != 0 && !is_blended(look);
 }

@@ -127,7 +127,8 @@ std::vector<std::uint8_t> relief_bytes_of(const Level& level) {
   return bytes;
 }
 
-// `first`: the texture's own pixels, of which `levels` has the bytes; bytes: of a Level.
+// With all smaller levels behind the first, whose bytes `levels` has, and whose pixels `first` gives. bytes:
+// makes those of a Level.
 template <class First, class Bytes>
 std::vector<std::vector<std::uint8_t>> continued(std::vector<std::vector<std::uint8_t>> levels,
                                                  const First& first, std::uint32_t count,

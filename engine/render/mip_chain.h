@@ -12,9 +12,9 @@ namespace fulcrum::render {
 // mean of what it covers: of light where the texture is sRGB, of colours that are there where it has holes.
 std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture);
 
-// Of a texture of normals: in place of alpha, how far those that a pixel stands for are spread: the root mean
-// square of how far they lean, beside their mean (M. Toksvig, "Mipmapping Normal Maps", 2005, and M. Olano
-// and D. Baker, "LEAN Mapping", 2010, both of which keep that, too). The first level's is 0.
+// Of a texture of normals, whose alpha means nothing: there it has how far the normals are spread that a
+// pixel stands for, the root mean square of how far they lean from their mean; in the first level, none. So
+// M. Olano and D. Baker, "LEAN Mapping", 2010, though for each direction by itself.
 std::vector<std::vector<std::uint8_t>> relief_chain(const Texture& texture);
 
 // Of all its pixels; linear.

@@ -167,14 +167,12 @@ std::uint64_t with_coarser(std::uint64_t voxels) {
 
 // Something is of metal smooth enough to mirror its neighbours, and something stands.
 bool mirrors_neighbours(const VisualDesc& desc) {
-  // Of shaders/include/shading.glsl: voxels would be seen, and the light volume tells as much.
-  constexpr float kSmoothest = 0.06F, kRoughest = 0.7F;
+  constexpr float kRoughest = 0.7F;  // of shaders/include/shading.glsl: the light volume tells as much
   const bool metal = std::ranges::any_of(desc.instances, [&](const Instance& instance) {
     const Material& material = desc.materials[instance.material];
     const bool is_textured = material.detail && material.detail->layers[SurfaceDetail::metal_rough];
     const bool is_unlit = material.detail && material.detail->unlit;
-    return material.metallic > 0.0F &&
-           ((material.roughness > kSmoothest && material.roughness < kRoughest) || is_textured) && !is_unlit;
+    return material.metallic > 0.0F && (material.roughness < kRoughest || is_textured) && !is_unlit;
   });
   return metal && light_volume_voxels(desc) > light_volume_layers(desc).size();
 }

@@ -387,7 +387,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
   for (const Instance& instance : desc.instances) {
     const Material& material = desc.materials[instance.material];
     const std::optional<std::uint32_t> look = look_of(material);
-    if (instance.casts_shadow && !is_blended(look.value_or(0))) {
+    if (throws_shadow(instance, material)) {
       ++facts.casters;
       facts.moving_casters += instance.movable ? 1 : 0;
     }

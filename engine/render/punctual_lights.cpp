@@ -23,7 +23,7 @@ gpu::LightData data_of(const PunctualLight& light, const glm::mat4& X_WL) {
     data.fade.x = 1.0F / std::max(0.001F, std::cos(light.inner_cone_rad) - outer);
     data.fade.y = -outer * data.fade.x;
   }
-  if (light.range) data.fade.z = 1.0F / (*light.range * *light.range);
+  if (placed && light.range) data.fade.z = 1.0F / (*light.range * *light.range);
   return data;
 }
 

@@ -124,7 +124,7 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
                           false, instance.layers});
     }
     Batch& batch = batches_.back();
-    const bool casts = instance.casts_shadow && !is_blended(batch.look);
+    const bool casts = throws_shadow(instance, material);
     slot_of[order[i]] = slot;
     slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, casts, instance.layers});
     data()[slot] = to_gpu(instance, material);

@@ -61,6 +61,11 @@ std::optional<Error> check_material(const VisualDesc& desc, std::size_t index) {
                    std::to_string(layer->texture) + ", but there are " +
                    std::to_string(desc.textures.size()) + " textures."};
   }
+  const auto& normals = material.detail->layers[SurfaceDetail::normal];
+  const auto& colours = material.detail->layers[SurfaceDetail::base_colour];
+  if (normals && (desc.textures[normals->texture].srgb || (colours && colours->texture == normals->texture)))
+    return Error{"The " + named("material", material.name, index) +
+                 " takes its normals from a texture of colours; give them one of their own."};
   const glm::vec3& d = material.detail->scatter_distance;
   if (!finite(d) || glm::any(glm::lessThan(d, glm::vec3(0.0F))))
     return Error{"The " + named("material", material.name, index) +

@@ -144,7 +144,7 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
                                        !(scenario.left_handed && entry.lettering)))
       return *refused;
   }
-  let_decor_throw_shadows(desc);
+  if (scenario.light) let_decor_throw_shadows(desc, *scenario.light);
   for (const MaterialOverride& material : scenario.materials)
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();
   if (draws_arms(scenario, scene)) {

@@ -1,38 +1,47 @@
 #include "engine/scenario/decor_shadows.h"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/render/bounds.h"
+#include "engine/render/light_fit.h"
+#include "engine/render/look.h"
 
 namespace fulcrum::scenario {
 namespace {
 
-constexpr float kMostGrowth = 1.1F;  // of the longest side of what throws shadows
+constexpr float kWidest = 1.1F;  // what the shadow map may become, of what it is without decor
 
-render::Bounds box_of(const render::VisualDesc& desc, const render::Instance& instance) {
-  return render::transformed(render::bounds_of(desc.meshes[instance.mesh].positions), instance.X_WM);
-}
-
-float longest(const render::Bounds& box) {
-  const glm::vec3 size = box.high - box.low;
-  return std::max({size.x, size.y, size.z});
+bool holds(const render::Bounds& box, const glm::vec3& place) {
+  return glm::all(glm::lessThanEqual(box.low, place)) && glm::all(glm::lessThanEqual(place, box.high));
 }
 
 }  // namespace
 
-void let_decor_throw_shadows(render::VisualDesc& desc) {
-  std::optional<render::Bounds> casters;
-  for (const render::Instance& instance : desc.instances) {
-    if (!instance.casts_shadow || instance.movable) continue;
-    const render::Bounds box = box_of(desc, instance);
-    casters = casters ? render::united(*casters, box) : box;
-  }
-  if (!casters) return;
+void let_decor_throw_shadows(render::VisualDesc& desc, const render::KeyLight& light) {
+  const bool is_spot = light.kind == render::KeyLight::Kind::spot;
+  std::vector<render::Bounds> casters;  // that stand
+  std::vector<std::pair<render::Bounds, render::Instance*>> decor;
   for (render::Instance& instance : desc.instances) {
-    if (instance.casts_shadow) continue;
-    const render::Bounds with_it = render::united(*casters, box_of(desc, instance));
-    instance.casts_shadow = longest(with_it) <= kMostGrowth * longest(*casters);
+    if (instance.movable) continue;
+    const render::Bounds box =
+        render::transformed(render::bounds_of(desc.meshes[instance.mesh].positions), instance.X_WM);
+    if (render::throws_shadow(instance, desc.materials[instance.material]))
+      casters.push_back(box);
+    else if (!instance.casts_shadow && !(is_spot && holds(box, light.position)))
+      decor.emplace_back(box, &instance);
+  }
+  if (casters.empty()) return;
+  const float widest = kWidest * render::width_seen(light, casters);
+  // The smallest first, so that what comes of it does not depend on the order of the models.
+  std::ranges::stable_sort(decor, {}, [&](const auto& each) {
+    return render::width_seen(light, {&each.first, 1});
+  });
+  for (const auto& [box, instance] : decor) {
+    casters.push_back(box);
+    instance->casts_shadow = render::width_seen(light, casters) <= widest;
+    if (!instance->casts_shadow) casters.pop_back();
   }
 }
 

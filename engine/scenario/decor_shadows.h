@@ -5,8 +5,9 @@
 
 namespace fulcrum::scenario {
 
-// Of the instances that throw none, those are to that stand among the others that do, or only just beside
-// them: a bracket on a wall. A wall itself is not, for the shadow map would cover all of it, and be coarse.
-void let_decor_throw_shadows(render::VisualDesc& desc);
+// Lets instances throw a shadow that do not yet, but stand among the ones that do, or only just beside them,
+// such as a bracket on a wall. One that makes the shadow map more than a tenth wider is left as it is, for
+// the map would be coarse: a floor, or the wall itself; and one that a spot's lamp stands in.
+void let_decor_throw_shadows(render::VisualDesc& desc, const render::KeyLight& light);
 
 }  // namespace fulcrum::scenario

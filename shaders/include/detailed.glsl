@@ -79,21 +79,22 @@ vec3 sent_from_below(Lobes lobes, float below_sheen, vec3 n, vec3 v, float n_dot
 }
 
 // What a clear coat mirrors of light from l, where `lit`, the cosine to it, is above 0 and its irradiance / pi is 1.
-float sent_by_coat(vec3 geometric, vec3 v, float g_dot_v, vec3 h, float lit, float half_width) {
-  float rough = clamp(material.coat.y, 0.045, 1.0);
+float sent_by_coat(float alpha, vec3 geometric, vec3 v, float g_dot_v, vec3 h, float lit, float half_width) {
   float fresnel = 0.04 + 0.96 * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
   float g_dot_h = max(dot(geometric, h), 0.0);
-  return fresnel * kPi * ggx(g_dot_h, widened(rough * rough, half_width)) * visibility(lit, g_dot_v, rough * rough);
+  return fresnel * kPi * ggx(g_dot_h, widened(alpha, half_width)) * visibility(lit, g_dot_v, alpha);
 }
 
-void main() {
+// Where a texture cuts the surface out. It ends only when all is found: what its neighbours see change from pixel to pixel
+// they see by what it has found, too.
+bool is_cut_out = false;
+
+void find_colour() {
   vec4 base = vec4(base_colour.rgb * (1.0 - absorbed), material.amounts.z);
   if (has_texture(FULCRUM_TEXTURE_BASE)) {
     base *= texture(base_map, uv_of(FULCRUM_TEXTURE_BASE));
   }
-  if (has(FULCRUM_LOOK_MASK) && base.a < material.emission.w) {
-    discard;
-  }
+  is_cut_out = has(FULCRUM_LOOK_MASK) && base.a < material.emission.w;
   float cover = has(FULCRUM_LOOK_COVER) ? base.a : 1.0;
 #ifndef FULCRUM_ENTERING
   if (has(FULCRUM_LOOK_UNLIT)) {
@@ -102,7 +103,8 @@ void main() {
   }
 #endif
 
-  vec3 geometric = normalize(world_normal);
+  vec3 geometric = unit_normal();
+  float curved = curved_in_pixel(geometric);
   vec3 n = geometric;
   float spread = 0.0;
   if (has_texture(FULCRUM_TEXTURE_NORMAL)) {
@@ -126,8 +128,10 @@ void main() {
     roughness *= found.g;
   }
   roughness = clamp(roughness, 0.045, 1.0);
-  float alpha = seen_alpha(roughness * roughness, geometric, spread);
+  float alpha = seen_alpha(roughness * roughness, curved + spread * spread);
   roughness = sqrt(alpha);
+  float coat_rough = clamp(material.coat.y, 0.045, 1.0);
+  float coat_alpha = seen_alpha(coat_rough * coat_rough, curved);  // textures do not bend it
   vec3 f0 = mix(material.specular.rgb, base.rgb, metallic);
   float f90 = mix(material.specular.w, 1.0, metallic);
   vec3 diffuse = base.rgb * (1.0 - metallic);
@@ -201,7 +205,7 @@ void main() {
     }
     float lit_from = dot(geometric, from);
     if (has(FULCRUM_LOOK_COAT) && lit_from > 0.0) {
-      coat_lit += light * lit_from * sent_by_coat(geometric, v, max(dot(geometric, v), 1e-3), half_way, lit_from, kPointHalfWidth);
+      coat_lit += light * lit_from * sent_by_coat(coat_alpha, geometric, v, max(dot(geometric, v), 1e-3), half_way, lit_from, kPointHalfWidth);
     }
   }
 #endif
@@ -214,13 +218,13 @@ void main() {
   }
   if (has(FULCRUM_LOOK_COAT)) {
     float g_dot_v = max(dot(geometric, v), 1e-3);
-    float rough = clamp(material.coat.y, 0.045, 1.0);
+    float rough = sqrt(coat_alpha);
     vec2 coat = environment_scale_bias(rough, g_dot_v);
     vec3 on_top = vec3(0.0);
     on_top += (0.04 * coat.x + coat.y) *
               mix(reached.sent_on, light_mirrored(mirrored_from(geometric, v, rough), rough), reached.mirrored) * open;
     if (lit > 0.0) {
-      on_top += arriving * lit * sent_by_coat(geometric, v, g_dot_v, h, lit, half_width);
+      on_top += arriving * lit * sent_by_coat(coat_alpha, geometric, v, g_dot_v, h, lit, half_width);
     }
 #ifdef FULCRUM_PUNCTUAL
     on_top += coat_lit;
@@ -242,4 +246,11 @@ void main() {
 #else
   colour = vec4(to_target(radiance) * cover, cover * (1.0 - through));
 #endif
+}
+
+void main() {
+  find_colour();
+  if (is_cut_out) {
+    discard;
+  }
 }

@@ -59,17 +59,22 @@ float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
 }
 #endif
 
-// The alpha of what a pixel shows: it faces many ways, and so mirrors as something rougher does. GGX's alpha^2 is twice the
-// variance of slopes along each direction, and places in a pixel have a variance of 1 / 12 along each side; of what turns in
-// one direction the mean of both stands for it. n: before textures bend it. spread: root mean square of how far the normals
-// of a texture lean within the pixel.
+// A mesh may have normals of no length, which have no direction; one that is no number would spoil the pixels beside it.
+vec3 unit_normal() { return world_normal * inversesqrt(max(dot(world_normal, world_normal), 1e-30)); }
+
+// How much a surface turns within a pixel: the sum of the variances of its slopes in both directions, where places within a
+// pixel have a variance of 1 / 12 along each side. n: unit, before textures bend it.
 // Y. Tokuyoshi and A. Kaplanyan, "Improved Geometric Specular Antialiasing", 2019, with a narrower pixel, and its limit.
-float seen_alpha(float alpha, vec3 n, float spread) {
+float curved_in_pixel(vec3 n) {
   vec3 dx = dFdx(n);
   vec3 dy = dFdy(n);
-  float curved = min((dot(dx, dx) + dot(dy, dy)) / 12.0, 0.18);
-  return sqrt(min(alpha * alpha + curved + spread * spread, 1.0));
+  return min((dot(dx, dx) + dot(dy, dy)) / 12.0, 0.18);
 }
+
+// The alpha of what a pixel shows: a piece of surface that faces many ways mirrors as a rougher one does. variances: the sum
+// of those of its slopes in both directions. Of Beckmann's lobe, which GGX's is taken for here, alpha^2 is twice the variance
+// in one direction, and the mean of the two stands for both.
+float seen_alpha(float alpha, float variances) { return sqrt(min(alpha * alpha + variances, 1.0)); }
 
 // Irradiance / pi from all around, of a surface that faces n.
 vec3 light_around(vec3 n) {

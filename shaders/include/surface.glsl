@@ -3,12 +3,12 @@
 #include "shading.glsl"
 
 void main() {
-  vec3 n = normalize(world_normal);
+  vec3 n = unit_normal();
   vec3 v = normalize(frame.eye.xyz - world_position);
   float n_dot_v = max(dot(n, v), 1e-3);
   float metallic = surface.x;
-  float least = clamp(surface.y, 0.045, 1.0);
-  float alpha = seen_alpha(least * least, n, 0.0);
+  float given = clamp(surface.y, 0.045, 1.0);
+  float alpha = seen_alpha(given * given, curved_in_pixel(n));
   float roughness = sqrt(alpha);
   vec3 base = base_colour.rgb * (1.0 - absorbed);
   vec3 f0 = mix(vec3(0.04), base, metallic);

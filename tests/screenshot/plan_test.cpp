@@ -118,7 +118,7 @@ TEST(Plan, LeavesOutLightsThatNoModelBrings) {
             "no model brings one (KHR_lights_punctual)");
   desc.lights.resize(3);
   const RenderPlan lit = planned(desc);
-  EXPECT_EQ(find(lit.built, "lights of models", "buffer")->bytes, 33U * 16U);
+  EXPECT_EQ(find(lit.built, "lights of models", "buffer")->bytes, 32U * 16U);
   desc.instances.clear();
   desc.ghosts.clear();
   EXPECT_EQ(find(planned(desc).left_out, "lights of models", "buffer")->note, "the scene has no instances");
