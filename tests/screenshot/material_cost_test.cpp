@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <glm/ext/matrix_transform.hpp>
 #include <limits>
 
@@ -59,6 +60,7 @@ std::vector<PunctualLight> lamps() {
 }
 
 void expect_costs_little(bool lit) {
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // what compiles must cost what that costs
   const test::Gpu gpu = test::make_gpu("llvmpipe");
   VisualDesc few = row_of_boxes(1), many = row_of_boxes(kBoxes);
   if (lit) few.lights = many.lights = lamps();

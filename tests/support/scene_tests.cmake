@@ -16,7 +16,7 @@ function(fulcrum_scene_tests name)
   add_test(NAME ${name}.Picture COMMAND ${name}_tests)
   foreach(test IN ITEMS Models Route Bake Hands Picture)
     set_tests_properties(${name}.${test} PROPERTIES TIMEOUT ${FULCRUM_TEST_LIMIT} ENVIRONMENT
-      "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/tests/cache;FULCRUM_CONTENT=${CMAKE_BINARY_DIR}/content;MESA_SHADER_CACHE_DISABLE=true;MAKE=$<TARGET_FILE:make_${name}>;FULCRUM=$<TARGET_FILE:fulcrum>;SCENARIO=${CMAKE_SOURCE_DIR}/content/scenarios/${name}")
+      "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/tests/cache;FULCRUM_CONTENT=${CMAKE_BINARY_DIR}/content;${FULCRUM_SHADERS};MAKE=$<TARGET_FILE:make_${name}>;FULCRUM=$<TARGET_FILE:fulcrum>;SCENARIO=${CMAKE_SOURCE_DIR}/content/scenarios/${name}")
   endforeach()
   # Under a sanitizer the build has run this program already, to make the models, and --check does that again.
   set_tests_properties(${name}.Models PROPERTIES LABELS "no-asan;no-tsan")

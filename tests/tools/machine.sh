@@ -43,7 +43,7 @@ case $1 in
     chmod +x "build/$3/fulcrum" ;;
 esac
 E2
-fake ctest <<<'echo "ctest $* | shader cache off: ${MESA_SHADER_CACHE_DISABLE-} | jobs: ${CTEST_PARALLEL_LEVEL-}"'
+fake ctest <<<'echo "ctest $* | jobs: ${CTEST_PARALLEL_LEVEL-}"'
 for command in ninja g++ pkg-config Xvfb openbox xdotool import; do fake "$command" </dev/null; done
 
 # A fresh Debian 12, as root.
