@@ -95,7 +95,7 @@ void print(const std::string& file, const fs::path& out, const fs::path& drawn, 
          " left out: only colours are taken.");
   if (imported.lights > 0)
     line(count_text(imported.lights, "light") + (imported.lights == 1 ? " is" : " are") +
-         " left out: a scenario that names a .glb or .gltf itself, without an import, has its lights.");
+         " left out: a scenario that names a .glb or .gltf itself has its lights.");
   if (imported.format == "glTF" &&
       std::ranges::any_of(imported.model.materials,
                           [](const ModelMaterial& material) { return material.detail.has_value(); }))

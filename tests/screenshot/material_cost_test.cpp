@@ -60,7 +60,8 @@ std::vector<PunctualLight> lamps() {
 }
 
 void expect_costs_little(bool lit) {
-  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // what compiles must cost what that costs
+  // What compiles must cost what that costs. NOLINTNEXTLINE(concurrency-mt-unsafe): no thread runs yet.
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   const test::Gpu gpu = test::make_gpu("llvmpipe");
   VisualDesc few = row_of_boxes(1), many = row_of_boxes(kBoxes);
   if (lit) few.lights = many.lights = lamps();

@@ -130,7 +130,8 @@ TEST_F(SpecularAliasingTest, RidgesOfFewPixelsDoNotSparkle) {
   VisualDesc desc = square();
   Mesh& mesh = desc.meshes[0];
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-    const float lean = 0.5F * std::sin(0.125F * std::numbers::pi_v<float> * static_cast<float>(i / 2));
+    const std::size_t column = i / 2;
+    const float lean = 0.5F * std::sin(0.125F * std::numbers::pi_v<float> * static_cast<float>(column));
     mesh.normals[i] = glm::normalize(glm::vec3(lean, 0.0F, 1.0F));
   }
   const Seen found = seen(*gpu_.device, desc);
