@@ -85,8 +85,8 @@ float sent_by_coat(float alpha, vec3 geometric, vec3 v, float g_dot_v, vec3 h, f
   return fresnel * kPi * ggx(g_dot_h, widened(alpha, half_width)) * visibility(lit, g_dot_v, alpha);
 }
 
-// Where a texture cuts the surface out. It ends only when all is found: what its neighbours see change from pixel to pixel
-// they see by what it has found, too.
+// A texture cuts the surface out at this pixel. It is discarded only at the end, since derivatives in the pixels beside it
+// need its values until then.
 bool is_cut_out = false;
 
 void find_colour() {

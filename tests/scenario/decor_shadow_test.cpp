@@ -5,7 +5,6 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <vector>
 
-#include "engine/render/bounds.h"
 #include "engine/scenario/decor_shadows.h"
 
 namespace fulcrum::scenario {
