@@ -68,7 +68,8 @@ class MaterialReader {
 public:
   MaterialReader(const tinygltf::Model& file, Model& model) : file_(file), model_(model) {}
 
-  void read() {
+  // sizes: of each part, see read_materials().
+  void read(const std::vector<double>& sizes) {
     for (const tinygltf::Material& material : file_.materials)
       model_.materials.push_back(material_from(material));
     model_.materials.push_back({});
@@ -76,6 +77,7 @@ public:
       if (!drawn_extensions().contains(extension)) leave_out(printable(extension));
     for (const tinygltf::Mesh& mesh : file_.meshes)
       for (const tinygltf::Primitive& primitive : mesh.primitives) tell_of_faint_vertices(primitive);
+    size_volumes(sizes);
   }
 
 private:
@@ -238,20 +240,46 @@ private:
     detail.transmission =
         number_in(get("KHR_materials_transmission"), "transmissionFactor", 0.0F, 1.0F, 0.0F);
     const tinygltf::Value& volume = get("KHR_materials_volume");
-    if (detail.transmission > 0) detail.passed = passed_by(volume);
+    if (detail.transmission > 0) detail.passed = passed_by(volume, 1.0);
   }
 
-  // What is left of light behind the volume's thickness, which is the file's colour behind its distance.
-  static std::array<float, 3> passed_by(const tinygltf::Value& volume) {
+  // What is left of light behind the volume's thickness, which is the file's colour behind its distance. The
+  // distance is one in the scene, the thickness one in the mesh, which is `size` times as large there.
+  static std::array<float, 3> passed_by(const tinygltf::Value& volume, double size) {
     constexpr float kShortest = 1e-6F;
     const float thickness = number_in(volume, "thicknessFactor", 0.0F, kLargestFactor, 0.0F);
     const float distance = number_in(volume, "attenuationDistance", kShortest, kLargestFactor, 0.0F);
     if (thickness == 0.0F || distance == 0.0F) return {1, 1, 1};  // a wall, or clear however thick
     std::array<float, 3> passed = colour_in(volume, "attenuationColor", {1, 1, 1}, 1.0F);
     for (float& part : passed)
-      part = static_cast<float>(math::pow(static_cast<double>(part),
-                                          static_cast<double>(thickness) / static_cast<double>(distance)));
+      part = static_cast<float>(math::pow(
+          static_cast<double>(part), size * static_cast<double>(thickness) / static_cast<double>(distance)));
     return passed;
+  }
+
+  // Parts of one material that their nodes make smaller or larger differ in how thick they are.
+  void size_volumes(const std::vector<double>& sizes) {
+    constexpr double kSteps = 4096;  // sizes that differ by less are rounding of turned nodes
+    std::map<std::pair<std::uint32_t, double>, std::uint32_t> made;
+    for (std::size_t i = 0; i < model_.parts.size(); ++i) {
+      std::uint32_t& material = model_.parts[i].material;
+      int exponent = 0;
+      const double mantissa = std::frexp(sizes[i], &exponent);
+      const double size = std::ldexp(std::round(mantissa * kSteps) / kSteps, exponent);
+      if (size == 1.0 || !std::isfinite(size) || !has_volume(model_.materials[material])) continue;
+      const auto [found, is_new] =
+          made.try_emplace({material, size}, static_cast<std::uint32_t>(model_.materials.size()));
+      if (is_new) {
+        model_.materials.push_back(model_.materials[material]);
+        model_.materials.back().detail->passed =
+            passed_by(file_.materials[material].extensions.at("KHR_materials_volume"), size);
+      }
+      material = found->second;
+    }
+  }
+
+  static bool has_volume(const ModelMaterial& material) {
+    return material.detail && material.detail->passed != std::array<float, 3>{1, 1, 1};
   }
 
   const tinygltf::Model& file_;
@@ -269,8 +297,8 @@ bool names_pictures(const tinygltf::Model& file, int material) {
          of.normalTexture.index >= 0 || of.occlusionTexture.index >= 0 || of.emissiveTexture.index >= 0;
 }
 
-void read_materials(const tinygltf::Model& file, Model& model) {
-  MaterialReader(file, model).read();
+void read_materials(const tinygltf::Model& file, const std::vector<double>& sizes, Model& model) {
+  MaterialReader(file, model).read(sizes);
 }
 
 }  // namespace fulcrum

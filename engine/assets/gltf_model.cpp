@@ -8,6 +8,7 @@
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_light.h"
 #include "engine/assets/gltf_material.h"
+#include "haptics/math/functions.h"
 
 namespace fulcrum {
 namespace {
@@ -200,6 +201,9 @@ public:
     model.parts = std::move(parts_);
   }
 
+  // How many times as large as in its mesh each part is: the mean of three directions.
+  const std::vector<double>& sizes() const { return sizes_; }
+
 private:
   const tinygltf::Node& visit(int index) {
     if (index < 0 || static_cast<std::size_t>(index) >= file_.nodes.size())
@@ -230,12 +234,14 @@ private:
         throw GltfFault("it shows more than 50 million triangles; simplify it before export");
       place(part, X_MN);
       parts_.push_back(std::move(part));
+      sizes_.push_back(math::cbrt(std::abs(X_MN.linear().determinant())));
     }
   }
 
   const tinygltf::Model& file_;
   std::vector<bool> seen_;
   std::vector<ModelPart> parts_;
+  std::vector<double> sizes_;
   std::size_t indices_ = 0;
 };
 
@@ -243,9 +249,10 @@ private:
 
 Model model_from_gltf(const tinygltf::Model& file) {
   Model model;
-  Walk(file).read(model);
+  Walk walk(file);
+  walk.read(model);
   if (model.parts.empty()) throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
-  read_materials(file, model);
+  read_materials(file, walk.sizes(), model);
   return model;
 }
 

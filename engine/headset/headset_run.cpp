@@ -54,7 +54,8 @@ bool HeadsetRun::goes_on() const {
   return !closing_ && error_.empty() && !app::interrupted() && (window == nullptr || !window->closing());
 }
 
-void HeadsetRun::run() {
+void HeadsetRun::run(std::function<void()> ended) {
+  ended_ = std::move(ended);
   audio::Player* const player = attempt_.player();
   if (player != nullptr) loop_.also_tell(player->ticks());
   sound_.begin(player);
@@ -123,6 +124,7 @@ void HeadsetRun::come_to_rest() {
   sound_.rest();
   if (!resting_) resting_ = loop_.send({Command::Kind::stop});
   if (!is_off(loop_.newest())) return;
+  if (const std::function<void()> ended = std::exchange(ended_, nullptr)) ended();
   if (panel_ && !card_) card_ = headset_card(prepared_, options_, attempt_.sink(), with_);
   leaves_ = leaves_ || !card_ || !is_seen();
   if (!leaves_) return;

@@ -36,8 +36,10 @@ public:
              const app::RunOptions& options, const app::Settings& settings, app::RunSession& attempt,
              std::unique_ptr<Panel> panel, std::unique_ptr<Colocated> colocated, const app::Comparison& with);
 
-  // Until the trial is over, the headset's runtime ends it, or the mirror is closed.
-  void run();
+  // Until the trial is over, the headset's runtime ends it, or the mirror is closed. ended: called once when
+  // the trial is over and the force has gone, for what may not be lost while somebody still looks at what
+  // came of it.
+  void run(std::function<void()> ended);
 
   // The last moment, as both eyes saw it, into a PNG.
   Result<std::filesystem::path> save_picture(const std::filesystem::path& file) {
@@ -90,6 +92,7 @@ private:
   std::string stopped_by_;  // what the stop that there is came of; empty: somebody asked for it, or a fault
   bool held_up_ = false;    // by the headset's runtime, for too long, since ticks were taken last
   bool resting_ = false;    // the trial has ended, and the force is told to go
+  std::function<void()> ended_;  // null: it has been called
   app::Comparison with_;
   std::optional<ui::Debrief> card_;  // what came of the trial, once it has ended, where a panel says it
   bool card_said_ = false;           // it is on the panel

@@ -45,7 +45,7 @@ render::Camera eye_camera(const xr::EyeView& eye, const Placement& placement, st
   const float up = tangent(eye.fov.angleUp), down = tangent(eye.fov.angleDown);
   render::Camera camera;
   camera.eye = scenario::narrowed(X_WE.p);
-  camera.target = scenario::narrowed(X_WE * Vec3(0, 0, -1));
+  camera.target = scenario::narrowed(X_WE * Vec3(0, 0, -1 / placement.scale));  // 1 m away in L
   camera.up = scenario::narrowed(X_WE.q * Vec3::UnitY());
   camera.vertical_fov_rad =
       2.0F * static_cast<float>(math::atan2(static_cast<double>(0.5F * (up - down)), 1.0));

@@ -77,12 +77,17 @@ int run_in_headset(const scenario::Scenario& scenario, const app::RunOptions& op
                  colocated(options, std::move(*kept), attempt->world().desc().mapping),
                  {trainee.expert, participation != nullptr ? earlier_trials(*participation, *prepared)
                                                            : std::optional<EarlierTrials>()});
-  run.run();
-  const auto picture = run.save_picture(attempt->folder() / record::kPictureName);
-  if (!picture) complain("there is no picture: " + picture.error().sentence);
-  const int code = attempt->finish(&(*stage)->renderer().plan(), true, run.figures());
+  // As soon as the trial is over: however long somebody looks at the card, nothing of it is lost then.
+  std::optional<int> code;
+  const auto write_all = [&] {
+    const auto picture = run.save_picture(attempt->folder() / record::kPictureName);
+    if (!picture) complain("there is no picture: " + picture.error().sentence);
+    code = attempt->finish(&(*stage)->renderer().plan(), true, run.figures());
+  };
+  run.run(write_all);
+  if (!code) write_all();
   for (const std::string& message : (*stage)->validation_messages()) complain(message);
-  return (*stage)->validation_messages().empty() ? code : static_cast<int>(kError);
+  return (*stage)->validation_messages().empty() ? *code : static_cast<int>(kError);
 }
 
 }  // namespace fulcrum::headset

@@ -10,8 +10,6 @@
 namespace fulcrum::render {
 namespace {
 
-constexpr float kNear_m = 0.005F;
-
 glm::vec4 with(const glm::vec3& xyz, float w = 0.0F) {
   return {xyz, w};
 }
@@ -40,6 +38,10 @@ glm::mat4 view_of(const Camera& camera) {
   return glm::lookAt(camera.eye, camera.target, up);
 }
 
+float nearest_seen(const Camera& camera) {
+  return std::min(0.005F, 0.05F * glm::length(camera.target - camera.eye));
+}
+
 glm::mat4 clip_from_world(const Camera& camera, Extent picture) {
   // Depth near/z: a float keeps it equally exact at 5 mm and at 50 m, and nothing is ever too far.
   const float f = 1.0F / std::tan(0.5F * camera.vertical_fov_rad);
@@ -50,7 +52,7 @@ glm::mat4 clip_from_world(const Camera& camera, Extent picture) {
   projection[2][0] = f / aspect * camera.lean.x;  // what lies that way ends in the middle
   projection[2][1] = f * camera.lean.y;
   projection[2][3] = -1.0F;
-  projection[3][2] = kNear_m;
+  projection[3][2] = nearest_seen(camera);
   return projection * view_of(camera);
 }
 
@@ -73,7 +75,8 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
   const float tangent = std::tan(0.5F * state.camera.vertical_fov_rad);
   data.lens = {tangent * aspect_of(state.camera, picture), tangent, state.camera.lean.x, state.camera.lean.y};
   const Extent hidden = occlusion_extent(scene);
-  data.occlusion = {static_cast<float>(hidden.width), static_cast<float>(hidden.height), kNear_m, 0.0F};
+  data.occlusion = {static_cast<float>(hidden.width), static_cast<float>(hidden.height),
+                    nearest_seen(state.camera), 0.0F};
   data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel_m, light.spread,
                  setting.key_light ? 0.5F * setting.key_light->diameter : 0.0F};
   return data;

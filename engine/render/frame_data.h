@@ -21,6 +21,10 @@ struct Setting {
 // The camera's frame: x to the right, y up, z to the back.
 glm::mat4 view_of(const Camera& camera);
 
+// What is nearer to the eye along the camera's axis is not in the picture (m): half a centimetre, and in a
+// scene so small that its camera is nearer to its target than ten, a twentieth of the way there.
+float nearest_seen(const Camera& camera);
+
 // Clip space with the depth reversed (1 near, 0 infinitely far), Y up.
 glm::mat4 clip_from_world(const Camera& camera, Extent picture);
 

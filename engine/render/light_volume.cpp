@@ -14,7 +14,6 @@ namespace {
 constexpr float kMostVoxels = 64.0F;  // along the longest side
 constexpr std::size_t kDirections = 64;
 constexpr std::size_t kFineDirections = 4096;  // that those stand for, of light that changes little
-constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F};
 
 // Unit, spread evenly.
 template <std::size_t n>
@@ -221,7 +220,7 @@ LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, cons
   made.low = grid->low;
   made.voxel = grid->voxel;
   made.counts = grid->counts;
-  const std::vector<Matter> matter = matter_of(desc, layers, *grid);
+  const std::vector<Matter> matter = matter_of(desc, layers, *grid, 1.0F);
   const std::vector<float> passes = passing(*grid, matter);
   let_in(made, *grid, passes, rays);
   send_on(made, *grid, matter, passes, rays, radiance_of(made, *grid, matter, desc, received));

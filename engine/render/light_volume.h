@@ -15,6 +15,8 @@
 
 namespace fulcrum::render {
 
+inline constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F};  // of linear sRGB
+
 struct LightVolume {
   glm::vec3 low{0.0F};    // m, world: its first corner
   float voxel = 1.0F;     // m, its edge

@@ -43,7 +43,8 @@ public:
 
   glm::vec4 at(std::uint32_t x, std::uint32_t y) const {
     const std::uint8_t* pixel = &texture_.rgba[4 * (std::size_t{y} * width + x)];
-    const float alpha = static_cast<float>(pixel[3]) / 255.0F;
+    float alpha = static_cast<float>(pixel[3]) / 255.0F;
+    if (texture_.cut_off) alpha = alpha < *texture_.cut_off ? 0.0F : 1.0F;
     const float weight = texture_.holes ? alpha + kNothing : 1.0F;
     return {weight * decoded_[pixel[0]], weight * decoded_[pixel[1]], weight * decoded_[pixel[2]], alpha};
   }

@@ -9,7 +9,8 @@
 namespace fulcrum::render {
 
 // The first is the texture itself, each other half as wide and high, down to one pixel; each pixel is the
-// mean of what it covers: of light where the texture is sRGB, of colours that are there where it has holes.
+// mean of what it covers: of light where the texture is sRGB, of colours that are there where it has holes,
+// of what is there and what is not where alpha is cut off.
 std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture);
 
 // Of a texture of normals, whose alpha means nothing: there it has how far the normals are spread that a

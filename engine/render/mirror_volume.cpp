@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kMirrorVoxels = 128.0F;  // along the longest side, at the most
 constexpr std::uint32_t kLevels = 5;     // each side of the finest is a multiple of 16
+constexpr float kPiece = 0.35F;          // voxels
 constexpr float kBefore = 1.25F;         // voxels before a surface: light is found there
 
 std::optional<VoxelGrid> mirror_grid(const VisualDesc& desc, std::uint32_t layers) {
@@ -109,7 +110,9 @@ struct VoxelLevel {
   glm::uvec3 counts;
   std::vector<float> area;      // m^2
   std::vector<glm::vec3> sent;  // radiance, times that
-  std::vector<float> hides;     // the part of light
+  std::vector<glm::vec3> normal,
+      bright;                // the way that surfaces face, times that; and times their luminance, too
+  std::vector<float> hides;  // the part of light
 
   std::size_t index(const glm::uvec3& cell) const {
     return (std::size_t{cell.z} * counts.y + cell.y) * counts.x + cell.x;
@@ -131,21 +134,25 @@ float hidden_by_eight(const std::array<float, 8>& hides) {
 
 // Of half as many voxels along each side.
 VoxelLevel coarser(const VoxelLevel& fine) {
-  VoxelLevel made{fine.counts / 2U, {}, {}, {}};
+  VoxelLevel made{fine.counts / 2U, {}, {}, {}, {}, {}};
   for (std::uint32_t z = 0; z < made.counts.z; ++z)
     for (std::uint32_t y = 0; y < made.counts.y; ++y)
       for (std::uint32_t x = 0; x < made.counts.x; ++x) {
         float area = 0.0F;
-        glm::vec3 sent(0.0F);
+        glm::vec3 sent(0.0F), normal(0.0F), bright(0.0F);
         std::array<float, 8> hides{};
         for (std::uint32_t i = 0; i < 8; ++i) {
           const std::size_t from = fine.index({2 * x + (i & 1U), 2 * y + (i >> 1U & 1U), 2 * z + (i >> 2U)});
           area += fine.area[from];
           sent += fine.sent[from];
+          normal += fine.normal[from];
+          bright += fine.bright[from];
           hides[i] = fine.hides[from];
         }
         made.area.push_back(area);
         made.sent.push_back(sent);
+        made.normal.push_back(normal);
+        made.bright.push_back(bright);
         made.hides.push_back(hidden_by_eight(hides));
       }
   return made;
@@ -156,6 +163,14 @@ std::vector<glm::vec4> shown(const VoxelLevel& level) {
   for (std::size_t i = 0; i < voxels.size(); ++i)
     if (level.area[i] > 0.0F)
       voxels[i] = glm::vec4(level.sent[i] / level.area[i] * level.hides[i], level.hides[i]);
+  return voxels;
+}
+
+// A sum over surfaces, as a mean of what hides light.
+std::vector<glm::vec4> in_the_mean(const VoxelLevel& level, const std::vector<glm::vec3>& sums) {
+  std::vector<glm::vec4> voxels(sums.size(), glm::vec4(0.0F));
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+    if (level.area[i] > 0.0F) voxels[i] = glm::vec4(sums[i] / level.area[i] * level.hides[i], 0.0F);
   return voxels;
 }
 
@@ -184,7 +199,7 @@ std::uint64_t mirror_volume_voxels(const VisualDesc& desc) {
   std::uint64_t all = 0;
   for (const std::uint32_t layers : light_volume_layers(desc)) {
     const std::optional<VoxelGrid> grid = mirror_grid(desc, layers);
-    all += grid ? with_coarser(grid->size()) : 1;
+    all += grid ? 3 * with_coarser(grid->size()) - 2 * grid->size() : 3;
   }
   return all;
 }
@@ -197,21 +212,27 @@ MirrorVolume make_mirror_volume(const VisualDesc& desc, std::uint32_t layers, co
   made.low = grid->low;
   made.voxel = grid->voxel;
   made.counts = grid->counts;
-  const std::vector<Matter> matter = matter_of(desc, layers, *grid);
+  const std::vector<Matter> matter = matter_of(desc, layers, *grid, kPiece);
   const std::vector<float> passes = passing(*grid, matter);
   const Lighting by{desc, *grid, passes, light, received};
-  VoxelLevel level{grid->counts, {}, {}, {}};
+  VoxelLevel level{grid->counts, {}, {}, {}, {}, {}};
   for (std::size_t i = 0; i < matter.size(); ++i) {
     const float area = matter[i].area;
     level.area.push_back(area);
-    level.sent.push_back(area > 0.0F ? area * radiance_sent(by, matter[i], grid->middle(i))
-                                     : glm::vec3(0.0F));
+    const glm::vec3 sent = area > 0.0F ? radiance_sent(by, matter[i], grid->middle(i)) : glm::vec3(0.0F);
+    level.sent.push_back(area * sent);
+    level.normal.push_back(matter[i].normal);
+    level.bright.push_back(glm::dot(sent, kLuminance) * matter[i].normal);
     level.hides.push_back(cover(matter[i], grid->voxel * grid->voxel));
   }
   made.levels = {shown(level)};
+  made.facing.clear();
+  made.bright.clear();
   while (made.levels.size() < kLevels) {
     level = coarser(level);
     made.levels.push_back(shown(level));
+    made.facing.push_back(in_the_mean(level, level.normal));
+    made.bright.push_back(in_the_mean(level, level.bright));
   }
   return made;
 }

@@ -9,19 +9,20 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kSteepest_rad = 1.54F;  // straight down has no up
-constexpr float kNearest_m = 0.02F;
-constexpr float kFarthest_m = 20.0F;
 
 }  // namespace
 
-OrbitCamera::OrbitCamera(const Camera& start) : start_(start) {
+OrbitCamera::OrbitCamera(const Camera& start)
+    : start_(start),
+      nearest_m_(std::min(0.02F, 0.25F * glm::length(start.eye - start.target))),
+      farthest_m_(std::max(20.0F, 4.0F * glm::length(start.eye - start.target))) {
   reset();
 }
 
 void OrbitCamera::reset() {
   const glm::vec3 offset = start_.eye - start_.target;
   target_ = start_.target;
-  distance_ = std::clamp(glm::length(offset), kNearest_m, kFarthest_m);
+  distance_ = glm::length(offset);
   azimuth_rad_ = std::atan2(offset.x, offset.z);
   elevation_rad_ =
       std::clamp(std::asin(std::clamp(offset.y / distance_, -1.0F, 1.0F)), -kSteepest_rad, kSteepest_rad);
@@ -43,7 +44,7 @@ void OrbitCamera::pan(float dx, float dy) {
 }
 
 void OrbitCamera::zoom(float steps) {
-  distance_ = std::clamp(distance_ * std::pow(0.9F, steps), kNearest_m, kFarthest_m);
+  distance_ = std::clamp(distance_ * std::pow(0.9F, steps), nearest_m_, farthest_m_);
 }
 
 Camera OrbitCamera::camera() const {

@@ -24,6 +24,8 @@ constexpr std::uint32_t kLightsBinding = 10;
 constexpr std::uint32_t kScatteredBinding = 11;
 constexpr std::uint32_t kEnteringBinding = 12;
 constexpr std::uint32_t kMirroredBinding = 13;
+constexpr std::uint32_t kMirroredFacingBinding = 14;
+constexpr std::uint32_t kMirroredBrightBinding = 15;
 
 // Bindings of the ghost's descriptor set.
 constexpr std::uint32_t kGhostChosenBinding = 0;

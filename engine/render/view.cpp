@@ -43,8 +43,10 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
     lit_by(kReceivedBinding, shared.volumes[volume].received.view());
     lit_by(kSentOnBinding, shared.volumes[volume].sent_on.view());
     // Shaders name it even where they do not read it.
-    lit_by(kMirroredBinding,
-           (plan.reflections ? shared.volumes[volume].mirrored : shared.volumes[volume].sent_on).view());
+    const VolumeOnDevice& of = shared.volumes[volume];
+    lit_by(kMirroredBinding, (plan.reflections ? of.mirrored : of.sent_on).view());
+    lit_by(kMirroredFacingBinding, (plan.reflections ? of.mirrored_facing : of.sent_on).view());
+    lit_by(kMirroredBrightBinding, (plan.reflections ? of.mirrored_bright : of.sent_on).view());
   }
   if (plan.lights > 0)
     bindings.push_back(

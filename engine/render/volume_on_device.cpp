@@ -42,6 +42,9 @@ VolumeOnDevice::VolumeOnDevice(vulkan::Device& device, std::uint32_t seen_layers
 
 void VolumeOnDevice::mirror(vulkan::Device& device, const MirrorVolume& made) {
   mirrored = upload(device, made.counts, made.levels);
+  const glm::uvec3 coarser = glm::max(made.counts / 2U, glm::uvec3(1U));
+  mirrored_facing = upload(device, coarser, made.facing);
+  mirrored_bright = upload(device, coarser, made.bright);
   const glm::vec3 scale = 1.0F / (made.voxel * glm::vec3(made.counts));
   mirror_from_world = glm::vec4(scale, made.voxel);
   mirror_low = glm::vec4(-made.low * scale, static_cast<float>(made.levels.size() - 1));

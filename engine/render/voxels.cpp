@@ -15,7 +15,7 @@ struct Corner {
   glm::vec3 at, colour;
 };
 
-// Triangles cut into pieces of about a voxel, each of which belongs to the voxel that its middle lies in.
+// Triangles cut into pieces, each of which belongs to the voxel that its middle lies in.
 class Voxeliser {
 public:
   // piece: m, the longest edge of one.
@@ -105,18 +105,20 @@ void for_each_triangle(const std::vector<Standing>& all, const Each& each) {
     }
 }
 
-// Pieces of a voxel, unless that made millions of them: a thousand sheets, each as large as the scene.
-float piece_for(const std::vector<Standing>& all, const VoxelGrid& grid) {
+// m, as wide as is asked for unless that made millions of them: a thousand sheets, each as large as the
+// scene.
+float piece_for(const std::vector<Standing>& all, const VoxelGrid& grid, float piece) {
+  const float wanted = piece * grid.voxel;
   constexpr float kMostPieces = 4e6F;
   const auto longest = static_cast<float>(std::max({grid.counts.x, grid.counts.y, grid.counts.z}));
-  const float most_of_one = 16.0F * longest * longest;
+  const float most_of_one = 16.0F * longest * longest / (piece * piece);
   float pieces = 0.0F;
   for_each_triangle(all, [&](const Corner& a, const Corner& b, const Corner& c) {
     const float size =
         std::max({glm::distance(a.at, b.at), glm::distance(b.at, c.at), glm::distance(c.at, a.at)});
-    pieces += std::min(size * size / (grid.voxel * grid.voxel), most_of_one);
+    pieces += std::min(size * size / (wanted * wanted), most_of_one);
   });
-  return grid.voxel * std::sqrt(std::max(1.0F, pieces / kMostPieces));
+  return wanted * std::sqrt(std::max(1.0F, pieces / kMostPieces));
 }
 
 }  // namespace
@@ -169,9 +171,10 @@ std::optional<VoxelGrid> voxel_grid(const VisualDesc& desc, std::uint32_t layers
   return grid;
 }
 
-std::vector<Matter> matter_of(const VisualDesc& desc, std::uint32_t layers, const VoxelGrid& grid) {
+std::vector<Matter> matter_of(const VisualDesc& desc, std::uint32_t layers, const VoxelGrid& grid,
+                              float piece) {
   const std::vector<Standing> all = standing_in(desc, layers);
-  Voxeliser voxeliser(grid, piece_for(all, grid));
+  Voxeliser voxeliser(grid, piece_for(all, grid, piece));
   for_each_triangle(all, [&](const Corner& a, const Corner& b, const Corner& c) { voxeliser.add(a, b, c); });
   return voxeliser.take();
 }

@@ -57,9 +57,11 @@ public:
     colours_with_holes  // where alpha is 0 there is none
   };
 
-  std::optional<render::TextureLayer> layer(const std::optional<TextureUse>& use, Meaning meaning) {
+  // cut_off: of colours with holes, the alpha below which there is nothing.
+  std::optional<render::TextureLayer> layer(const std::optional<TextureUse>& use, Meaning meaning,
+                                            std::optional<float> cut_off = {}) {
     if (!use || error_) return std::nullopt;
-    const auto [known, is_new] = made_.try_emplace({use->image, meaning}, desc_.textures.size());
+    const auto [known, is_new] = made_.try_emplace({use->image, meaning, cut_off}, desc_.textures.size());
     if (is_new) {
       const ModelImage& image = model_.images[use->image];
       Result<Image> decoded = decode_image(image.encoded);
@@ -68,7 +70,8 @@ public:
         return std::nullopt;
       }
       desc_.textures.push_back({image.name, decoded->width, decoded->height, std::move(decoded->rgba),
-                                meaning != Meaning::numbers, meaning == Meaning::colours_with_holes});
+                                meaning != Meaning::numbers, meaning == Meaning::colours_with_holes,
+                                cut_off});
       if (bytes_of(desc_.textures) > kMostBytes) {
         error_ = Error{"the textures of the scene take more than 1 GB with this one, " + image.name +
                        ": make them smaller."};
@@ -83,15 +86,17 @@ public:
 private:
   render::VisualDesc& desc_;
   const Model& model_;
-  std::map<std::pair<std::size_t, Meaning>, std::size_t> made_;
+  std::map<std::tuple<std::size_t, Meaning, std::optional<float>>, std::size_t> made_;
   std::optional<Error> error_;
 };
 
 SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
   SurfaceDetail to;
   using enum Textures::Meaning;
-  to.layers[SurfaceDetail::base_colour] =
-      textures.layer(from.base_colour, from.alpha_mode == AlphaMode::opaque ? colours : colours_with_holes);
+  std::optional<float> cut_off;
+  if (from.alpha_mode == AlphaMode::mask) cut_off = from.alpha_cutoff / std::max(from.alpha, 1e-6F);
+  to.layers[SurfaceDetail::base_colour] = textures.layer(
+      from.base_colour, from.alpha_mode == AlphaMode::opaque ? colours : colours_with_holes, cut_off);
   to.layers[SurfaceDetail::metal_rough] = textures.layer(from.metal_rough, numbers);
   to.layers[SurfaceDetail::normal] = textures.layer(from.normal, numbers);
   to.layers[SurfaceDetail::occlusion] = textures.layer(from.occlusion, numbers);

@@ -163,8 +163,7 @@ Score score(const TrialMetrics& trial, const TrialMetrics* expert, const scenari
   list.push_back(told("Mean force", in_newtons(trial.force_mean),
                       "Over " + in_seconds(trial.contact_time) + " of contact."));
   list.push_back(told("Peak force", in_newtons(trial.force_peak), "Of the scene on the tool."));
-  list.push_back(
-      told("Depth", in_millimetres(trial.depth_peak), "The deepest that a tick saw, by the distance field."));
+  list.push_back(told("Depth", in_millimetres(trial.depth_peak), "The deepest that a tick saw."));
   list.push_back(told("E_tau", digits(trial.torque_error, 3, "N m s"), "Torque of the coupling over time."));
   list.push_back(told("E_F", digits(trial.force_error, 2, "N s"), "Force of contact over time."));
 

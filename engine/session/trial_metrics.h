@@ -21,7 +21,7 @@ struct TrialMetrics {
   double contact_time = 0;              // s, in which the scene pushed the tool
   double force_mean = 0, force_95 = 0;  // N, of the scene on the tool, over that time: mean, 95th percentile
   double force_peak = 0;                // N
-  double depth_peak = 0;                // m, by the distance field
+  double depth_peak = 0;                // m, as ticks saw it
   std::int64_t touches_on_the_way = 0;  // that began while the touch point was not at the next checkpoint
   std::optional<std::int64_t> hard_touches{};  // none: the task does not count them
   double hard_touch_time = 0;                  // s, over the limit

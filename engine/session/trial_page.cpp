@@ -141,7 +141,7 @@ std::string trial_html(const TrialPage& of) {
   page.plot(plot_of({"Torque of contact", "Torque", "N mm"}, of.curves.torque, 1e3, 5, 3, trial, false),
             "About the tool's centre of mass.");
   page.plot(plot_of({"Depth", "Depth", "mm"}, of.curves.depth, 1e3, 0.1, 4, trial, false),
-            "Of the deepest point of the tool's surface, by the distance field.");
+            "Of the deepest point of the tool's surface, as ticks saw it.");
   page.plot(plot_of({"Speed", "Speed", "mm/s"}, of.curves.speed, 1e3, 10, 2, trial, false),
             "Of the point of the tool that has to be at the checkpoints.");
 

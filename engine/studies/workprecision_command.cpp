@@ -1,6 +1,8 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
 #include "engine/analysis/workprecision/report.h"
 #include "engine/app/cli/exit_code.h"
@@ -85,6 +87,17 @@ int workprecision_command(const RunOptions& options) {
   return kCompleted;
 }
 
+// What is asked of another study than this one; absent: nothing.
+std::optional<std::string> refuse_for_others(const std::string& what, const PictureStudyOptions& asked) {
+  if (what != "picture" && !asked.describe.empty())
+    return "--describe is of `workprecision picture`: leave it out, or ask for that.";
+  if (what != "contact") return std::nullopt;
+  const char* const option = !asked.scene.empty() ? "--scene" : !asked.run.gpu.empty() ? "--gpu" : nullptr;
+  if (option == nullptr) return std::nullopt;
+  return std::string(option) +
+         " is of `workprecision picture` and `workprecision speed`: leave it out, or ask for one of them.";
+}
+
 }  // namespace
 
 void add_workprecision(Program& program) {
@@ -112,6 +125,10 @@ void add_workprecision(Program& program) {
         arguments.json("Print the figures as JSON", options->picture.run.json);
       },
       [options] {
+        if (const auto refused = refuse_for_others(options->what, options->picture)) {
+          complain(*refused);
+          return static_cast<int>(kUsage);
+        }
         if (options->what == "picture") return picture_study(options->picture);
         if (options->what == "speed") return speed_study(options->picture);
         return workprecision_command(options->picture.run);

@@ -113,6 +113,7 @@ PipelineHandle make_pipeline(Device& device, const PipelineDesc& desc) {
   VkPipelineMultisampleStateCreateInfo samples{};
   samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
   samples.rasterizationSamples = desc.samples;
+  samples.alphaToCoverageEnable = desc.alpha_is_coverage ? VK_TRUE : VK_FALSE;
 
   const VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc);
   const VkPipelineColorBlendAttachmentState attachment = blend_state(desc.blend);

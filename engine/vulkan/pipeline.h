@@ -42,6 +42,7 @@ struct PipelineDesc {
   std::optional<DepthTest> depth_test;
   float depth_bias = 0.0F;  // constant, and the same again times the slope
   Blend blend = Blend::none;
+  bool alpha_is_coverage = false;  // as many samples of a pixel are drawn as its alpha says
 };
 
 // Both throw Failure.

@@ -1,11 +1,12 @@
 // A surface with what else glTF 2.0 and its extensions know. Included by detailed.frag and its variants. What
 // a material does not have is not in its pipeline: LOOK is a constant when that is made.
 //
-// Tangents from derivatives: C. Schueler, "Normal Mapping without Precomputed Tangents", ShaderX 5, 2006. Clear coat and
+// Tangents from derivatives: after C. Schueler, "Normal Mapping without Precomputed Tangents", ShaderX 5, 2006. Clear coat and
 // the layering of sheen: glTF 2.0, KHR_materials_clearcoat and KHR_materials_sheen. Sheen: A. Estevez and C. Kulla,
 // "Production Friendly Microfacet Sheen BRDF", 2017, with the visibility of D. Neubelt and M. Pettineo, "Crafting a
 // Next-Gen Material Pipeline for The Order: 1886", 2013.
 
+#include "holes.glsl"
 #include "shading.glsl"
 
 layout(set = 1, binding = 0) uniform Material { MaterialData material; };
@@ -29,8 +30,8 @@ vec2 uv_of(int which) {
   return vec2(dot(turn.xy, from), dot(turn.zw, from)) + material.uv_shift[which].xy;
 }
 
-// Along the surface, the directions in which u and v grow fastest; v grows downwards in a picture, and a map's green
-// points up.
+// A normal of a map, whose frame is that of glTF 2.0 (3.9.3): along the surface the way in which u alone grows, and square to
+// it; both of unit length, however much a picture is stretched. v grows downwards in it, and a map's green points up.
 vec3 mapped(vec3 n, vec2 at, vec3 bend) {
   vec3 dx = dFdx(world_position);
   vec3 dy = dFdy(world_position);
@@ -38,14 +39,26 @@ vec3 mapped(vec3 n, vec2 at, vec3 bend) {
   vec2 dv = dFdy(at);
   vec3 across_y = cross(dy, n);
   vec3 across_x = cross(n, dx);
-  vec3 along_u = across_y * du.x + across_x * dv.x;
+  vec3 along_u = across_y * du.x + across_x * dv.x;  // where u grows fastest, and v
   vec3 along_v = across_y * du.y + across_x * dv.y;
-  float longest = max(dot(along_u, along_u), dot(along_v, along_v));
-  if (longest <= 0.0) {
+  float length2 = dot(along_v, along_v);
+  if (length2 <= 0.0) {
     return n;  // no coordinates, or the same ones all over the triangle
   }
-  float scale = sign(dot(dx, across_y)) * inversesqrt(longest);
-  return normalize(along_u * (scale * bend.x) - along_v * (scale * bend.y) + n * bend.z);
+  vec3 tangent = cross(along_v, n);  // v stays as it is that way
+  tangent *= sign(dot(tangent, along_u));
+  float scale = sign(dot(dx, across_y)) * inversesqrt(length2);
+  return normalize(tangent * (scale * bend.x) - along_v * (scale * bend.y) + n * bend.z);
+}
+
+// The part of light that gets to a bent normal past the surface that it stands for: all where the light is higher above that
+// than above the bent one, none from below it. M. J.-Y. Chiang, Y. K. Li and B. Burley, "Taming the Shadow Terminator", 2019.
+float past_surface(vec3 n, vec3 geometric, vec3 l, float n_dot_l) {
+  if (!has_texture(FULCRUM_TEXTURE_NORMAL)) {
+    return 1.0;
+  }
+  float part = clamp(dot(geometric, l) / max(n_dot_l * dot(geometric, n), 1e-6), 0.0, 1.0);
+  return part * (1.0 + part * (1.0 - part));
 }
 
 const float kLeastSheen = 0.2;  // of its roughness: below, this lobe sends on more light than it gets
@@ -88,13 +101,21 @@ float sent_by_coat(float alpha, vec3 geometric, vec3 v, float g_dot_v, vec3 h, f
 // A texture cuts the surface out at this pixel. It is discarded only at the end, since derivatives in the pixels beside it
 // need its values until then.
 bool is_cut_out = false;
+float part_of_pixel = 1.0;  // of one that has several samples, and holes
 
 void find_colour() {
   vec4 base = vec4(base_colour.rgb * (1.0 - absorbed), material.amounts.z);
-  if (has_texture(FULCRUM_TEXTURE_BASE)) {
-    base *= texture(base_map, uv_of(FULCRUM_TEXTURE_BASE));
-  }
   is_cut_out = has(FULCRUM_LOOK_MASK) && base.a < material.emission.w;
+  if (has_texture(FULCRUM_TEXTURE_BASE)) {
+    vec2 at = uv_of(FULCRUM_TEXTURE_BASE);
+    vec4 texel = texture(base_map, at);
+    base *= texel;
+    if (has(FULCRUM_LOOK_MASK)) {
+      vec2 part = part_there(base_map, at, texel.a, material.emission.w / max(material.amounts.z, 1e-6));
+      part_of_pixel = part.x;
+      is_cut_out = has(FULCRUM_LOOK_SAMPLES) ? part.x <= 0.0 : !is_there(part);
+    }
+  }
   float cover = has(FULCRUM_LOOK_COVER) ? base.a : 1.0;
 #ifndef FULCRUM_ENTERING
   if (has(FULCRUM_LOOK_UNLIT)) {
@@ -185,9 +206,10 @@ void find_colour() {
 #endif
   vec3 h = normalize(v + l);
   if (n_dot_l > 0.0) {
-    radiance += arriving * n_dot_l * sent_from_below(lobes, below_sheen, n, v, n_dot_v, h, n_dot_l, half_width);
+    vec3 past = arriving * (n_dot_l * past_surface(n, geometric, l, n_dot_l));
+    radiance += past * sent_from_below(lobes, below_sheen, n, v, n_dot_v, h, n_dot_l, half_width);
 #ifdef FULCRUM_ENTERING
-    entering += arriving * n_dot_l * (1.0 - fresnel_of(lobes, v, h));
+    entering += past * (1.0 - fresnel_of(lobes, v, h));
 #endif
   }
 #ifdef FULCRUM_PUNCTUAL
@@ -198,9 +220,10 @@ void find_colour() {
     vec3 half_way = normalize(v + from);
     float n_dot_from = dot(n, from);
     if (n_dot_from > 0.0) {
-      radiance += light * n_dot_from * sent_from_below(lobes, below_sheen, n, v, n_dot_v, half_way, n_dot_from, kPointHalfWidth);
+      vec3 past = light * (n_dot_from * past_surface(n, geometric, from, n_dot_from));
+      radiance += past * sent_from_below(lobes, below_sheen, n, v, n_dot_v, half_way, n_dot_from, kPointHalfWidth);
 #ifdef FULCRUM_ENTERING
-      entering += light * n_dot_from * (1.0 - fresnel_of(lobes, v, half_way));
+      entering += past * (1.0 - fresnel_of(lobes, v, half_way));
 #endif
     }
     float lit_from = dot(geometric, from);
@@ -253,4 +276,9 @@ void main() {
   if (is_cut_out) {
     discard;
   }
+#ifndef FULCRUM_ENTERING
+  if (has(FULCRUM_LOOK_SAMPLES)) {
+    colour.a = part_of_pixel;
+  }
+#endif
 }

@@ -4,9 +4,22 @@
 
 const int kMostSteps = 32;
 const int kFineSteps = 20;  // of these: the others go as far as the volume does, however long they are for that
-const float kStep = 0.6;   // of the cone's width
-const float kGain = 1.15;   // a wall that a step just misses is still one
-const float kOff = 1.5;    // voxels: off the surface, which fills those that it lies in
+const float kStep = 0.6;    // of the cone's width
+const float kWall = 1.25;   // what two steps find together of a wall one voxel thick, wherever and at whichever level they meet it
+const float kOff = 1.5;     // voxels: off the surface, which fills those that it lies in
+
+// How much brighter what is there looks along d than in the mean of its sides: a wall that voxels hold both sides of is seen
+// from one. What a piece of surface shows counts 1 - dot(its normal, d), where d is as long as it takes to leave out what faces
+// away along the axis in which its sides differ.
+float seen_side(vec3 at, float level, vec3 d) {
+  vec4 mean = textureLod(standing_mirrored, at, level);
+  float luminance = max(dot(mean.rgb, vec3(0.2126, 0.7152, 0.0722)), 1e-6);
+  vec3 facing = textureLod(standing_mirrored_facing, at, level - 1.0).xyz / max(mean.a, 1e-3);
+  vec3 bright = textureLod(standing_mirrored_bright, at, level - 1.0).xyz / luminance;
+  vec3 differ = bright - facing;
+  float longer = 1.0 / max(abs(dot(d, differ)) / max(length(differ), 1e-3), 0.4);
+  return min(max(1.0 - longer * dot(bright, d), 0.02) / max(1.0 - longer * dot(facing, d), 0.02), 2.0);
+}
 
 // rgb: radiance from what the cone meets, a: the part of it that this hides.
 vec4 neighbours(vec3 n, vec3 d, float roughness) {
@@ -24,17 +37,33 @@ vec4 neighbours(vec3 n, vec3 d, float roughness) {
   // Half of what GGX mirrors is within twice the angle whose tangent is alpha; voxels are as wide again as their edges.
   float spread = 2.0 * roughness * roughness;
   float climb = max(dot(n, d), 0.0);
-  vec4 met = vec4(0.0);
-  for (int i = 0; i < kMostSteps && way < end && met.a < 0.98; ++i) {
+  // Steps that begin with a voxel and grow by this of the way get through the volume: the sum of a geometric series, fitted.
+  float growth = 0.097 * log(max((end - way) / voxel, 19.2) / 19.2);
+  float hidden = 0.0;
+  vec4 colour = vec4(0.0);  // a: what those before it weigh together, as in `place`
+  vec2 place = vec2(0.0);   // how far away that is and at which level
+  vec4 before = vec4(0.0);
+  for (int i = 0; i < kMostSteps && way < end && hidden < 0.98; ++i) {
     // No wider than it is high above the surface, or it met that.
     float widest = (kOff * voxel + climb * way) / 1.5;
     float crossing = i < kFineSteps ? 0.0 : (end - way) / float(kMostSteps - i);
-    float width = max(min(max(spread * way, crossing / kStep), widest), voxel);
-    vec4 here = textureLod(standing_mirrored, from + along * way, min(log2(width / voxel), frame.mirror_low.w));
-    // What is behind something is mostly hidden by the same of it: of both, the more counts.
-    float hides = min(kGain * here.a, 1.0);
-    met += vec4(here.rgb / max(here.a, 1e-3), 1.0) * max(hides - met.a, 0.0);
+    float width = max(min(max(max(spread * way, voxel + growth * way), crossing / kStep), widest), voxel);
+    float level = min(log2(width / voxel), frame.mirror_low.w);
+    vec4 here = textureLod(standing_mirrored, from + along * way, level);
+    vec4 both = before + here;
+    // What is behind something is mostly hidden by the same of it: of both, the more counts. And its back is behind its
+    // front, less than a step away perhaps: what is met first shows most.
+    float more = max(min(both.a / kWall, 1.0) - hidden, 0.0);
+    float first = more * (1.0 - hidden) * (1.0 - hidden);
+    colour += vec4(both.rgb / max(both.a, 1e-3), 1.0) * first;
+    place += vec2(way, level) * first;
+    hidden += more;
+    before = here;
     way += max(kStep * width, crossing);
   }
-  return met;
+  if (hidden <= 0.0) {
+    return vec4(0.0);
+  }
+  place /= colour.a;
+  return vec4(colour.rgb * (hidden * seen_side(from + along * place.x, max(place.y, 1.0), d) / colour.a), hidden);
 }

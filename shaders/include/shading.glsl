@@ -15,6 +15,8 @@ layout(set = 0, binding = 6) uniform sampler3D standing_open;      // engine/ren
 layout(set = 0, binding = 7) uniform sampler3D standing_received;
 layout(set = 0, binding = 8) uniform sampler3D standing_sent_on;
 layout(set = 0, binding = 13) uniform sampler3D standing_mirrored;  // engine/render/mirror_volume.h
+layout(set = 0, binding = 14) uniform sampler3D standing_mirrored_facing;
+layout(set = 0, binding = 15) uniform sampler3D standing_mirrored_bright;
 #ifdef FULCRUM_OCCLUDED
 layout(set = 0, binding = 5) uniform sampler2D occlusion;
 #endif
@@ -155,11 +157,13 @@ Reached what_reaches(vec3 n, vec3 d, float n_dot_v, float roughness) {
 #include "neighbours.glsl"
 
 // What a mirror shows of all around it. Of metal, neighbours are followed, not only their mean, unless it is so rough that
-// this tells as much, or so smooth that voxels would be seen.
+// this tells as much, or so smooth that voxels would be seen. The rim of what GGX mirrors, which is wider the rougher the metal
+// is, is beside the cone that is followed, and shows their mean.
 vec3 mirror_shows(Reached reached, vec3 n, vec3 d, float roughness, float metallic) {
   vec3 far = light_mirrored(d, roughness);
   vec3 shown = mix(reached.sent_on, far, reached.mirrored);
-  float follows = metallic * smoothstep(0.06, 0.12, roughness) * (1.0 - smoothstep(0.6, 0.7, roughness));
+  float rim = 1.2 * roughness * roughness;
+  float follows = metallic * (1.0 - rim) * smoothstep(0.06, 0.12, roughness) * (1.0 - smoothstep(0.6, 0.7, roughness));
   if (has(FULCRUM_LOOK_NEIGHBOURS) && follows > 0.0) {
     vec4 near = neighbours(n, d, roughness);
     shown = mix(shown, near.rgb + mix(reached.sent_on, far, reached.near) * (1.0 - near.a), follows);
@@ -208,7 +212,7 @@ vec3 environment_brdf(vec3 f0, float roughness, float n_dot_v) {
 // lavapipe compiles the shader anew whenever a descriptor set is bound.
 vec3 key_light(vec3 position, out vec3 l, out float half_width) {
   vec3 to_light = frame.key_position.xyz - frame.key_position.w * position;
-  float distance2 = max(dot(to_light, to_light), 1e-4);
+  float distance2 = max(dot(to_light, to_light), 1e-8);
   float inverse = inversesqrt(distance2);
   l = to_light * inverse;
   half_width = frame.shadow.w;

@@ -25,7 +25,10 @@
 #define FULCRUM_LOOK_SCATTERING 16384u
 // Of all surfaces, from the plan: metal mirrors what stands near it.
 #define FULCRUM_LOOK_NEIGHBOURS 32768u
-#define FULCRUM_LOOK_LIGHTS_SHIFT 16  // bits from here on: how many lights models bring
+// Of those that have holes: a pixel has several samples, of which as many are covered as there is of the
+// surface.
+#define FULCRUM_LOOK_SAMPLES 65536u
+#define FULCRUM_LOOK_LIGHTS_SHIFT 17  // bits from here on: how many lights models bring
 
 FULCRUM_GPU_BEGIN
 

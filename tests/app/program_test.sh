@@ -20,6 +20,15 @@ expect 2 "\`fulcrum run\` has no option '--hedless'; did you mean '--headless'" 
 expect 2 "has no option '--qq'; \`fulcrum check --help\` lists them" "$FULCRUM" check piping --qq=3
 expect 2 '.' "$FULCRUM" run
 expect 2 'no size' "$FULCRUM" run piping --size big
+expect 2 '\-\-xr-space is where a headset shows the scene: add --xr' "$FULCRUM" run piping --headless --xr-space stage
+expect 2 '\-\-xr-scale is how large' "$FULCRUM" run piping --headless --xr-scale 3
+expect 2 '\-\-xr-space is where' "$FULCRUM" explain piping --xr-space stage
+expect 2 'leave out --stereo' "$FULCRUM" explain piping --xr --stereo anaglyph
+expect 2 '\-\-scene is of .workprecision picture' "$FULCRUM" workprecision --scene piping
+for number in nan -nan inf 1e999; do
+  expect 2 "'$number' is no finite number" "$FULCRUM" run piping --headless --stereo anaglyph --eye-distance "$number"
+  expect 2 "'$number' is no finite number" "$FULCRUM" run piping --headless "--seconds=$number"
+done
 expect 0 '^piping ' "$FULCRUM" list
 expect 0 '"name": "piping"' "$FULCRUM" list --json
 expect 0 'simulated' "$FULCRUM" devices

@@ -101,6 +101,28 @@ TEST(GltfMaterial, AVolumeTakesWhatItsThicknessDoes) {
     for (const float part : passed("1", odd)) EXPECT_TRUE(part >= 0.0F && part <= 1.0F) << odd;
 }
 
+// KHR_materials_volume: a thickness is one of the mesh, and its node makes it larger; a distance is one of
+// the scene.
+TEST(GltfMaterial, AVolumeIsAsThickAsItsNodeMakesIt) {
+  Textured glass(R"({"name":"glass","extensions":{"KHR_materials_transmission":{"transmissionFactor":1},)"
+                 R"("KHR_materials_volume":{"thicknessFactor":10,"attenuationDistance":0.02,)"
+                 R"("attenuationColor":[0.25,0.5,1]}}})");
+  glass.file.scene = R"("scene":0,"scenes":[{"nodes":[0,1,3]}],)";
+  glass.file.nodes = R"([{"mesh":0,"scale":[0.001,0.001,0.001]},{"scale":[0.01,0.01,0.01],"children":[2]},)"
+                     R"({"mesh":0,"scale":[-0.2,0.2,0.2],"rotation":[0.6,0,0,0.8]},)"
+                     R"({"mesh":0,"scale":[0.001,0.001,0.001],"rotation":[0,0.6,0,0.8]}])";
+  const Model model = glass.read();
+  ASSERT_EQ(model.parts.size(), 3U);
+  const auto passed = [&](std::size_t part) {
+    return model.materials[model.parts[part].material].detail.value().passed;
+  };
+  EXPECT_NEAR(passed(0)[0], 0.5F, 1e-3F) << "10 mm";
+  EXPECT_NEAR(passed(1)[0], 0.25F, 1e-3F) << "20 mm, mirrored";
+  EXPECT_EQ(passed(1)[2], 1.0F);
+  EXPECT_EQ(model.parts[2].material, model.parts[0].material) << "as large, and turned";
+  for (const ModelPart& part : model.parts) EXPECT_EQ(model.materials[part.material].name, "glass");
+}
+
 // What names no picture is read whatever its coordinates are.
 TEST(GltfMaterial, CoordinatesThatNothingNeedsAreNotRead) {
   Textured file(R"({"name":"plain"})");

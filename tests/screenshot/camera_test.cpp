@@ -63,12 +63,35 @@ TEST(OrbitCamera, ZoomStaysWithinItsLimits) {
   EXPECT_NEAR(glm::length(orbit.camera().eye - orbit.camera().target), 20.0F, 1e-3F);
 }
 
+// A scene of 2 mm, and one of 100 m.
+TEST(OrbitCamera, StaysWithScenesOfAnySize) {
+  for (const float size : {0.002F, 100.0F}) {
+    const Camera start{{size, 0, 0}, {0, 0, 0}, 0.7F};
+    OrbitCamera orbit(start);
+    EXPECT_FLOAT_EQ(orbit.camera().eye.x, size);
+    orbit.zoom(4.0F);
+    orbit.zoom(-4.0F);
+    EXPECT_NEAR(orbit.camera().eye.x, size, 1e-5F * size);
+  }
+}
+
 TEST(Projection, DepthIsOneAtTheNearPlaneAndFallsToZero) {
   const Camera camera{{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}, 0.7F};
   const glm::mat4 clip = clip_from_world(camera, {1280, 720});
   EXPECT_NEAR(projected(clip, {0.0F, 0.0F, 1.0F - 0.005F}).z, 1.0F, 1e-5F);
   EXPECT_NEAR(projected(clip, {0.0F, 0.0F, -1e5F}).z, 0.0F, 1e-6F);
   EXPECT_GT(projected(clip, {0.0F, 0.1F, 0.0F}).y, 0.0F);  // up is up
+}
+
+// A part of 0.2 mm seen from 0.4 mm is not cut open.
+TEST(Projection, SmallScenesAreNotCutOpen) {
+  for (const float away : {0.0004F, 0.004F, 0.04F}) {
+    const Camera camera{{0, 0, away}, {0, 0, 0}, 0.7F};
+    const float near = nearest_seen(camera);
+    EXPECT_LE(near, 0.051F * away);
+    EXPECT_NEAR(projected(clip_from_world(camera, {64, 64}), {0, 0, away - near}).z, 1.0F, 1e-4F);
+  }
+  EXPECT_EQ(nearest_seen({{0, 0, 3}, {0, 0, 0}, 0.7F}), 0.005F);
 }
 
 TEST(Projection, LooksStraightDownWithoutTrouble) {

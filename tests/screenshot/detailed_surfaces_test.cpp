@@ -115,6 +115,50 @@ TEST_F(DetailedSurfacesTest, ATextureLiesAsItsCoordinatesSay) {
   EXPECT_EQ(corners(draw(desc)), "grbw");
 }
 
+// A mesh of wires, 7 / 16 of it there, is as dense from far away as from nearby, whatever the samples; and
+// where they are several, its edges are not steps.
+TEST_F(DetailedSurfacesTest, AMeshOfWiresIsAsDenseFromFarAway) {
+  VisualDesc desc = pane_scene();
+  Texture wires{"wires", 16, 16, {}, true, true, 0.5F};
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const std::uint8_t alpha = x < 4 || y < 4 ? 255 : 0;
+      wires.rgba.insert(wires.rgba.end(), {255, 255, 255, alpha});
+    }
+  desc.textures = {wires};
+  SurfaceDetail& detail = *desc.materials[0].detail;
+  detail.unlit = true;
+  detail.layers[SurfaceDetail::base_colour].emplace();
+  desc.materials[0].base_colour = glm::vec3(0.5F);
+  // Radiance in the mean of the middle.
+  const auto light = [&](const VisualDesc& of, const Quality& quality) {
+    const Picture picture = draw(of, quality);
+    double sum = 0;
+    for (std::size_t y = 72; y < 108; ++y)
+      for (std::size_t x = 72; x < 108; ++x) sum += test::radiance_of(picture.rgba[4 * (180 * y + x) + 1]);
+    return sum / (36 * 36);
+  };
+  const auto light_of_all = [&](const Quality& quality, float opacity) {
+    VisualDesc all = desc;
+    all.textures[0].rgba.assign(all.textures[0].rgba.size(), 255);
+    all.materials[0].detail->opacity = opacity;
+    return light(all, quality);
+  };
+  detail.alpha = Alpha::mask;
+  for (const int samples : {1, 4}) {
+    const Quality quality{samples, 512, 1.0F};
+    const double all = light_of_all(quality, 1.0F), none = light_of_all(quality, 0.0F);
+    for (const float meshes : {10.0F, 20.0F, 40.0F, 110.0F, 400.0F}) {
+      desc.meshes[0] = pane();
+      for (glm::vec4& uv : desc.meshes[0].uv) uv *= meshes;
+      const double part = (light(desc, quality) - none) / (all - none);
+      // Of four samples, a device draws whole ones: lavapipe the next more.
+      EXPECT_NEAR(part, 7.0 / 16.0, samples == 1 ? 0.07 : 0.1)
+          << samples << " samples, " << meshes << " meshes";
+    }
+  }
+}
+
 // A slope towards the light is brighter than the flat pane, and one away from it darker, on each axis,
 // whichever way the coordinates run; from behind, a slope is the other way about.
 TEST_F(DetailedSurfacesTest, ANormalMapSlopesAsItsColoursSay) {
@@ -197,6 +241,50 @@ TEST_F(DetailedSurfacesTest, WhatIsSeenThroughLiesBehind) {
   const auto blue_before = test::mean(draw(desc), 0.4F, 0.4F, 0.6F, 0.6F);
   EXPECT_GT(blue_before.b, blue_before.r + 20);
   EXPECT_GT(blue_before.r, blue_before.g + 10);
+}
+
+// glTF 2.0, 3.9.3: both directions of a map's frame have unit length, and u grows along one of them alone.
+TEST_F(DetailedSurfacesTest, ASlopeIsAsSteepHoweverAPictureIsStretchedOrSheared) {
+  VisualDesc desc = pane_scene();
+  desc.key_light.emplace();
+  desc.key_light->direction = {-1, -0.5F, -1};
+  desc.ambient.intensity = 0.0F;
+  desc.materials[0].detail->layers[SurfaceDetail::normal].emplace();
+  for (const std::array<std::uint8_t, 4> lean :
+       {std::array<std::uint8_t, 4>{200, 128, 220, 255}, std::array<std::uint8_t, 4>{128, 190, 220, 255},
+        std::array<std::uint8_t, 4>{90, 100, 230, 255}}) {
+    desc.textures = {flat(lean, false)};
+    desc.meshes[0] = pane();
+    const float even = brightness(draw(desc));
+    for (const glm::vec3& grown : {glm::vec3(5, 1, 0), glm::vec3(1, 5, 0), glm::vec3(0.1F, 1, 0),
+                                   glm::vec3(1, 1, 0.7F), glm::vec3(1, 0.2F, -2)}) {
+      desc.meshes[0] = pane();
+      for (glm::vec4& uv : desc.meshes[0].uv) uv = {grown.x * uv.x + grown.z * uv.y, grown.y * uv.y, 0, 0};
+      EXPECT_NEAR(brightness(draw(desc)), even, 3.0F)
+          << grown.x << ' ' << grown.y << ' ' << grown.z << ' ' << int{lean[0]};
+    }
+  }
+}
+
+// A wall that faces away from the light is in its own shadow, wherever its relief leans.
+TEST_F(DetailedSurfacesTest, NoLightGetsThroughASurfaceToASlope) {
+  VisualDesc desc = pane_scene();
+  desc.key_light.emplace();
+  desc.ambient.intensity = 0.0F;
+  desc.textures = {flat({235, 128, 180, 255}, false)};
+  desc.materials[0].detail->layers[SurfaceDetail::normal].emplace();
+  desc.key_light->direction = {-1, 0, -0.5F};
+  EXPECT_GT(brightness(draw(desc)), 100) << "it leans to this light";
+  desc.key_light->direction = {-1, 0, 0.1F};  // from behind
+  EXPECT_LT(brightness(draw(desc)), 1);
+  desc.key_light.reset();
+  PunctualLight lamp;
+  lamp.position = {1, 0, -0.1F};
+  lamp.colour = glm::vec3(10.0F);
+  desc.lights = {lamp};
+  EXPECT_LT(brightness(draw(desc)), 1);
+  desc.lights[0].position.z = 0.5F;
+  EXPECT_GT(brightness(draw(desc)), 100);
 }
 
 // A pane of two sides, whose own order in the mesh is front, back: the near one is seen.

@@ -123,7 +123,7 @@ Debrief debrief() {
            {"Touches on the way", "7", "3.5 of 15", "3.50 times the expert's 1."},
            {"Mean force", "1.73 N", {}, "Over 12.3 s of contact."},
            {"Peak force", "7.31 N", {}, "Of the scene on the tool."},
-           {"Depth", "0.312 mm", {}, "The deepest that a tick saw, by the distance field."},
+           {"Depth", "0.312 mm", {}, "The deepest that a tick saw."},
            {"E_tau", "1.234 N m s", {}, "Torque of the coupling over time."},
            {"E_F", "61.42 N s", {}, "Force of contact over time."},
            {"approach", "4.1 s", {}, ""},

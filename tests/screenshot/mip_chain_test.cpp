@@ -34,6 +34,15 @@ TEST(MipChain, WhatIsNotThereHasNoColour) {
   EXPECT_EQ(mip_chain({"none", 2, 1, none, true, true})[1], (Bytes{200, 100, 50, 0}));
 }
 
+// Where alpha is cut off at 0.5, half of this is there, however little alpha there is in the mean.
+TEST(MipChain, OfHolesAlphaIsThePartThatIsThere) {
+  const Bytes wires{200, 10, 10, 130, 0, 255, 0, 0};
+  const auto levels = mip_chain({"wires", 2, 1, wires, true, true, 0.5F});
+  EXPECT_EQ(levels[0], wires);
+  EXPECT_EQ(levels[1], (Bytes{200, 10, 10, 128}));
+  EXPECT_EQ(mip_chain({"wires", 2, 1, wires, true, true, 0.6F})[1][3], 0);
+}
+
 // An alpha that means nothing weighs nothing.
 TEST(MipChain, WithoutHolesAlphaIsANumberLikeOthers) {
   const Bytes pixels{200, 100, 50, 0, 200, 100, 50, 255};

@@ -10,7 +10,6 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <numbers>
 
-#include "engine/render/tone.h"
 #include "test_scene.h"
 
 namespace fulcrum::render {
@@ -66,30 +65,28 @@ protected:
     return desc;
   }
 
-  std::unique_ptr<Renderer> renderer(const VisualDesc& desc, bool reflections) {
+  std::unique_ptr<Renderer> renderer(const VisualDesc& desc, bool reflections, int shadow_size = 0) {
     auto made = Renderer::create(*gpu_.device, desc,
-                                 {{24, 24}, {1, 0, 1.0F, 0.0F, false, false, 0, reflections}, {}});
+                                 {{24, 24}, {1, shadow_size, 1.0F, 0.0F, false, false, 0, reflections}, {}});
     if (!made) throw std::runtime_error(made.error().sentence);
     return std::move(*made);
   }
 
-  static Picture drawn(Renderer& renderer, float away) {
+  static Picture drawn(Renderer& renderer, const glm::vec3& eye, const glm::vec3& place) {
     FrameState state;
-    const glm::vec3 place(0.0F, 0.0F, away);
-    state.camera = {place + glm::vec3(0.0F, 1.0F, 1.0F), place, 0.004F};
+    state.camera = {eye, place, 0.004F};
     if (const auto error = renderer.frame(state)) throw std::runtime_error(error->sentence);
     return *renderer.read_back();
   }
 
-  // Radiance of the floor that far before the wall, seen at 45 degrees.
-  static double radiance(Renderer& renderer, float away) {
-    const float shown = test::mean(drawn(renderer, away), 0.25F, 0.25F, 0.75F, 0.75F).g / 255.0F;
-    float low = 0.0F, high = 4.0F;
-    for (int i = 0; i < 40; ++i) {
-      const float middle = 0.5F * (low + high);
-      (tone_mapped(glm::vec3(middle)).g < shown ? low : high) = middle;
-    }
-    return static_cast<double>(low);
+  static Picture drawn(Renderer& renderer, float away, float high = 1.0F) {
+    const glm::vec3 place(0.0F, 0.0F, away);
+    return drawn(renderer, place + high * glm::vec3(0.0F, 1.0F, 1.0F), place);
+  }
+
+  // Radiance of the floor that far before the wall, seen at 45 degrees from that high (m).
+  static double radiance(Renderer& renderer, float away, float high = 1.0F) {
+    return test::radiance_of(test::mean(drawn(renderer, away, high), 0.25F, 0.25F, 0.75F, 0.75F).g);
   }
 
   static constexpr float kPlaces[] = {0.04F, 0.08F, 0.12F, 0.16F, 0.2F, 0.24F, 0.28F,
@@ -119,6 +116,35 @@ TEST_F(MirrorVolumeTest, ABlackWallHidesAsMuchOfTheSkyAsGeometrySays) {
     EXPECT_LT(worst, 0.2) << roughness;
     EXPECT_LT(sum, 0.25 * without) << roughness;
   }
+}
+
+// Below a thick board and a thin one, both lit from above, metal mirrors their undersides as they are seen by
+// who looks up: no light from their tops, and no rings where the cone's steps meet a wall or miss it.
+TEST_F(MirrorVolumeTest, NoLightIsSeenThroughABoard) {
+  for (const float thick : {0.02F, 0.06F, 0.2F})  // m: 2, 7 and 25 voxels
+    for (const float roughness : {0.2F, 0.3F, 0.45F}) {
+      VisualDesc desc = scene({}, roughness);
+      desc.ambient.picture = Panorama{64, 32, std::vector<glm::vec3>(64 * 32, glm::vec3(0.0F)), false};
+      desc.key_light.emplace();
+      desc.key_light->direction = {0, -1, 0};
+      desc.key_light->intensity = 1.0F;
+      desc.meshes[1] = test::make_box({0.5F, 0.5F * thick, 0.5F});
+      desc.materials[1].base_colour = glm::vec3(1.0F);
+      desc.instances.push_back(
+          {1, 1, "board", glm::translate(glm::mat4(1.0F), {0, 0.2F + 0.5F * thick, 0.5F})});
+      const auto below = renderer(desc, true, 512);
+      const double seen = test::radiance_of(
+          test::mean(drawn(*below, {0, 0.05F, 0.5F}, {0, 0.2F, 0.5F}), 0.25F, 0.25F, 0.75F, 0.75F).g);
+      double least = 1, most = 0;
+      for (float away = 0.3F; away < 0.7F; away += 0.025F) {
+        least = std::min(least, radiance(*below, away, 0.15F));
+        most = std::max(most, radiance(*below, away, 0.15F));
+      }
+      std::printf("board of %.2f m, roughness %.2f: %.3f to %.3f of its top's light, %.3f seen from below\n",
+                  static_cast<double>(thick), static_cast<double>(roughness), least, most, seen);
+      EXPECT_LT(most, seen + 0.07) << thick << ' ' << roughness;
+      EXPECT_GT(least, seen - 0.07) << thick << ' ' << roughness;
+    }
 }
 
 TEST_F(MirrorVolumeTest, NothingIsMirroredWhereThereIsNothing) {

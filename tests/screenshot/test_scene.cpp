@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "engine/render/tone.h"
+
 namespace fulcrum::test {
 using render::Mesh;
 using render::VisualDesc;
@@ -99,6 +101,15 @@ glm::vec3 mean(const render::Picture& picture, float left, float top, float righ
     }
   }
   return sum / count;
+}
+
+double radiance_of(float value) {
+  float low = 0.0F, high = 4.0F;
+  for (int i = 0; i < 40; ++i) {
+    const float middle = 0.5F * (low + high);
+    (255.0F * render::tone_mapped(glm::vec3(middle)).g < value ? low : high) = middle;
+  }
+  return static_cast<double>(low);
 }
 
 }  // namespace fulcrum::test

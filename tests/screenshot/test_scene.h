@@ -28,4 +28,7 @@ Gpu make_gpu(const std::string& name = "");
 // The mean of the red, green and blue values, 0..255, of a rectangle given in fractions of the picture.
 glm::vec3 mean(const render::Picture& picture, float left, float top, float right, float bottom);
 
+// Of the light that a picture shows as a grey of that value, 0..255.
+double radiance_of(float value);
+
 }  // namespace fulcrum::test

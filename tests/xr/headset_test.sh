@@ -255,6 +255,16 @@ card() {
     fail "what came of it is not on the panel: $(middle before.ppm) before, $(middle card.ppm) after"
   [ -z "${FULCRUM_PICTURES-}" ] || cp card.ppm "$FULCRUM_PICTURES/card.ppm"
   rm -r A ended
+  # While somebody looks at it, all of the trial is kept already.
+  echo 'size 64 64' >script
+  export XDG_DATA_HOME=$work/data
+  start piping --device simulated --seconds 0.5 --participant K --out A
+  until_seen test -s A/report.html || fail "nothing is kept while the card is shown: $(cat said)"
+  kill -9 $program
+  wait $program
+  program=
+  "$FULCRUM" results | grep -q '^K ' || fail "a trial is lost that ended in a headset: $("$FULCRUM" results)"
+  rm -r A
   printf '%s\n' 'size 64 64' "40 wait $work/ended" '60 rest' >script
   start piping --device simulated --seconds 0.5 --out A
   until_seen has_ended || fail "the trial does not end: $(cat said)"

@@ -25,4 +25,15 @@ void add_headset(Arguments& arguments, HeadsetOptions& options) {
       options.colocate_limit_mm, 0.1, 1000);
 }
 
+std::optional<std::string> refuse_without_headset(const HeadsetOptions& options) {
+  const HeadsetOptions nothing;
+  if (options.asked) return std::nullopt;
+  if (options.colocate) return "--colocate lays the device onto a headset's space: add --xr.";
+  if (options.colocate_limit_mm != nothing.colocate_limit_mm)
+    return "--colocate-limit is of a device that is laid onto a headset's space: add --xr and --colocate.";
+  if (options.space != nothing.space) return "--xr-space is where a headset shows the scene: add --xr.";
+  if (options.scale != nothing.scale) return "--xr-scale is how large a headset shows the scene: add --xr.";
+  return std::nullopt;
+}
+
 }  // namespace fulcrum::app

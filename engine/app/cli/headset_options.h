@@ -1,6 +1,7 @@
 #pragma once
 // What the command line says of a headset.
 
+#include <optional>
 #include <string>
 
 namespace fulcrum::app {
@@ -21,6 +22,9 @@ struct HeadsetOptions {
 
 // The space alone.
 void add_headset_space(Arguments& arguments, HeadsetOptions& options);
+
+// What is asked for and would say nothing without --xr; absent: nothing.
+std::optional<std::string> refuse_without_headset(const HeadsetOptions& options);
 
 // All of it.
 void add_headset(Arguments& arguments, HeadsetOptions& options);

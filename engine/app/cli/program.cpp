@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string_view>
 #include <utility>
@@ -57,6 +59,11 @@ std::optional<std::string> refuse_option(const CLI::App& program) {
   return std::nullopt;
 }
 
+// CLI11's own ranges let through what is no number: that is neither below nor above them.
+std::string refuse_no_number(const std::string& given) {
+  return std::isfinite(std::strtod(given.c_str(), nullptr)) ? "" : "'" + given + "' is no finite number";
+}
+
 }  // namespace
 
 void Arguments::required(const Argument& argument, std::string& value) {
@@ -94,18 +101,21 @@ CLI::Option* Arguments::count(const Argument& argument, std::uint64_t& value, st
 void Arguments::number(const Argument& argument, double& value, double least, double most) {
   command_.add_option(argument.name, value, argument.help)
       ->type_name(argument.type)
+      ->check(refuse_no_number)
       ->check(CLI::Range(least, most));
 }
 
 void Arguments::number(const Argument& argument, std::optional<double>& value, double least, double most) {
   command_.add_option(argument.name, value, argument.help)
       ->type_name(argument.type)
+      ->check(refuse_no_number)
       ->check(CLI::Range(least, most));
 }
 
 void Arguments::positive(const Argument& argument, std::optional<double>& value) {
   command_.add_option(argument.name, value, argument.help)
       ->type_name(argument.type)
+      ->check(refuse_no_number)
       ->check(CLI::PositiveNumber);
 }
 

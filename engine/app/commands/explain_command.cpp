@@ -126,6 +126,13 @@ std::string name_of_device(const Prepared& prepared, const std::string& asked) {
 }
 
 int explain_command(const ExplainOptions& options) {
+  std::optional<std::string> refused = refuse_without_headset(options.headset);
+  if (options.headset.asked && options.stereo.mode)
+    refused = "--xr has a picture for each eye already: leave out --stereo.";
+  if (refused) {
+    complain(*refused);
+    return kUsage;
+  }
   const std::optional<Prepared> prepared = prepare_on(options);
   if (!prepared) return kError;
   const Result<World> world = World::build(prepared->haptic.scene);

@@ -81,7 +81,7 @@ void SceneEditor::press(const Seen& seen, double x, double y) {
   moved_ = false;
   for (Handle& handle : handles_of(seen.prepared, seen.X_WT)) {
     const glm::vec4 clip = projection.clip(handle.p_W);
-    if (!Projection::is_before(clip)) continue;
+    if (!projection.is_before(clip)) continue;
     const float radius = std::max(kNearHandle, projection.length(static_cast<float>(handle.radius), clip));
     const float away = glm::length(projection.pixel(clip) - pressed_) / radius;
     const bool same_place = held_ && std::abs(away - nearest) < kSamePlace;
@@ -129,7 +129,7 @@ std::vector<ui::HandleMark> SceneEditor::marks(const Seen& seen) const {
     const bool is_held =
         held_ && held_->kind == handle.kind && held_->index == handle.index && held_->corner == handle.corner;
     const glm::vec4 clip = projection.clip(is_held ? held_->p_W : handle.p_W);
-    if (Projection::is_before(clip))
+    if (projection.is_before(clip))
       marks.push_back({projection.pixel(clip), handle.name, is_held || is_same(handle, put)});
   }
   return marks;

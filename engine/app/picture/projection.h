@@ -16,13 +16,14 @@ class Projection {
 public:
   Projection(const render::Camera& camera, render::Extent picture)
       : clip_from_world_(render::clip_from_world(camera, picture)),
+        nearest_(render::nearest_seen(camera)),
         half_(0.5F * static_cast<float>(picture.width), 0.5F * static_cast<float>(picture.height)),
         px_(half_.y / static_cast<float>(math::tan(0.5 * static_cast<double>(camera.vertical_fov_rad)))) {}
 
   glm::vec4 clip(const Vec3& p_W) const {
     return clip_from_world_ * glm::vec4(p_W.x(), p_W.y(), p_W.z(), 1.0F);
   }
-  static bool is_before(const glm::vec4& clip) { return clip.w >= kNearest; }
+  bool is_before(const glm::vec4& clip) const { return clip.w >= nearest_; }
 
   // px, from the picture's middle, times the depth: it has a direction behind the camera, too.
   glm::vec2 offset(const glm::vec4& clip) const { return {clip.x * half_.x, -clip.y * half_.y}; }
@@ -50,8 +51,8 @@ public:
   std::optional<ui::Segment> segment(const Vec3& from_W, const Vec3& to_W) const {
     glm::vec4 from = clip(from_W), to = clip(to_W);
     if (!is_before(from) && !is_before(to)) return std::nullopt;
-    const auto cut = [](const glm::vec4& before, const glm::vec4& behind) {
-      return glm::mix(before, behind, (before.w - kNearest) / (before.w - behind.w));
+    const auto cut = [this](const glm::vec4& before, const glm::vec4& behind) {
+      return glm::mix(before, behind, (before.w - nearest_) / (before.w - behind.w));
     };
     if (!is_before(from)) from = cut(to, from);
     if (!is_before(to)) to = cut(from, to);
@@ -59,10 +60,8 @@ public:
   }
 
 private:
-  // m, before the eye: what is nearer is nowhere in the picture.
-  static constexpr float kNearest = 0.005F;
-
   glm::mat4 clip_from_world_;
+  float nearest_;   // m, before the eye
   glm::vec2 half_;  // px, half of the picture
   float px_;        // px, of 1 m at 1 m
 };

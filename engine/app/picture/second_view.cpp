@@ -48,14 +48,14 @@ std::vector<ui::TouchMark> touch_marks(const render::Camera& camera, render::Ext
   std::vector<ui::TouchMark> marks;
   for (const Touch& touch : touches.first(std::min(touches.size(), kMostMarks))) {
     const glm::vec4 place = projection.clip(touch.p_W);
-    if (!Projection::is_before(place)) continue;
+    if (!projection.is_before(place)) continue;
     const double load = limit > 0 ? std::min(touch.force / limit, 1.0) : 0.0;
     // So long in the scene that, seen from the side, it is that part of the picture.
     const float part = kShortest + (kLongest - kShortest) * static_cast<float>(load);
     const double length =
         static_cast<double>(part * static_cast<float>(picture.height) / projection.length(1.0F, place));
     const glm::vec4 tip = projection.clip(touch.p_W + length * touch.nhat_W);
-    if (!Projection::is_before(tip)) continue;
+    if (!projection.is_before(tip)) continue;
     marks.push_back({projection.pixel(place), projection.pixel(tip), static_cast<float>(load)});
   }
   return marks;

@@ -18,7 +18,7 @@ constexpr double kNamed = 10;
 // How much farther the target is, where that matters to somebody who has to hit its radius.
 std::optional<ui::Farther> farther(const Projection& projection, const glm::vec4& touch,
                                    const glm::vec4& target, double radius) {
-  if (!Projection::is_before(touch) || !Projection::is_before(target)) return std::nullopt;
+  if (!projection.is_before(touch) || !projection.is_before(target)) return std::nullopt;
   const float depth = target.w - touch.w;
   if (static_cast<double>(std::abs(depth)) <= kAsFar * radius) return std::nullopt;
   return ui::Farther{depth, projection.length(depth, touch)};
@@ -58,15 +58,15 @@ std::optional<ui::TargetPlace> target_place(const render::Camera& camera, render
   const glm::vec4 target = projection.clip(state.place_W), touch = projection.clip(p_WC);
   ui::TargetPlace seen;
   seen.distance = (state.place_W - p_WC).norm();
-  if (Projection::is_before(target)) seen.place = projection.pixel(target);
-  seen.in_sight = Projection::is_before(target) && projection.holds(seen.place);
+  if (projection.is_before(target)) seen.place = projection.pixel(target);
+  seen.in_sight = projection.is_before(target) && projection.holds(seen.place);
   if (seen.in_sight) {
     seen.radius = projection.length(static_cast<float>(next.radius), target);
   } else {
     seen.way = projection.way_to(target);
     seen.place = projection.edge(seen.way);
   }
-  if (Projection::is_before(touch)) seen.touch = projection.pixel(touch);
+  if (projection.is_before(touch)) seen.touch = projection.pixel(touch);
   seen.farther = farther(projection, touch, target, next.radius);
   const Vec3 foot(p_WC.x(), state.place_W.y(), p_WC.z());
   seen.drop = projection.segment(p_WC, foot);
@@ -80,7 +80,7 @@ std::optional<ui::EdgePlace> lost_tool(const render::Camera& camera, render::Ext
   if (!p_WC.allFinite()) return std::nullopt;
   const Projection projection(camera, picture);
   const glm::vec4 tool = projection.clip(p_WC);
-  if (Projection::is_before(tool) && projection.holds(projection.pixel(tool))) return std::nullopt;
+  if (projection.is_before(tool) && projection.holds(projection.pixel(tool))) return std::nullopt;
   const glm::vec2 way = projection.way_to(tool);
   return ui::EdgePlace{projection.edge(way), way, task.touch_name.empty() ? "the tool" : task.touch_name};
 }
