@@ -64,7 +64,7 @@ void add_edit(Program& program) {
       "edit", "Run a scenario of your own, and go on with each save of its files",
       [options](Arguments& arguments) {
         arguments.required({"scenario", "FILE", "Its file"}, options->scenario);
-        arguments.text({"--device", "DEVICE", "One of `fulcrum devices`; none: the best that is there"},
+        arguments.text({"--device", "DEVICE", "One of `fulcrum devices` (default: the best that is there)"},
                        options->device);
         arguments.text({"--hand", "HAND", "With --device simulated: the hand that holds it"}, options->hand);
         arguments.flag("--mute", "Begin without sound; F4 brings it", options->muted);

@@ -224,11 +224,11 @@ void add_run_command(Program& program, RunInHeadset in_headset) {
         arguments.text(
             {"--hand", "HAND", "The simulated hand: expert, clumsy, still, or another of the scenario's"},
             options->hand);
-        arguments.text(
-            {"--device", "DEVICE",
-             "One of `fulcrum devices`, such as simulated:MODEL, spacemouse+dualsense or mouse+audio; none: "
-             "the best that is there, with --xr the controllers"},
-            options->device);
+        arguments.text({"--device", "DEVICE",
+                        "One of `fulcrum devices`, such as simulated:MODEL, spacemouse+dualsense or "
+                        "mouse+audio (default: "
+                        "the best that is there, with --xr the controllers)"},
+                       options->device);
         arguments.texts({"--fault", "NAME@T",
                          "Inject a fault at T s, such as unplug@2 (docs/faults.md); may be given again"},
                         [options](const std::string& text) { return add_fault(text, options->faults); });
