@@ -259,7 +259,7 @@ private:
 
   // Parts of one material that their nodes make smaller or larger differ in how thick they are.
   void size_volumes(const std::vector<double>& sizes) {
-    constexpr double kSteps = 4096;  // sizes that differ by less are rounding of turned nodes
+    constexpr double kSteps = 1024;  // sizes that differ by less are one: that is seen by nobody
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> made;
     for (std::size_t i = 0; i < model_.parts.size(); ++i) {
       std::uint32_t& material = model_.parts[i].material;

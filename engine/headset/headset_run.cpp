@@ -16,7 +16,8 @@ namespace fulcrum::headset {
 namespace {
 
 constexpr auto kNoFrames = std::chrono::milliseconds(5);  // between looks at a headset that shows nothing
-constexpr XrDuration kBetweenWords = 100'000'000;         // ns, between two writings of the panel
+constexpr auto kUntilCard = std::chrono::seconds(5);
+constexpr XrDuration kBetweenWords = 100'000'000;  // ns, between two writings of the panel
 // s, after which the force goes: in a call that OpenXR sets no limit to; and of a whole picture, which a slow
 // machine may take long for, but less than ticks can wait for this thread.
 constexpr double kLongestWait = 1, kLongestFrame = 5;
@@ -124,9 +125,15 @@ void HeadsetRun::come_to_rest() {
   sound_.rest();
   if (!resting_) resting_ = loop_.send({Command::Kind::stop});
   if (!is_off(loop_.newest())) return;
-  if (const std::function<void()> ended = std::exchange(ended_, nullptr)) ended();
+  if (const std::function<void()> ended = std::exchange(ended_, nullptr)) {
+    ended();
+    ended_at_ = std::chrono::steady_clock::now();
+  }
   if (panel_ && !card_) card_ = headset_card(prepared_, options_, attempt_.sink(), with_);
-  leaves_ = leaves_ || !card_ || !is_seen();
+  // While all was written no picture was shown, and a runtime may have taken the scene away for that: it has
+  // time to show the card.
+  const bool has_time = !card_said_ && std::chrono::steady_clock::now() < ended_at_ + kUntilCard;
+  leaves_ = leaves_ || !card_ || (!is_seen() && !has_time);
   if (!leaves_) return;
   loop_.stop();
   if (worn_ && worn_->session().runs())

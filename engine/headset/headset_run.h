@@ -6,6 +6,7 @@
 // force goes and the trial rests, as after a stop, and whoever comes back goes on.
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -93,6 +94,7 @@ private:
   bool held_up_ = false;    // by the headset's runtime, for too long, since ticks were taken last
   bool resting_ = false;    // the trial has ended, and the force is told to go
   std::function<void()> ended_;  // null: it has been called
+  std::chrono::steady_clock::time_point ended_at_{};
   app::Comparison with_;
   std::optional<ui::Debrief> card_;  // what came of the trial, once it has ended, where a panel says it
   bool card_said_ = false;           // it is on the panel

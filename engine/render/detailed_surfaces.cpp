@@ -1,5 +1,6 @@
 #include "engine/render/detailed_surfaces.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -29,9 +30,11 @@ std::vector<bool> reliefs(const VisualDesc& desc) {
   return are;
 }
 
-gpu::MaterialData numbers_of(const SurfaceDetail& detail) {
+// is_cut: its texture has been (mip_chain()), with the opacity that it is multiplied by.
+gpu::MaterialData numbers_of(const SurfaceDetail& detail, bool is_cut) {
   gpu::MaterialData made{};
-  made.emission = glm::vec4(detail.emission, detail.alpha_cutoff);
+  made.emission =
+      glm::vec4(detail.emission, is_cut ? kCutOff * std::max(detail.opacity, 1e-6F) : detail.alpha_cutoff);
   made.amounts = {detail.normal_scale, detail.occlusion_strength, detail.opacity, detail.transmission};
   made.specular = glm::vec4(detail.f0, detail.f90);
   made.coat = {detail.clearcoat, detail.clearcoat_roughness, 0.0F, detail.sheen_roughness};
@@ -71,7 +74,7 @@ DetailedSurfaces::DetailedSurfaces(vulkan::Device& device, const VisualDesc& des
       if (layer && !textures_[layer->texture])
         textures_[layer->texture] =
             on_device(device, desc.textures[layer->texture], is_relief[layer->texture]);
-    materials_[instance.material] = make(device, material);
+    materials_[instance.material] = make(device, desc, material);
     layout_ = materials_[instance.material]->sets[0].layout();
   }
 }
@@ -100,8 +103,11 @@ VkSampler DetailedSurfaces::sampler(vulkan::Device& device, Wrap wrap_u, Wrap wr
   return known.get();
 }
 
-DetailedSurfaces::OnDevice DetailedSurfaces::make(vulkan::Device& device, const Material& material) {
-  const gpu::MaterialData data = numbers_of(*material.detail);
+DetailedSurfaces::OnDevice DetailedSurfaces::make(vulkan::Device& device, const VisualDesc& desc,
+                                                  const Material& material) {
+  const auto& base = material.detail->layers[SurfaceDetail::base_colour];
+  const gpu::MaterialData data =
+      numbers_of(*material.detail, base && desc.textures[base->texture].cut_off.has_value());
   OnDevice made{{device, sizeof(data), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Place::upload}, {}};
   std::memcpy(made.numbers.mapped(), &data, sizeof(data));
   for (const bool along_slant : {false, true}) {

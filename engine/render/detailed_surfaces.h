@@ -50,7 +50,7 @@ private:
 
   VkSampler sampler(vulkan::Device& device, Wrap wrap_u, Wrap wrap_v, bool nearest, bool along_slant);
   VkDescriptorSet set_of(const SceneGeometry::Piece& piece) const;
-  OnDevice make(vulkan::Device& device, const Material& material);
+  OnDevice make(vulkan::Device& device, const VisualDesc& desc, const Material& material);
 
   vulkan::Image white_;                                 // stands where a material has no texture
   std::vector<std::optional<vulkan::Image>> textures_;  // by the description's; none: no instance shows it

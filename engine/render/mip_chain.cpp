@@ -147,9 +147,14 @@ std::vector<std::vector<std::uint8_t>> continued(std::vector<std::vector<std::ui
 }  // namespace
 
 std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture) {
-  return continued(
-      {texture.rgba}, FirstLevel(texture), mip_levels(texture),
-      [&](const Level& level) { return bytes_of(level, texture); });
+  constexpr float kSteeper =
+      8.0F;  // of edges: an alpha that is farther from the cut than a sixteenth is 0 or 1
+  std::vector<std::uint8_t> own = texture.rgba;
+  if (texture.cut_off)
+    for (std::size_t i = 3; i < own.size(); i += 4)
+      own[i] = to_byte(kCutOff + kSteeper * (static_cast<float>(own[i]) / 255.0F - *texture.cut_off));
+  return continued({std::move(own)}, FirstLevel(texture), mip_levels(texture),
+                   [&](const Level& level) { return bytes_of(level, texture); });
 }
 
 std::vector<std::vector<std::uint8_t>> relief_chain(const Texture& texture) {

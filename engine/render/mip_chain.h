@@ -9,9 +9,11 @@
 namespace fulcrum::render {
 
 // The first is the texture itself, each other half as wide and high, down to one pixel; each pixel is the
-// mean of what it covers: of light where the texture is sRGB, of colours that are there where it has holes,
-// of what is there and what is not where alpha is cut off.
+// mean of what it covers: of light where the texture is sRGB, of colours that are there where it has holes.
+// Where alpha is cut off, it is kCutOff there, and but for the edge 0 or 1: in smaller sizes, it is the part
+// of a pixel that is there.
 std::vector<std::vector<std::uint8_t>> mip_chain(const Texture& texture);
+inline constexpr float kCutOff = 0.5F;
 
 // Of a texture of normals, whose alpha means nothing: there it has how far the normals are spread that a
 // pixel stands for, the root mean square of how far they lean from their mean; in the first level, none. So

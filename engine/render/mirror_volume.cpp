@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kMirrorVoxels = 128.0F;  // along the longest side, at the most
 constexpr std::uint32_t kLevels = 5;     // each side of the finest is a multiple of 16
-constexpr float kPiece = 0.35F;          // voxels
+constexpr float kPiece = 0.35F;          // voxels, see matter_of()
 constexpr float kBefore = 1.25F;         // voxels before a surface: light is found there
 
 std::optional<VoxelGrid> mirror_grid(const VisualDesc& desc, std::uint32_t layers) {

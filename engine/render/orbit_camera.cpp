@@ -22,7 +22,7 @@ OrbitCamera::OrbitCamera(const Camera& start)
 void OrbitCamera::reset() {
   const glm::vec3 offset = start_.eye - start_.target;
   target_ = start_.target;
-  distance_ = glm::length(offset);
+  distance_ = std::max(glm::length(offset), 1e-6F);
   azimuth_rad_ = std::atan2(offset.x, offset.z);
   elevation_rad_ =
       std::clamp(std::asin(std::clamp(offset.y / distance_, -1.0F, 1.0F)), -kSteepest_rad, kSteepest_rad);

@@ -24,8 +24,7 @@ constexpr std::uint32_t kLightsBinding = 10;
 constexpr std::uint32_t kScatteredBinding = 11;
 constexpr std::uint32_t kEnteringBinding = 12;
 constexpr std::uint32_t kMirroredBinding = 13;
-constexpr std::uint32_t kMirroredFacingBinding = 14;
-constexpr std::uint32_t kMirroredBrightBinding = 15;
+constexpr std::uint32_t kMirroredSidesBinding = 14;
 
 // Bindings of the ghost's descriptor set.
 constexpr std::uint32_t kGhostChosenBinding = 0;

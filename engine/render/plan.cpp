@@ -130,8 +130,9 @@ void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
 void add_reflections(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {
   plan.reflections = plan.surfaces && facts.mirrored > 0 && quality.reflections;
   if (plan.surfaces && facts.mirrored > 0)
-    plan.built.push_back({"mirror volume", "image", facts.mirrored * kSceneTexel,
-                          std::to_string(facts.mirrored) + " voxels: what metal mirrors of standing things"});
+    plan.built.push_back(
+        {"mirror volume", "image", facts.mirrored * kSceneTexel,
+         std::to_string(facts.mirrored) + " voxels in two images: what metal mirrors of standing things"});
   else
     plan.left_out.push_back(
         {"mirror volume", "image", 0,

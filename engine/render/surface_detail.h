@@ -19,8 +19,7 @@ struct Texture {
   std::vector<std::uint8_t> rgba;       // (4 x width x height)
   bool srgb = false;                    // red, green and blue are sRGB encoded, alpha never
   bool holes = false;  // where alpha is 0 there is no colour: none of it is mixed into others
-  // Where alpha is less, there is nothing: in its smaller sizes, alpha is the part that is there. None: it is
-  // itself.
+  // Where alpha is less, there is nothing: mip_chain() makes it 1 / 2 there. None: it is what it is.
   std::optional<float> cut_off{};
 };
 

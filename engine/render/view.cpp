@@ -45,8 +45,7 @@ vulkan::DescriptorSet make_scene_set(vulkan::Device& device, const RenderPlan& p
     // Shaders name it even where they do not read it.
     const VolumeOnDevice& of = shared.volumes[volume];
     lit_by(kMirroredBinding, (plan.reflections ? of.mirrored : of.sent_on).view());
-    lit_by(kMirroredFacingBinding, (plan.reflections ? of.mirrored_facing : of.sent_on).view());
-    lit_by(kMirroredBrightBinding, (plan.reflections ? of.mirrored_bright : of.sent_on).view());
+    lit_by(kMirroredSidesBinding, (plan.reflections ? of.mirrored_sides : of.sent_on).view());
   }
   if (plan.lights > 0)
     bindings.push_back(

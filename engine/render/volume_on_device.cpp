@@ -42,9 +42,12 @@ VolumeOnDevice::VolumeOnDevice(vulkan::Device& device, std::uint32_t seen_layers
 
 void VolumeOnDevice::mirror(vulkan::Device& device, const MirrorVolume& made) {
   mirrored = upload(device, made.counts, made.levels);
+  // Both in one image, one above the other: there are devices on which a shader reads no more than 16.
+  std::vector<std::vector<glm::vec4>> sides = made.facing;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    sides[i].insert(sides[i].end(), made.bright[i].begin(), made.bright[i].end());
   const glm::uvec3 coarser = glm::max(made.counts / 2U, glm::uvec3(1U));
-  mirrored_facing = upload(device, coarser, made.facing);
-  mirrored_bright = upload(device, coarser, made.bright);
+  mirrored_sides = upload(device, {coarser.x, coarser.y, 2 * coarser.z}, sides);
   const glm::vec3 scale = 1.0F / (made.voxel * glm::vec3(made.counts));
   mirror_from_world = glm::vec4(scale, made.voxel);
   mirror_low = glm::vec4(-made.low * scale, static_cast<float>(made.levels.size() - 1));

@@ -21,8 +21,7 @@ struct VolumeOnDevice {
 
   std::uint32_t layers = ~0U;  // what a camera sees with one of these is in it
   vulkan::Image open, received, sent_on;
-  vulkan::Image mirrored, mirrored_facing,
-      mirrored_bright;                                    // none: nothing in the scene mirrors its neighbours
+  vulkan::Image mirrored, mirrored_sides;                 // none: nothing in the scene mirrors its neighbours
   glm::vec4 from_world{0.0F}, low{0.0F}, unhidden{0.0F};  // as in gpu::FrameData
   glm::vec4 mirror_from_world{0.0F}, mirror_low{0.0F};
 };

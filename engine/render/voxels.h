@@ -38,8 +38,8 @@ bool hides_light(const VisualDesc& desc, const Instance& instance, std::uint32_t
 // to it as far as it is near. None: nothing stands. most: voxels along its longest side.
 std::optional<VoxelGrid> voxel_grid(const VisualDesc& desc, std::uint32_t layers, float most);
 
-// Of each voxel. piece: voxels, as wide as the pieces are at the most that triangles are cut into, each of
-// which belongs to one voxel: of a plane, pieces of a voxel leave some half empty.
+// Of each voxel. piece: the longest edge, in voxels, of the pieces that triangles are cut into, each of which
+// belongs to one voxel: pieces as large as a voxel leave some voxels of a plane half empty.
 std::vector<Matter> matter_of(const VisualDesc& desc, std::uint32_t layers, const VoxelGrid& grid,
                               float piece);
 

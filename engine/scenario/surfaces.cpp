@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "engine/assets/image.h"
@@ -45,8 +47,8 @@ std::uint64_t bytes_of(const std::vector<render::Texture>& textures) {
   return bytes;
 }
 
-// The model's images as textures, each decoded once; one that is shown as colours and as numbers is there
-// twice.
+// The model's images as textures, each decoded once; one that is shown as colours and as numbers, or cut off
+// at two values of alpha, is there twice.
 class Textures {
 public:
   Textures(render::VisualDesc& desc, const Model& model) : desc_(desc), model_(model) {}

@@ -42,8 +42,9 @@ vec3 mapped(vec3 n, vec2 at, vec3 bend) {
   vec3 along_u = across_y * du.x + across_x * dv.x;  // where u grows fastest, and v
   vec3 along_v = across_y * du.y + across_x * dv.y;
   float length2 = dot(along_v, along_v);
-  if (length2 <= 0.0) {
-    return n;  // no coordinates, or the same ones all over the triangle
+  float other2 = dot(along_u, along_u);
+  if (min(length2, other2) <= 1e-8 * max(length2, other2)) {
+    return n;  // no coordinates, or one of the two is the same all over the triangle
   }
   vec3 tangent = cross(along_v, n);  // v stays as it is that way
   tangent *= sign(dot(tangent, along_u));

@@ -5,12 +5,10 @@
 // x: the part of a pixel that is there, of a texture with that alpha at coordinates `at` of its picture; below cut_off there
 // is nothing. Of a picture that is enlarged (y 0) the edge is a pixel wide; in its smaller sizes (y 1) alpha is that part.
 vec2 part_there(sampler2D picture, vec2 at, float alpha, float cut_off) {
-  vec2 pixels = at * vec2(textureSize(picture, 0));
-  vec2 dx = dFdx(pixels);
-  vec2 dy = dFdy(pixels);
-  float smaller = clamp(0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1e-12)), 0.0, 1.0);
-  float edge = clamp((alpha - cut_off) / max(fwidth(alpha), 1e-4) + 0.5, 0.0, 1.0);
-  return vec2(cut_off > 1.0 ? 0.0 : mix(edge, alpha, smaller), smaller);
+  float smaller = clamp(textureQueryLod(picture, at).x, 0.0, 1.0);
+  // What is as high as cut_off is there.
+  float edge = clamp((alpha - cut_off + 0.5e-4) / max(fwidth(alpha), 1e-4) + 0.5, 0.0, 1.0);
+  return vec2(mix(edge, alpha, smaller), smaller);
 }
 
 // Whether a pixel with one sample is: on one side of an edge, and of many pixels as many as there is of the surface.

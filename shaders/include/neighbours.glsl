@@ -8,14 +8,20 @@ const float kStep = 0.6;    // of the cone's width
 const float kWall = 1.25;   // what two steps find together of a wall one voxel thick, wherever and at whichever level they meet it
 const float kOff = 1.5;     // voxels: off the surface, which fills those that it lies in
 
-// How much brighter what is there looks along d than in the mean of its sides: a wall that voxels hold both sides of is seen
-// from one. What a piece of surface shows counts 1 - dot(its normal, d), where d is as long as it takes to leave out what faces
-// away along the axis in which its sides differ.
+// Of the lower half (part 0) or the upper one (1) of that image, and nothing of the other.
+vec3 of_sides(vec3 at, float level, float part) {
+  float rim = 1.0 / float(textureSize(standing_mirrored_sides, int(ceil(level))).z);  // half a voxel, of one half
+  return textureLod(standing_mirrored_sides, vec3(at.xy, 0.5 * (clamp(at.z, rim, 1.0 - rim) + part)), level).xyz;
+}
+
+// How much brighter what is there looks along d than in the mean of its sides. A wall that is bright on one side may have both
+// in a voxel, and is seen from one: a surface of normal n weighs 1 - longer * dot(n, d), where `longer` is such that the side
+// that faces away, along the axis in which the two differ, weighs nothing.
 float seen_side(vec3 at, float level, vec3 d) {
   vec4 mean = textureLod(standing_mirrored, at, level);
   float luminance = max(dot(mean.rgb, vec3(0.2126, 0.7152, 0.0722)), 1e-6);
-  vec3 facing = textureLod(standing_mirrored_facing, at, level - 1.0).xyz / max(mean.a, 1e-3);
-  vec3 bright = textureLod(standing_mirrored_bright, at, level - 1.0).xyz / luminance;
+  vec3 facing = of_sides(at, level - 1.0, 0.0) / max(mean.a, 1e-3);
+  vec3 bright = of_sides(at, level - 1.0, 1.0) / luminance;
   vec3 differ = bright - facing;
   float longer = 1.0 / max(abs(dot(d, differ)) / max(length(differ), 1e-3), 0.4);
   return min(max(1.0 - longer * dot(bright, d), 0.02) / max(1.0 - longer * dot(facing, d), 0.02), 2.0);

@@ -15,8 +15,7 @@ layout(set = 0, binding = 6) uniform sampler3D standing_open;      // engine/ren
 layout(set = 0, binding = 7) uniform sampler3D standing_received;
 layout(set = 0, binding = 8) uniform sampler3D standing_sent_on;
 layout(set = 0, binding = 13) uniform sampler3D standing_mirrored;  // engine/render/mirror_volume.h
-layout(set = 0, binding = 14) uniform sampler3D standing_mirrored_facing;
-layout(set = 0, binding = 15) uniform sampler3D standing_mirrored_bright;
+layout(set = 0, binding = 14) uniform sampler3D standing_mirrored_sides;
 #ifdef FULCRUM_OCCLUDED
 layout(set = 0, binding = 5) uniform sampler2D occlusion;
 #endif

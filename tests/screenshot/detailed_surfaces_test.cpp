@@ -122,7 +122,7 @@ TEST_F(DetailedSurfacesTest, AMeshOfWiresIsAsDenseFromFarAway) {
   Texture wires{"wires", 16, 16, {}, true, true, 0.5F};
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) {
-      const std::uint8_t alpha = x < 4 || y < 4 ? 255 : 0;
+      const std::uint8_t alpha = x < 4 || y < 4 ? 180 : 40;
       wires.rgba.insert(wires.rgba.end(), {255, 255, 255, alpha});
     }
   desc.textures = {wires};
@@ -138,16 +138,15 @@ TEST_F(DetailedSurfacesTest, AMeshOfWiresIsAsDenseFromFarAway) {
       for (std::size_t x = 72; x < 108; ++x) sum += test::radiance_of(picture.rgba[4 * (180 * y + x) + 1]);
     return sum / (36 * 36);
   };
-  const auto light_of_all = [&](const Quality& quality, float opacity) {
+  const auto light_of_all = [&](const Quality& quality, std::uint8_t alpha) {
     VisualDesc all = desc;
-    all.textures[0].rgba.assign(all.textures[0].rgba.size(), 255);
-    all.materials[0].detail->opacity = opacity;
+    all.textures[0].rgba.assign(all.textures[0].rgba.size(), alpha);
     return light(all, quality);
   };
   detail.alpha = Alpha::mask;
   for (const int samples : {1, 4}) {
     const Quality quality{samples, 512, 1.0F};
-    const double all = light_of_all(quality, 1.0F), none = light_of_all(quality, 0.0F);
+    const double all = light_of_all(quality, 255), none = light_of_all(quality, 0);
     for (const float meshes : {10.0F, 20.0F, 40.0F, 110.0F, 400.0F}) {
       desc.meshes[0] = pane();
       for (glm::vec4& uv : desc.meshes[0].uv) uv *= meshes;
@@ -157,6 +156,26 @@ TEST_F(DetailedSurfacesTest, AMeshOfWiresIsAsDenseFromFarAway) {
           << samples << " samples, " << meshes << " meshes";
     }
   }
+}
+
+// glTF 2.0: what is as high as the cut-off is there, all of it.
+TEST_F(DetailedSurfacesTest, WhatIsAsHighAsTheCutOffIsThere) {
+  for (const int samples : {1, 4})
+    for (const float cut : {0.0F, 0.5F, 1.0F}) {
+      VisualDesc desc = pane_scene();
+      const auto alpha = static_cast<std::uint8_t>(cut == 0.0F ? 0 : 255);
+      desc.textures = {flat({255, 255, 255, alpha})};
+      SurfaceDetail& detail = *desc.materials[0].detail;
+      detail.unlit = true;
+      detail.layers[SurfaceDetail::base_colour].emplace();
+      const Quality quality{samples, 512, 1.0F};
+      const float whole = brightness(draw(desc, quality));
+      detail.alpha = Alpha::mask;
+      detail.alpha_cutoff = cut;
+      detail.opacity = std::max(cut, 0.5F);
+      desc.textures[0].cut_off = cut / detail.opacity;
+      EXPECT_NEAR(brightness(draw(desc, quality)), whole, 0.5F) << samples << " samples, " << cut;
+    }
 }
 
 // A slope towards the light is brighter than the flat pane, and one away from it darker, on each axis,

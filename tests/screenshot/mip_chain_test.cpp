@@ -38,9 +38,10 @@ TEST(MipChain, WhatIsNotThereHasNoColour) {
 TEST(MipChain, OfHolesAlphaIsThePartThatIsThere) {
   const Bytes wires{200, 10, 10, 130, 0, 255, 0, 0};
   const auto levels = mip_chain({"wires", 2, 1, wires, true, true, 0.5F});
-  EXPECT_EQ(levels[0], wires);
+  EXPECT_EQ(levels[0], (Bytes{200, 10, 10, 148, 0, 255, 0, 0})) << "as high above the half, eight times";
   EXPECT_EQ(levels[1], (Bytes{200, 10, 10, 128}));
   EXPECT_EQ(mip_chain({"wires", 2, 1, wires, true, true, 0.6F})[1][3], 0);
+  EXPECT_EQ(mip_chain({"all", 1, 1, {9, 9, 9, 255}, true, true, 1.0F})[0][3], 128) << "just there";
 }
 
 // An alpha that means nothing weighs nothing.

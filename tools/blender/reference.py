@@ -274,7 +274,7 @@ def add_camera(entry):
     camera = bpy.data.cameras.new("camera")
     camera.sensor_fit = "VERTICAL"
     camera.angle_y = entry["vertical_fov_rad"]
-    camera.clip_start, camera.clip_end = 0.005, 1000.0
+    camera.clip_start, camera.clip_end = min(0.005, 0.05 * (eye - target).length), 1000.0
     holder = bpy.data.objects.new("camera", camera)
     holder.matrix_world = TURN @ pose
     bpy.context.collection.objects.link(holder)

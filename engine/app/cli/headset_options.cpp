@@ -27,7 +27,10 @@ void add_headset(Arguments& arguments, HeadsetOptions& options) {
 
 std::optional<std::string> refuse_without_headset(const HeadsetOptions& options) {
   const HeadsetOptions nothing;
-  if (options.asked) return std::nullopt;
+  if (options.asked) {
+    if (options.colocate || options.colocate_limit_mm == nothing.colocate_limit_mm) return std::nullopt;
+    return "--colocate-limit is of a device that is laid onto a headset's space: add --colocate.";
+  }
   if (options.colocate) return "--colocate lays the device onto a headset's space: add --xr.";
   if (options.colocate_limit_mm != nothing.colocate_limit_mm)
     return "--colocate-limit is of a device that is laid onto a headset's space: add --xr and --colocate.";

@@ -128,7 +128,8 @@ int run_in_window(const scenario::Scenario& scenario, const RunOptions& options,
 
 // Of a run that a headset shows: what else it cannot be; absent: nothing.
 std::optional<std::string> refuse_headset(const RunOptions& options) {
-  if (!options.headset.asked) return refuse_without_headset(options.headset);
+  if (auto refused = refuse_without_headset(options.headset); refused || !options.headset.asked)
+    return refused;
   if (options.headless) return "--xr shows the scene in a headset, and --headless nowhere: leave one out.";
   if (options.stereo.mode) return "--xr has a picture for each eye already: leave out --stereo.";
   if (!options.gpu.empty())
