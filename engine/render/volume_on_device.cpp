@@ -42,7 +42,7 @@ VolumeOnDevice::VolumeOnDevice(vulkan::Device& device, std::uint32_t seen_layers
 
 void VolumeOnDevice::mirror(vulkan::Device& device, const MirrorVolume& made) {
   mirrored = upload(device, made.counts, made.levels);
-  // Both in one image, one above the other: there are devices on which a shader reads no more than 16.
+  // Both in one image, one above the other: there are devices whose shaders read 16 images at the most.
   std::vector<std::vector<glm::vec4>> sides = made.facing;
   for (std::size_t i = 0; i < sides.size(); ++i)
     sides[i].insert(sides[i].end(), made.bright[i].begin(), made.bright[i].end());

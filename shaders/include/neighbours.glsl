@@ -8,7 +8,8 @@ const float kStep = 0.6;    // of the cone's width
 const float kWall = 1.25;   // what two steps find together of a wall one voxel thick, wherever and at whichever level they meet it
 const float kOff = 1.5;     // voxels: off the surface, which fills those that it lies in
 
-// Of the lower half (part 0) or the upper one (1) of that image, and nothing of the other.
+// standing_mirrored_sides has in its lower half (part 0) how surfaces face in the mean, in its upper one (1) the same weighted by
+// the light that they send on. This is one of the two, with nothing of the other mixed in.
 vec3 of_sides(vec3 at, float level, float part) {
   float rim = 1.0 / float(textureSize(standing_mirrored_sides, int(ceil(level))).z);  // half a voxel, of one half
   return textureLod(standing_mirrored_sides, vec3(at.xy, 0.5 * (clamp(at.z, rim, 1.0 - rim) + part)), level).xyz;

@@ -115,8 +115,7 @@ TEST_F(DetailedSurfacesTest, ATextureLiesAsItsCoordinatesSay) {
   EXPECT_EQ(corners(draw(desc)), "grbw");
 }
 
-// A mesh of wires, 7 / 16 of it there, is as dense from far away as from nearby, whatever the samples; and
-// where they are several, its edges are not steps.
+// A mesh of wires, 7 / 16 of it there, is as dense from far away as from nearby, whatever the samples.
 TEST_F(DetailedSurfacesTest, AMeshOfWiresIsAsDenseFromFarAway) {
   VisualDesc desc = pane_scene();
   Texture wires{"wires", 16, 16, {}, true, true, 0.5F};

@@ -23,7 +23,7 @@ struct HeadsetOptions {
 // The space alone.
 void add_headset_space(Arguments& arguments, HeadsetOptions& options);
 
-// What is asked for and would say nothing without --xr; absent: nothing.
+// Which of these options would do nothing since another is missing, --xr or --colocate; absent: none.
 std::optional<std::string> refuse_without_headset(const HeadsetOptions& options);
 
 // All of it.

@@ -227,8 +227,7 @@ void add_run_command(Program& program, RunInHeadset in_headset) {
             options->hand);
         arguments.text({"--device", "DEVICE",
                         "One of `fulcrum devices`, such as simulated:MODEL, spacemouse+dualsense or "
-                        "mouse+audio (default: "
-                        "the best that is there, with --xr the controllers)"},
+                        "mouse+audio (default: the best that is there, with --xr the controllers)"},
                        options->device);
         arguments.texts({"--fault", "NAME@T",
                          "Inject a fault at T s, such as unplug@2 (docs/faults.md); may be given again"},

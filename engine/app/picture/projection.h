@@ -61,7 +61,7 @@ public:
 
 private:
   glm::mat4 clip_from_world_;
-  float nearest_;   // m, before the eye
+  float nearest_;   // m, before the eye: what is nearer is nowhere in the picture
   glm::vec2 half_;  // px, half of the picture
   float px_;        // px, of 1 m at 1 m
 };
