@@ -31,11 +31,11 @@ void practise_by_pad(Trainee& trainee, Pad& pad, std::size_t checkpoints) {
   while (done < checkpoints) {
     if (since(here) > kPadPatience)
       throw GaveUp("checkpoint " + std::to_string(done + 1) + " was not reached");
-    const bool filling = seen.ring && seen.ring->filling;
     if (seen.ring || seen.touch) seen_last = Clock::now();
     if (since(seen_last) > kGone) return;  // a card hides what is left of it
     PadPush push;
-    if (seen.ring && seen.touch && !filling) {
+    // On to the middle of a ring that is orange already: at its rim nothing need be touched yet.
+    if (seen.ring && seen.touch) {
       const Place way = seen.ring->middle - *seen.touch;
       push = {push_for(way.x, trainee.height()), push_for(-way.y, trainee.height()),
               push_for(seen.farther, trainee.height())};
