@@ -52,6 +52,11 @@ bool is_two_sided(std::uint32_t look) {
   return (look & FULCRUM_LOOK_DOUBLE_SIDED) != 0;
 }
 
+bool reads_places(std::uint32_t look) {
+  constexpr std::uint32_t kTextures = (1U << SurfaceDetail::kKinds) - 1U;
+  return (look & (kTextures | FULCRUM_LOOK_MASK)) != 0;
+}
+
 std::string describe_look(std::uint32_t look) {
   struct Word {
     std::uint32_t bit;

@@ -19,6 +19,7 @@ bool is_masked(std::uint32_t look);      // and not blended: it is there, or it 
 bool is_scattering(std::uint32_t look);  // light spreads below it: what is seen through is none of these
 std::uint32_t without_scattering(std::uint32_t look);
 bool is_two_sided(std::uint32_t look);
+bool reads_places(std::uint32_t look);  // in textures: it has one, or is cut out
 
 // "base colour and normal textures, clear coat".
 std::string describe_look(std::uint32_t look);

@@ -72,6 +72,10 @@ void read_uv(PipelineDesc& desc) {
   desc.attributes.push_back({3, 1, VK_FORMAT_R32G32B32A32_SFLOAT, 0});
 }
 
+const char* vertex_shader_of(std::uint32_t look) {
+  return reads_places(look) ? "detailed.vert" : "detailed_without_places.vert";
+}
+
 // What a look has not is left out of its shader when that is compiled.
 PipelineHandle make_detailed(vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                              VkPipelineLayout layout, std::uint32_t look) {
@@ -79,10 +83,10 @@ PipelineHandle make_detailed(vulkan::Device& device, const RenderPlan& plan, con
   const std::string fragment = plan.scattering > 0 && is_scattering(look)
                                    ? "detailed_scattered.frag"
                                    : lit_as_planned("detailed", plan) + ".frag";
-  desc.stages = stages(shaders, "detailed.vert", fragment.c_str());
+  desc.stages = stages(shaders, vertex_shader_of(look), fragment.c_str());
   desc.stages.back().constant = planned(look, plan);
   read_vertices(desc, true);
-  read_uv(desc);
+  if (reads_places(look)) read_uv(desc);
   desc.cull.reset();
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, !is_blended(look), false};
   if (is_blended(look)) desc.blend = vulkan::Blend::over;
@@ -153,10 +157,10 @@ PipelineHandle make_entering(vulkan::Device& device, const RenderPlan& plan, con
   desc.colour = kEnteringFormat;
   desc.depth = kDepthFormat;
   desc.stages =
-      stages(shaders, "detailed.vert", (lit_as_planned("detailed", plan) + "_entering.frag").c_str());
+      stages(shaders, vertex_shader_of(look), (lit_as_planned("detailed", plan) + "_entering.frag").c_str());
   desc.stages.back().constant = planned(look, plan);
   read_vertices(desc, true);
-  read_uv(desc);
+  if (reads_places(look)) read_uv(desc);
   desc.cull.reset();
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, true, false};
   return make_pipeline(device, desc);

@@ -155,8 +155,11 @@ void add_detail(const SceneFacts& facts, RenderPlan& plan) {
   for (const std::uint32_t look : plan.looks)
     plan.built.push_back({"detailed surfaces", "pipeline", 0,
                           describe_look(plan.scattering > 0 ? look : without_scattering(look))});
-  plan.built.push_back({"places in textures", "buffer", facts.detailed_vertices * sizeof(glm::vec4),
-                        "of " + std::to_string(facts.detailed_vertices) + " vertices"});
+  if (facts.placed_vertices > 0)
+    plan.built.push_back({"places in textures", "buffer", facts.placed_vertices * sizeof(glm::vec4),
+                          "of " + std::to_string(facts.placed_vertices) + " vertices"});
+  else
+    plan.left_out.push_back({"places in textures", "buffer", 0, "no material has a texture or is cut out"});
   if (facts.textures > 0)
     plan.built.push_back({"textures", "image", facts.texture_bytes,
                           std::to_string(facts.textures) + " of them, in all their sizes"});
@@ -383,7 +386,7 @@ SceneFacts facts_of(const VisualDesc& desc) {
   facts.instances = desc.instances.size();
   facts.voxels = light_volume_voxels(desc);
   facts.mirrored = mirror_volume_voxels(desc);
-  std::set<std::size_t> meshes, textures;  // of detailed instances
+  std::set<std::size_t> placed, textures;  // meshes with places in textures, and these
   std::set<std::uint32_t> looks;
   for (const Instance& instance : desc.instances) {
     const Material& material = desc.materials[instance.material];
@@ -398,12 +401,12 @@ SceneFacts facts_of(const VisualDesc& desc) {
     }
     looks.insert(*look);
     facts.scattering += is_scattering(*look) ? 1 : 0;
-    meshes.insert(instance.mesh);
+    if (reads_places(*look)) placed.insert(instance.mesh);
     for (const auto& layer : material.detail->layers)
       if (layer) textures.insert(layer->texture);
   }
   facts.looks.assign(looks.begin(), looks.end());
-  for (const std::size_t mesh : meshes) facts.detailed_vertices += desc.meshes[mesh].positions.size();
+  for (const std::size_t mesh : placed) facts.placed_vertices += desc.meshes[mesh].positions.size();
   facts.textures = textures.size();
   for (const std::size_t texture : textures) facts.texture_bytes += mip_bytes(desc.textures[texture]);
   facts.lights = desc.lights.size();

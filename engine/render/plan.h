@@ -86,7 +86,7 @@ struct SceneFacts {
   std::uint64_t moving_casters = 0;       // of those, the ones that may move
   std::uint64_t plain = 0;                // instances without a detailed material
   std::vector<std::uint32_t> looks = {};  // of those with one, each once
-  std::uint64_t detailed_vertices = 0;    // of their meshes
+  std::uint64_t placed_vertices = 0;      // of their meshes that have places in textures
   std::uint64_t textures = 0;             // that they show
   std::uint64_t texture_bytes = 0;        // of those, in all their sizes
   std::uint64_t voxels = 0;               // of light volumes

@@ -66,19 +66,18 @@ SceneGeometry::Place SceneGeometry::place_of(const Mesh& mesh, std::size_t first
   return place;
 }
 
-// Meshes that a detailed material is laid on come first: their vertices have places in textures, and a vertex
-// has one number in both buffers.
+// Meshes with places in textures come first: a vertex has one number in both buffers.
 void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc) {
-  std::vector<bool> is_detailed(desc.meshes.size(), false);
+  std::vector<bool> is_placed(desc.meshes.size(), false);
   for (const Instance& instance : desc.instances)
-    if (desc.materials[instance.material].detail) is_detailed[instance.mesh] = true;
+    if (reads_places(look_of(desc.materials[instance.material]).value_or(0))) is_placed[instance.mesh] = true;
   places_.resize(desc.meshes.size());
   std::vector<Vertex> vertices;
   std::vector<glm::vec4> uv;
   std::vector<std::uint32_t> indices;
-  for (const bool detailed : {true, false}) {
+  for (const bool placed : {true, false}) {
     for (std::size_t m = 0; m < desc.meshes.size(); ++m) {
-      if (is_detailed[m] != detailed) continue;
+      if (is_placed[m] != placed) continue;
       const Mesh& mesh = desc.meshes[m];
       places_[m] = place_of(mesh, indices.size(), vertices.size());
       for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -86,8 +85,8 @@ void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc
         if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
         vertices.push_back(vertex);
       }
-      if (detailed && !mesh.uv.empty()) uv.insert(uv.end(), mesh.uv.begin(), mesh.uv.end());
-      if (detailed) uv.resize(vertices.size(), glm::vec4(0.0F));
+      if (placed && !mesh.uv.empty()) uv.insert(uv.end(), mesh.uv.begin(), mesh.uv.end());
+      if (placed) uv.resize(vertices.size(), glm::vec4(0.0F));
       const std::vector<std::uint32_t>& triangles = mesh.levels ? mesh.levels->indices : mesh.indices;
       indices.insert(indices.end(), triangles.begin(), triangles.end());
     }

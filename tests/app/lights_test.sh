@@ -48,6 +48,10 @@ sed 's/lamp.gltf,/& scale: 100,/' lit/scenario.yaml >lit/scaled.yaml
 expect 1 "scaled.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' brings a light '0' of more than a billion candela, .*'scale' are counted in" \
   "$FULCRUM" check lit/scaled.yaml
 
+# What is not drawn is named.
+lamp '{"type":"point","intensity":60}' 1 | sed 's/"extensionsUsed":\[/&"KHR_materials_iridescence",/' >lit/lamp.gltf
+expect 0 "scenario.yaml:$line:[0-9]+: .*'lamp.gltf' is drawn without KHR_materials_iridescence" "$FULCRUM" check lit/scenario.yaml
+
 # What a terminal would obey is not told it.
 lamp '{"name":"\u001b[31mred\u001b]0;title\u0007","type":"point","intensity":-1}' 1 >lit/lamp.gltf
 expect 1 "its light '.*red.*' has a value of 'intensity' that is less than zero" "$FULCRUM" check lit/scenario.yaml

@@ -11,15 +11,16 @@ expect_each 0 '4 samples, soft shadows of 2048, ambient occlusion, light below s
 [ "$(head -1 P/picture.csv)" = scene,view,level,flip_mean,flip_p99,luminance_error,frame_ms ] ||
   fail "picture.csv has other columns: $(head -1 P/picture.csv)"
 [ "$(wc -l <P/picture.csv)" = 11 ] || fail "two views at five levels are not ten lines: $(cat P/picture.csv)"
-# What is drawn is what the reference shows: of another scene, or from elsewhere, it would be far off. Half the pixels are
-# worse than all, and all take longer than half.
+# What is drawn is what the reference shows: 0.071 and 0.073 off at the best level (docs/workprecision.md). Half the pixels
+# are worse than all, and all take longer than half.
 awk -F, 'NR > 1 {
-    if (!($4 > 0 && $4 < .3 && $5 > $4 && $5 <= 1 && $6 > -.5 && $6 < .5 && $7 > 0)) { print; bad = 1 }
+    if (!($4 > 0 && $4 < ($3 == 0 ? .08 : .12) && $5 > $4 && $5 <= 1 && $6 > -.5 && $6 < .5 && $7 > 0)) { print; bad = 1 }
     flip[$2, $3] = $4; ms[$2, $3] = $7; views[$2] = 1 }
   END { for (v in views) if (!(flip[v, 0] < flip[v, 3] && ms[v, 0] > ms[v, 3])) { print v; bad = 1 }
     exit bad }' P/picture.csv || fail "figures out of order: $(cat P/picture.csv)"
 [ "$(grep -o 'data:image/png;base64,iVBOR' P/picture.html | wc -l)" = 8 ] || fail "picture.html lacks pictures"
 grep -q '</html>' P/picture.html || fail "no whole picture.html"
+grep -q 'another state' P/picture.html && fail "the references of stick are of another state of it: see tools/references"
 
 # Every scene that comes with Fulcrum has two.
 content=${FULCRUM_CONTENT:-$(dirname "$FULCRUM")/content}

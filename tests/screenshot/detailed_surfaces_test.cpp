@@ -440,6 +440,17 @@ TEST_F(DetailedSurfacesTest, NothingIsBuiltForWhatNoMaterialHas) {
   std::uint64_t texture_bytes = 0;
   for (const BuildItem& item : detailed->built) texture_bytes += item.name == "textures" ? item.bytes : 0;
   EXPECT_EQ(texture_bytes, 4U * (2 * 2 + 1)) << "of the two textures one is shown, in two sizes";
+  const auto has_places = [](const RenderPlan& of) {
+    return std::ranges::any_of(of.built,
+                               [](const BuildItem& item) { return item.name == "places in textures"; });
+  };
+  EXPECT_TRUE(has_places(*detailed));
+  desc.materials[0].detail = SurfaceDetail{};
+  desc.materials[0].detail->clearcoat = 1.0F;
+  const auto coated = plan(desc, RenderOptions{});
+  ASSERT_TRUE(coated);
+  EXPECT_EQ(coated->looks.size(), 1U);
+  EXPECT_FALSE(has_places(*coated)) << "no texture lies on it";
 }
 
 TEST_F(DetailedSurfacesTest, WrongTexturesAreRefusedWithASentence) {

@@ -1,6 +1,7 @@
 #pragma once
-// A model with lights of its own (KHR_lights_punctual), as a .glb.
+// A model with lights of its own (KHR_lights_punctual) and pictures on its surfaces, as a .glb.
 
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -20,6 +21,8 @@ struct LitGlb {
   std::vector<Part> parts;
   std::vector<std::string> lights;  // JSON of each
   std::vector<std::string> nodes;   // of each, what places it: members, each with a comma before it
+  std::vector<std::vector<std::uint8_t>> pictures{};  // PNG or JPEG
+  std::string textures{};                             // members "samplers" and "textures", a comma after each
 
   std::string bytes() const {
     std::vector<std::byte> buffer;
@@ -42,11 +45,18 @@ struct LitGlb {
       const std::string of = R"(,"componentType":5126,"type":"VEC3")", first = std::to_string(views_there);
       add(part.mesh.positions, 34962, of + R"(,"min":)" + triple(low) + R"(,"max":)" + triple(high));
       add(part.mesh.normals, 34962, of);
+      std::string attributes =
+          whole({R"("POSITION":)", first, R"(,"NORMAL":)", std::to_string(views_there - 1)});
+      if (!part.mesh.uv.empty()) {
+        for (const std::size_t set : {std::size_t{0}, std::size_t{1}}) {
+          attributes += whole({R"(,"TEXCOORD_)", std::to_string(set), R"(":)", std::to_string(views_there)});
+          add(coordinates(part.mesh, set), 34962, R"(,"componentType":5126,"type":"VEC2")");
+        }
+      }
+      const std::string index = std::to_string(&part - parts.data()), indices = std::to_string(views_there);
       add(part.mesh.indices, 34963, R"(,"componentType":5125,"type":"SCALAR")");
-      const std::string index = std::to_string(&part - parts.data());
-      const std::string normals = std::to_string(views_there - 2), indices = std::to_string(views_there - 1);
-      append(meshes, whole({R"({"primitives":[{"attributes":{"POSITION":)", first, R"(,"NORMAL":)", normals,
-                            R"(},"indices":)", indices, R"(,"material":)", index, "}]}"}));
+      append(meshes, whole({R"({"primitives":[{"attributes":{)", attributes, R"(},"indices":)", indices,
+                            R"(,"material":)", index, "}]}"}));
       append(materials, part.material);
       append(held, whole({R"({"name":"part )", index, R"(","mesh":)", index, R"(,"translation":)",
                           triple(part.at), "}"}));
@@ -59,13 +69,22 @@ struct LitGlb {
                           index, "}}", nodes[i], "}"}));
       append(roots, std::to_string(parts.size() + i));
     }
+    std::string images;
+    for (const std::vector<std::uint8_t>& picture : pictures) {
+      append(images, whole({R"({"bufferView":)", std::to_string(views_there++), R"(,"mimeType":"image/)",
+                            picture.front() == 0xff ? "jpeg" : "png", R"("})"}));
+      append(views, whole({R"({"buffer":0,"byteOffset":)", std::to_string(buffer.size()), R"(,"byteLength":)",
+                           std::to_string(picture.size()), "}"}));
+      glb::put(buffer, picture.data(), picture.size());
+    }
+    const std::string pictured = pictures.empty() ? "" : whole({R"("images":[)", images, "],", textures});
     const std::string lit = lights.empty() ? ""
                                            : R"("extensionsUsed":["KHR_lights_punctual"],"extensions":)"
                                              R"({"KHR_lights_punctual":{"lights":[)" +
                                                  shining + "]}},";
     const std::vector<std::byte> file =
-        glb::file(R"({"asset":{"version":"2.0"},)" + lit + R"("scene":0,"scenes":[{"nodes":[)" + roots +
-                      R"(]}],"nodes":[)" + held + R"(],"meshes":[)" + meshes + R"(],"materials":[)" +
+        glb::file(R"({"asset":{"version":"2.0"},)" + lit + pictured + R"("scene":0,"scenes":[{"nodes":[)" +
+                      roots + R"(]}],"nodes":[)" + held + R"(],"meshes":[)" + meshes + R"(],"materials":[)" +
                       materials + R"(],"accessors":[)" + accessors + R"(],"bufferViews":[)" + views +
                       R"(],"buffers":[{"byteLength":)" + std::to_string(buffer.size()) + "}]}",
                   buffer);
@@ -74,6 +93,12 @@ struct LitGlb {
 
 private:
   static void append(std::string& list, const std::string& item) { list += (list.empty() ? "" : ",") + item; }
+  static std::vector<glm::vec2> coordinates(const render::Mesh& mesh, std::size_t set) {
+    std::vector<glm::vec2> uv;
+    for (const glm::vec4& both : mesh.uv)
+      uv.emplace_back(set == 0 ? both.x : both.z, set == 0 ? both.y : both.w);
+    return uv;
+  }
   static std::string whole(std::initializer_list<std::string_view> pieces) {
     std::string text;
     for (const std::string_view piece : pieces) text.append(piece);

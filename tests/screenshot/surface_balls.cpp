@@ -42,23 +42,6 @@ Rgba bump(float x, float y) {
   return {byte(nx), byte(ny), byte(nz), 255};
 }
 
-std::vector<Texture> textures() {
-  return {checks(true, {230, 190, 120, 255}, {40, 60, 110, 255}),
-          checks(false, {0, 40, 255, 255}, {0, 200, 0, 255}),
-          painted(false, bump),
-          painted(
-              false,
-              [](float x, float y) {
-                return Rgba{std::max(std::abs(x), std::abs(y)) > 0.85F ? 30 : 255, 0, 0, 255};
-              }),
-          checks(true, {255, 120, 20, 255}, {0, 0, 0, 255}),
-          painted(
-              true,
-              [](float x, float y) {
-                return Rgba{200, 40, 30, x * x + y * y < 0.6F ? 0 : 255};
-              })};
-}
-
 render::Material with_texture(const char* name, const glm::vec3& colour, float metallic, float roughness,
                               SurfaceDetail::Kind kind, std::size_t texture) {
   render::Material made{name, colour, metallic, roughness, SurfaceDetail{}};
@@ -93,16 +76,37 @@ std::vector<render::Material> materials() {
 
 }  // namespace
 
-render::VisualDesc surface_balls() {
-  render::VisualDesc desc;
-  render::Mesh ball = make_ball(0.04F);  // rings of 49 vertices
+std::vector<render::Texture> painted_textures() {
+  return {checks(true, {230, 190, 120, 255}, {40, 60, 110, 255}),
+          checks(false, {0, 40, 255, 255}, {0, 200, 0, 255}),
+          painted(false, bump),
+          painted(
+              false,
+              [](float x, float y) {
+                return Rgba{std::max(std::abs(x), std::abs(y)) > 0.85F ? 30 : 255, 0, 0, 255};
+              }),
+          checks(true, {255, 120, 20, 255}, {0, 0, 0, 255}),
+          painted(
+              true,
+              [](float x, float y) {
+                return Rgba{200, 40, 30, x * x + y * y < 0.6F ? 0 : 255};
+              })};
+}
+
+render::Mesh unwrapped_ball(float radius) {
+  render::Mesh ball = make_ball(radius);  // rings of 49 vertices
   for (std::size_t i = 0; i < ball.positions.size(); ++i) {
     const std::size_t ring = i / 49, along = i % 49;
     ball.uv.emplace_back(4.0F * static_cast<float>(along) / 48.0F, 2.0F * static_cast<float>(ring) / 24.0F, 0,
                          0);
   }
-  desc.meshes = {ball, make_box({0.6F, 0.01F, 0.3F})};
-  desc.textures = textures();
+  return ball;
+}
+
+render::VisualDesc surface_balls() {
+  render::VisualDesc desc;
+  desc.meshes = {unwrapped_ball(0.04F), make_box({0.6F, 0.01F, 0.3F})};
+  desc.textures = painted_textures();
   desc.materials = materials();
   for (std::size_t i = 0; i < desc.materials.size(); ++i) {
     const glm::vec3 at{-0.22F + 0.11F * static_cast<float>(i % 5), 0.04F, i < 5 ? -0.06F : 0.06F};

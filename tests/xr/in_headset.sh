@@ -12,14 +12,7 @@ export XR_RUNTIME_JSON=$RUNTIME FULCRUM_XR_SCRIPT=$work/script FULCRUM_XR_LOG=$w
 unset DISPLAY WAYLAND_DISPLAY
 mkdir -p config/fulcrum && echo '{"picture": "lowest"}' >config/fulcrum/settings.json
 
-layer=/usr/share/openxr/1/api_layers/explicit.d/XrApiLayer_core_validation.*.json
-# shellcheck disable=SC2086
-if ls $layer >/dev/null 2>&1; then
-  export XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation XR_CORE_VALIDATION_EXPORT_TYPE=text \
-    XR_CORE_VALIDATION_FILE_NAME=$work/messages
-else
-  echo "openxr-layer-corevalidation is not installed: calls are judged by the tests' runtime alone"
-fi
+. "$(dirname "$(readlink -f "$0")")/layer.sh"
 
 # goes_well: neither the runtime nor the layers had anything to say of what was just run, and its end was in order.
 goes_well() {

@@ -6,6 +6,7 @@ set -uo pipefail
 start_display
 export XR_RUNTIME_JSON=$RUNTIME FULCRUM_XR_SCRIPT=$work/script FULCRUM_XR_LOG=$work/log
 printf '%s\n' 'size 240 320' 'pace 5' >"$work/script"
+. "$(dirname "$(readlink -f "$0")")/layer.sh"
 
 open_window piping --xr --mute --validate --device simulated --set dwell=600 --set time_limit=3600 --size 480x360 --out "$work/W"
 [ "$(xdotool getwindowgeometry "$window" | grep -o '[0-9]*x[0-9]*$')" = 270x360 ] || fail "the mirror has not an eye's shape"
@@ -30,6 +31,8 @@ grep -q '^WRONG' "$work/log" && fail "the runtime was called wrongly: $(grep -m 
 xdotool key --clearmodifiers alt+F4
 wait_for_end
 [ $code = 3 ] || fail "exit $code, not 3: $(cat "$work/said")"
+[ ! -s "$work/messages" ] || fail "the validation layer says: $(head -5 "$work/messages")"
+[ -z "${XR_ENABLE_API_LAYERS-}" ] || grep -q 'Core Validation output' "$work/said" || fail "the validation layer was not there"
 grep -q '^xrDestroyInstance' "$work/log" || fail "the instance is not destroyed"
 [ "$(identify -format '%wx%h' "$work/W/frame.png")" = 480x320 ] || fail "frame.png is the mirror's, and not both eyes'"
 
