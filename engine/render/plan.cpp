@@ -136,7 +136,7 @@ void add_reflections(const SceneFacts& facts, const Quality& quality, RenderPlan
   else
     plan.left_out.push_back(
         {"mirror volume", "image", 0,
-         "no lit metal of a roughness between 0.06 and 0.7 has anything that stands near it"});
+         "no lit metal of a roughness below 0.7 has anything that stands near it"});
   if (plan.reflections)
     plan.built.push_back(
         {"reflections", "pipeline", 0, "in those of surfaces: metal mirrors its neighbours"});

@@ -145,10 +145,10 @@ report::Page picture_page(const std::vector<ViewFigures>& views) {
       "page: "
       "they compare levels, not machines.");
   page.paragraph(
-      "A reference has what the renderer leaves out: light that goes from surface to surface, the shadows of "
-      "all that is not the key light, the soft edge of its own, and mirrors in which a scene sees itself. "
-      "Those "
-      "differences are the same at every level; what a level adds is its own.");
+      "A reference has what no level draws: light that has met more than two surfaces, mirrors in mirrors, "
+      "what lies nearer to a metal than a voxel is wide, and the shadows of the lamps that models bring. "
+      "Soft edges of shadows, what metal mirrors and light below surfaces are left out by the cheaper levels "
+      "alone; the table says by which.");
   for (const ViewFigures& view : views)
     if (view.stale)
       page.note("The reference of " + title_of(view) +
