@@ -134,9 +134,8 @@ void add_reflections(const SceneFacts& facts, const Quality& quality, RenderPlan
         {"mirror volume", "image", facts.mirrored * kSceneTexel,
          std::to_string(facts.mirrored) + " voxels in two images: what metal mirrors of standing things"});
   else
-    plan.left_out.push_back(
-        {"mirror volume", "image", 0,
-         "no lit metal of a roughness below 0.7 has anything that stands near it"});
+    plan.left_out.push_back({"mirror volume", "image", 0,
+                             "no lit metal of a roughness below 0.7 has anything that stands near it"});
   if (plan.reflections)
     plan.built.push_back(
         {"reflections", "pipeline", 0, "in those of surfaces: metal mirrors its neighbours"});
