@@ -23,50 +23,61 @@ Vector3d skin_grain(const Vector3d& p) {
          Vector3d(mottle(q), mottle(q + Vector3d(7.1, 3.3, 1.9)), mottle(q + Vector3d(2.7, 9.1, 5.3)));
 }
 
-Vector3d surface_colour(const Flesh& flesh, const Vector3d& p) {
+struct Place {
+  Vector3d colour;
+  double wetness;
+};
+
+constexpr double cut_wetness = 0.45;  // of flesh and bone that is laid open
+
+Place surface_place(const Flesh& flesh, const Vector3d& p) {
   const double in_canal = smooth_step(2.5, -1.0, p.z()) * smooth_step(-1.6, -0.2, flesh.canal().to_wall(p));
-  return mixed(tissue::skin(flesh, p), tissue::lining(p), in_canal);
+  return {mixed(tissue::skin(flesh, p), tissue::lining(p), in_canal), in_canal};
 }
 
-template <typename Colour>
-Coat coat(const Solid& solid, const Implicit& body, const Colour& colour_at) {
-  Coat coat;
+template <typename PlaceAt>
+MoistCoat coat(const Solid& solid, const Implicit& body, const PlaceAt& place_at) {
+  MoistCoat made;
   for (const Vector3d& p : solid.points) {
     const Vector3d n = gradient(body, p, 0.12).normalized();
     const bool deep = p.z() < -1.0 && p.head<2>().norm() < 12.0;
     // Deep in the canal it would be dark but for the lamp that everyone who looks in there has.
     const double open =
         deep ? 0.5 + 0.5 * openness(body, p, n, in_the_canal) : openness(body, p, n, surroundings);
-    const Vector3d colour = colour_at(p, n);
-    coat.normals.push_back((n + skin_grain(p)).normalized());
-    coat.colours.push_back(shut_in(colour, open, colour));
+    const Place place = place_at(p);
+    made.coat.normals.push_back((n + skin_grain(p)).normalized());
+    made.coat.colours.push_back(shut_in(place.colour, open, place.colour));
+    made.wetness.push_back(place.wetness);
   }
-  return coat;
+  return made;
 }
 
 }  // namespace
 
-Coat skin_coat(const Flesh& flesh, const Solid& solid) {
+MoistCoat skin_coat(const Flesh& flesh, const Solid& solid) {
   return coat(
       solid, [&](const Vector3d& p) { return flesh.distance(p); },
-      [&](const Vector3d& p, const Vector3d&) { return surface_colour(flesh, p); });
+      [&](const Vector3d& p) { return surface_place(flesh, p); });
 }
 
-Coat open_coat(const Flesh& flesh, const Solid& solid) {
+MoistCoat open_coat(const Flesh& flesh, const Solid& solid) {
   return coat(
       solid, [&](const Vector3d& p) { return flesh.open_distance(p); },
-      [&](const Vector3d& p, const Vector3d&) {
+      [&](const Vector3d& p) -> Place {
         const double to_surface = std::abs(flesh.distance(p));
-        if (std::abs(flesh.to_cavity(p)) < 0.12) return tissue::mucosa(p);
-        if (to_surface < 0.12) return surface_colour(flesh, p);
-        return tissue::cut(flesh, p);
+        if (std::abs(flesh.to_cavity(p)) < 0.12) return {tissue::mucosa(p), 1.0};
+        if (to_surface < 0.12) return surface_place(flesh, p);
+        return {tissue::cut(flesh, p), cut_wetness};
       });
 }
 
 Coat drum_coat(const Flesh& flesh, const Solid& solid, double rim) {
   return coat(
-      solid, [&](const Vector3d& p) { return flesh.to_membrane(p, rim); },
-      [&](const Vector3d& p, const Vector3d&) { return tissue::drum(flesh.canal(), p); });
+             solid, [&](const Vector3d& p) { return flesh.to_membrane(p, rim); },
+             [&](const Vector3d& p) -> Place {
+               return {tissue::drum(flesh.canal(), p), 1.0};
+             })
+      .coat;
 }
 
 }  // namespace fulcrum::content

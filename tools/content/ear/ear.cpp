@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "tools/content/ear/coat.h"
+#include "tools/content/ear/gloss.h"
 #include "tools/content/mesh/surface_nets.h"
 
 namespace fulcrum::content {
@@ -45,15 +46,19 @@ Solid drum_solid(const Flesh& flesh, double rim) {
   return surface_nets([&](const Vector3d& p) { return flesh.to_membrane(p, rim); }, lines);
 }
 
-Model with_drum(const Flesh& flesh, const std::string& name, Solid solid, Coat coat, double rim) {
+Model with_drum(const Flesh& flesh, const std::string& name, Solid solid, MoistCoat skin, double rim) {
   // The colours are those of the points: the materials multiply them by one.
   Model model{
       .name = name,
-      .materials = {{.name = "skin", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.5},
+      .materials = {moist("skin"),
                     {.name = "drum", .base_colour = {1.0, 1.0, 1.0}, .metallic = 0.0, .roughness = 0.28}},
       .parts = {}};
-  model.parts.push_back(
-      {.name = name, .material = 0, .solid = in_metres(std::move(solid)), .coat = std::move(coat)});
+  CornerUv uv = laid_by_wetness(solid, skin.wetness);
+  model.parts.push_back({.name = name,
+                         .material = 0,
+                         .solid = in_metres(std::move(solid)),
+                         .coat = std::move(skin.coat),
+                         .uv = std::move(uv)});
   Solid drum = drum_solid(flesh, rim);
   Coat drum_colours = drum_coat(flesh, drum, rim);
   model.parts.push_back(
@@ -65,14 +70,14 @@ Model with_drum(const Flesh& flesh, const std::string& name, Solid solid, Coat c
 
 Model make_ear(const Flesh& flesh) {
   Solid solid = flesh_solid([&](const Vector3d& p) { return flesh.distance(p); }, skin_cell);
-  Coat coat = skin_coat(flesh, solid);
-  return with_drum(flesh, "ear", std::move(solid), std::move(coat), Flesh::buried_rim);
+  MoistCoat skin = skin_coat(flesh, solid);
+  return with_drum(flesh, "ear", std::move(solid), std::move(skin), Flesh::buried_rim);
 }
 
 Model make_open_ear(const Flesh& flesh) {
   Solid solid = flesh_solid([&](const Vector3d& p) { return flesh.open_distance(p); }, cut_cell);
-  Coat coat = open_coat(flesh, solid);
-  return with_drum(flesh, "ear_open", std::move(solid), std::move(coat), Flesh::open_rim);
+  MoistCoat skin = open_coat(flesh, solid);
+  return with_drum(flesh, "ear_open", std::move(solid), std::move(skin), Flesh::open_rim);
 }
 
 }  // namespace fulcrum::content

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "haptics/math/functions.h"
 #include "tools/content/mesh/smooth.h"
 
 namespace fulcrum::content {
@@ -140,9 +141,21 @@ double Pinna::concha(double x, double y) const {
   return at(x, y).concha;
 }
 
+// Where two sides of its outline are equally near, the distance to it has a crease, which would be a scratch
+// in the skin: the mean of what lies about has none.
+double Pinna::in_concha(double x, double y) const {
+  constexpr int places = 12;
+  constexpr double about = 1.8;  // mm
+  double sum = 0.0;
+  for (int i = 0; i < places; ++i) {
+    const double angle = 2.0 * pi * i / places;
+    sum += concha_.distance({x + about * math::cos(angle), y + about * math::sin(angle)});
+  }
+  return smooth_step(1.2, -5.2, sum / places);
+}
+
 double Pinna::height(double x, double y) const {
-  const double far = concha_.distance({x, y});
-  const double deep = smooth_step(1.2, -5.2, far);
+  const double deep = in_concha(x, y);
   // The floor: the cavum around the canal's opening, the cymba above the crus of the helix.
   const double floor =
       -0.4 - 0.16 * (x + 2.0) + 0.17 * std::max(y - 4.0, 0.0) + 0.1 * std::max(-y - 6.0, 0.0);
@@ -155,8 +168,7 @@ Pinna::Place Pinna::computed(double x, double y) const {
   const double dx = (height(x + h, y) - height(x - h, y)) / (2.0 * h);
   const double dy = (height(x, y + h) - height(x, y - h)) / (2.0 * h);
   const Vector2d p(x, y);
-  return {height(x, y), std::sqrt(1.0 + dx * dx + dy * dy), edge_.distance(p),
-          smooth_step(1.2, -5.2, concha_.distance(p))};
+  return {height(x, y), std::sqrt(1.0 + dx * dx + dy * dy), edge_.distance(p), in_concha(x, y)};
 }
 
 Pinna::Place Pinna::at(double x, double y) const {

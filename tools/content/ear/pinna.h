@@ -27,6 +27,7 @@ private:
   };
   Place computed(double x, double y) const;
   Place at(double x, double y) const;  // from the table
+  double in_concha(double x, double y) const;
   double height(double x, double y) const;
 
   Outline edge_, concha_;

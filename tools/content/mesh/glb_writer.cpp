@@ -76,7 +76,8 @@ void lay_on(tinygltf::Model& gltf, tinygltf::Material& made, const Pictures& pic
     pictures_of_file.emplace(std::move(png), index);
     return index;
   };
-  made.pbrMetallicRoughness.baseColorTexture.index = index_of("colour", pictures.base_colour);
+  if (pictures.base_colour)
+    made.pbrMetallicRoughness.baseColorTexture.index = index_of("colour", *pictures.base_colour);
   if (pictures.metal_rough)
     made.pbrMetallicRoughness.metallicRoughnessTexture.index = index_of("finish", *pictures.metal_rough);
   if (pictures.normal) made.normalTexture.index = index_of("relief", *pictures.normal);

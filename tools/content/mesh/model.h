@@ -14,7 +14,7 @@ namespace fulcrum::content {
 // What varies over a surface more finely than its points lie, as glTF has it. Their values are times the
 // material's.
 struct Pictures {
-  Raster base_colour;                   // sRGB encoded
+  std::optional<Raster> base_colour{};  // sRGB encoded
   std::optional<Raster> metal_rough{};  // roughness in green, metallic in blue
   std::optional<Raster> normal{};       // unit, 127.5 (1 + n): x along u, y against v, z off the surface
 };

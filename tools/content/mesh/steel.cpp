@@ -73,7 +73,7 @@ Pictures brushed_steel() {
       const Vector2d uv = pixel * Vector2d(column + 0.5, row + 0.5), half(0.0, 0.5 * pixel);
       const double line = brush_lines(uv), smudge = smudges(uv);
       const double shade = 0.89 + 0.22 * (line - 0.5) - 0.08 * (smudge - 0.5);
-      pictures.base_colour.set(column, row, srgb_encoded(shade * Vector3d::Ones()));
+      pictures.base_colour->set(column, row, srgb_encoded(shade * Vector3d::Ones()));
       pictures.metal_rough->set(column, row,
                                 {0.0, mean_finish + 0.35 * (smudge - 0.5) - 0.3 * (line - 0.5), 1.0});
       const double slope = depth * (brush_lines(uv + half) - brush_lines(uv - half));
@@ -103,7 +103,7 @@ Material painted(const std::string& name, const Vector3d& paint) {
     for (int column = 0; column < paint_columns; ++column) {
       const PaintedPlace place =
           painted_place({(column + 0.5) / paint_columns, (row + 0.5) / paint_rows}, paint);
-      pictures.base_colour.set(column, row, srgb_encoded(place.colour));
+      pictures.base_colour->set(column, row, srgb_encoded(place.colour));
       pictures.metal_rough->set(column, row, {0.0, place.roughness, place.metallic});
     }
   return {.name = name,

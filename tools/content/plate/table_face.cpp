@@ -79,7 +79,7 @@ Pictures table_face(int pitches) {
   for (int row = 0; row < size; ++row)
     for (int column = 0; column < size; ++column) {
       const Place place = place_at(pixel * Vector2d(column + 0.5, row + 0.5), pitches * hole_pitch);
-      pictures.base_colour.set(column, row, srgb_encoded(place.colour));
+      pictures.base_colour->set(column, row, srgb_encoded(place.colour));
       pictures.metal_rough->set(column, row, {0.0, place.roughness, place.metallic});
       pictures.normal->set(column, row, as_colour(place.normal));
     }
