@@ -36,6 +36,10 @@ bool throws_shadow(const Instance& instance, const Material& material) {
   return instance.casts_shadow && !is_blended(look_of(material).value_or(0));
 }
 
+bool lets_light_through(std::uint32_t look) {
+  return (look & FULCRUM_LOOK_TRANSMISSION) != 0;
+}
+
 bool is_masked(std::uint32_t look) {
   return (look & FULCRUM_LOOK_MASK) != 0 && !is_blended(look);
 }

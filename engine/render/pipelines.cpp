@@ -89,7 +89,9 @@ PipelineHandle make_detailed(vulkan::Device& device, const RenderPlan& plan, con
   if (reads_places(look)) read_uv(desc);
   desc.cull.reset();
   desc.depth_test = vulkan::DepthTest{VK_COMPARE_OP_GREATER, !is_blended(look), false};
-  if (is_blended(look)) desc.blend = vulkan::Blend::over;
+  if (is_blended(look))
+    desc.blend =
+        lets_light_through(look) && device.blends_by_two() ? vulkan::Blend::over_each : vulkan::Blend::over;
   desc.alpha_is_coverage = is_masked(look) && desc.samples != VK_SAMPLE_COUNT_1_BIT;
   if (desc.alpha_is_coverage) *desc.stages.back().constant |= FULCRUM_LOOK_SAMPLES;
   return make_pipeline(device, desc);

@@ -164,6 +164,8 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const s
   vkGetPhysicalDeviceFeatures(made->physical_, &offered);
   wanted_features.samplerAnisotropy = offered.samplerAnisotropy;
   made->has_anisotropy_ = offered.samplerAnisotropy == VK_TRUE;
+  wanted_features.dualSrcBlend = offered.dualSrcBlend;
+  made->blends_by_two_ = offered.dualSrcBlend == VK_TRUE;
 
   const char* swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
   VkDeviceCreateInfo info{};

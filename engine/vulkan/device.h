@@ -49,6 +49,7 @@ public:
   Memory& memory() { return *memory_; }
   const DeviceInfo& info() const { return info_; }
   bool has_anisotropy() const { return has_anisotropy_; }
+  bool blends_by_two() const { return blends_by_two_; }
 
   // From here on all that is submitted fails as on a card that is gone: to see what follows.
   void lose() { lost_ = true; }
@@ -64,6 +65,7 @@ private:
   std::uint32_t queue_family_ = 0;
   DeviceInfo info_;
   bool has_anisotropy_ = false;  // textures seen aslant can be sampled along the slant
+  bool blends_by_two_ = false;   // a pixel's shader may give two colours to blend by (dualSrcBlend)
   bool lost_ = false;
   std::unique_ptr<Memory> memory_;
 };

@@ -70,10 +70,11 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
   VkPipelineColorBlendAttachmentState state{};
   state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
                          VK_COLOR_COMPONENT_A_BIT;
-  if (blend == Blend::over) {
+  if (blend == Blend::over || blend == Blend::over_each) {
     state.blendEnable = VK_TRUE;
     state.srcColorBlendFactor = VK_BLEND_FACTOR_ONE;
-    state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    state.dstColorBlendFactor = blend == Blend::over_each ? VK_BLEND_FACTOR_ONE_MINUS_SRC1_COLOR
+                                                          : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     state.colorBlendOp = VK_BLEND_OP_ADD;
     state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;

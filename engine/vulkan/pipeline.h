@@ -19,8 +19,9 @@ struct Stage {
 
 enum class Blend {
   none,
-  over,    // what comes in is premultiplied by its alpha
-  largest  // of each component, whatever the order
+  over,       // what comes in is premultiplied by its alpha
+  over_each,  // the same, but a second colour says how much each colour hides: needs Device::blends_by_two()
+  largest     // of each component, whatever the order
 };
 
 struct DepthTest {

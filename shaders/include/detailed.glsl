@@ -17,6 +17,11 @@ layout(set = 1, binding = 4) uniform sampler2D occlusion_map;
 layout(set = 1, binding = 5) uniform sampler2D emissive_map;
 
 layout(location = 5) in vec4 uv;
+#if !defined(FULCRUM_ENTERING) && !defined(FULCRUM_SCATTERED)
+// How much of what is behind is not seen, of each colour: where light passes, and the device blends by it. Elsewhere the
+// alpha of `colour` says so of all three.
+layout(location = 0, index = 1) out vec4 hidden;
+#endif
 
 #ifdef FULCRUM_SCATTERED
 #include "scattered.glsl"
@@ -104,6 +109,12 @@ float sent_by_coat(float alpha, vec3 geometric, vec3 v, float g_dot_v, vec3 h, f
 bool is_cut_out = false;
 float part_of_pixel = 1.0;  // of one that has several samples, and holes
 
+void hide_behind(vec3 part) {
+#if !defined(FULCRUM_ENTERING) && !defined(FULCRUM_SCATTERED)
+  if (has(FULCRUM_LOOK_TRANSMISSION)) hidden = vec4(part, colour.a);
+#endif
+}
+
 void find_colour() {
   vec4 base = vec4(base_colour.rgb * (1.0 - absorbed), material.amounts.z);
   is_cut_out = has(FULCRUM_LOOK_MASK) && base.a < material.emission.w;
@@ -121,6 +132,7 @@ void find_colour() {
 #ifndef FULCRUM_ENTERING
   if (has(FULCRUM_LOOK_UNLIT)) {
     colour = vec4(to_target(base.rgb) * cover, cover);
+    hide_behind(vec3(cover));
     return;
   }
 #endif
@@ -157,12 +169,12 @@ void find_colour() {
   vec3 f0 = mix(material.specular.rgb, base.rgb, metallic);
   float f90 = mix(material.specular.w, 1.0, metallic);
   vec3 diffuse = base.rgb * (1.0 - metallic);
-  float through = 0.0;  // the part of what is behind that is seen
+  vec3 through = vec3(0.0);  // the part of what is behind that is seen
   if (has(FULCRUM_LOOK_TRANSMISSION)) {
     float passes = material.amounts.w * (1.0 - metallic);
     diffuse *= 1.0 - passes;
     vec3 reflected = f0 + (f90 - f0) * pow(1.0 - n_dot_v, 5.0);
-    through = passes * dot((1.0 - reflected) * base.rgb * material.passed.rgb, vec3(0.2126, 0.7152, 0.0722));
+    through = passes * (1.0 - reflected) * base.rgb * material.passed.rgb;
   }
   float open = 1.0;
   if (has_texture(FULCRUM_TEXTURE_OCCLUSION)) {
@@ -268,7 +280,8 @@ void find_colour() {
   Below below = light_from_below(light_around(n));
   colour = vec4(to_target(diffuse * (below_sheen * below_coat) * below.comes_out + below.gloss), 1.0);
 #else
-  colour = vec4(to_target(radiance) * cover, cover * (1.0 - through));
+  colour = vec4(to_target(radiance) * cover, cover * (1.0 - dot(through, vec3(0.2126, 0.7152, 0.0722))));
+  hide_behind(cover * (1.0 - through));
 #endif
 }
 

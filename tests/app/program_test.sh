@@ -54,7 +54,7 @@ expect 0 'llvmpipe' "$FULCRUM" run piping --gpu list
 expect_each 0 field pointshell coupling integrator estimator surfaces shadow 'Left out' adaptive_window \
   'tool field' 'response *haptics .* constraint' 'friction .* contact.friction is 0' \
   "device's arms .* the scenario does not ask for it" 'circle of confusion .* asks for it' -- "$FULCRUM" explain piping
-expect_each 0 'subsurface scattering +pipeline +the light that enters' 'textures +image .* 1 of them' -- "$FULCRUM" explain ear
+expect_each 0 'subsurface scattering +pipeline +the light that enters' 'textures +image .* 2 of them' -- "$FULCRUM" explain ear
 expect 0 'detailed surfaces +pipeline +no material has more than one colour' "$FULCRUM" explain teeth
 expect_each 0 '^  textures +image .* in all their sizes' 'subsurface scattering +pipeline no material' \
   'lights of models +buffer +no model brings one' 'stereo +pipeline +--stereo asks for it' -- "$FULCRUM" explain piping
