@@ -16,13 +16,14 @@ std::optional<std::uint32_t> look_of(const Material& material) {
   const auto has = [&](bool it, std::uint32_t bit) { look |= it ? bit : 0U; };
   has(detail.emission != glm::vec3(0.0F), FULCRUM_LOOK_EMISSION);
   has(detail.alpha == Alpha::mask, FULCRUM_LOOK_MASK);
-  has(detail.alpha == Alpha::blend || detail.transmission > 0.0F, FULCRUM_LOOK_BLEND);
+  const bool passes = detail.transmission > 0.0F && !detail.unlit;  // glTF: what is unlit has no other layers
+  has(detail.alpha == Alpha::blend || passes, FULCRUM_LOOK_BLEND);
   has(detail.alpha == Alpha::blend, FULCRUM_LOOK_COVER);
   has(detail.double_sided, FULCRUM_LOOK_DOUBLE_SIDED);
   has(detail.unlit, FULCRUM_LOOK_UNLIT);
   has(detail.clearcoat > 0.0F, FULCRUM_LOOK_COAT);
   has(detail.sheen != glm::vec3(0.0F), FULCRUM_LOOK_SHEEN);
-  has(detail.transmission > 0.0F, FULCRUM_LOOK_TRANSMISSION);
+  has(passes, FULCRUM_LOOK_TRANSMISSION);
   has(detail.scatter_distance != glm::vec3(0.0F) && !detail.unlit && !is_blended(look),
       FULCRUM_LOOK_SCATTERING);
   return look;

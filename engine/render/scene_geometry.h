@@ -109,7 +109,7 @@ private:
   gpu::InstanceData* data() { return reinterpret_cast<gpu::InstanceData*>(instances_.mapped()); }
 
   vulkan::Buffer vertices_;
-  vulkan::Buffer uv_;  // of the meshes that come first; empty where no texture lies on any
+  vulkan::Buffer uv_;  // of the meshes that come first; empty where no look reads them
   vulkan::Buffer indices_;
   vulkan::Buffer instances_;
   std::vector<Place> places_;  // by mesh

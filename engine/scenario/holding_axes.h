@@ -8,8 +8,8 @@
 
 namespace fulcrum::scenario {
 
-// Arrows along x (red), y (green) and z (blue) from the origin, which follow kFollowsHoldingPoint. The stick
-// is the shaft of the one along x, which has a collar where the hand is and its head.
+// Arrows along x (red), y (green) and z (blue) from the origin, which follow kFollowsHoldingPoint. The one
+// along x has no shaft of its own: the stick is it, between a collar where the hand is and the arrow's head.
 void add_holding_axes(render::VisualDesc& desc, std::uint32_t layers);
 
 }  // namespace fulcrum::scenario

@@ -18,8 +18,8 @@ layout(set = 1, binding = 5) uniform sampler2D emissive_map;
 
 layout(location = 5) in vec4 uv;
 #if !defined(FULCRUM_ENTERING) && !defined(FULCRUM_SCATTERED)
-// How much of what is behind is not seen, of each colour: where light passes, and the device blends by it. Elsewhere the
-// alpha of `colour` says so of all three.
+// `hidden` says of each colour how much of what is behind is not seen. It is written where light passes, and read where the
+// device blends by two colours; elsewhere the alpha of `colour` says so of all three.
 layout(location = 0, index = 1) out vec4 hidden;
 #endif
 
@@ -109,12 +109,6 @@ float sent_by_coat(float alpha, vec3 geometric, vec3 v, float g_dot_v, vec3 h, f
 bool is_cut_out = false;
 float part_of_pixel = 1.0;  // of one that has several samples, and holes
 
-void hide_behind(vec3 part) {
-#if !defined(FULCRUM_ENTERING) && !defined(FULCRUM_SCATTERED)
-  if (has(FULCRUM_LOOK_TRANSMISSION)) hidden = vec4(part, colour.a);
-#endif
-}
-
 void find_colour() {
   vec4 base = vec4(base_colour.rgb * (1.0 - absorbed), material.amounts.z);
   is_cut_out = has(FULCRUM_LOOK_MASK) && base.a < material.emission.w;
@@ -132,7 +126,6 @@ void find_colour() {
 #ifndef FULCRUM_ENTERING
   if (has(FULCRUM_LOOK_UNLIT)) {
     colour = vec4(to_target(base.rgb) * cover, cover);
-    hide_behind(vec3(cover));
     return;
   }
 #endif
@@ -281,7 +274,7 @@ void find_colour() {
   colour = vec4(to_target(diffuse * (below_sheen * below_coat) * below.comes_out + below.gloss), 1.0);
 #else
   colour = vec4(to_target(radiance) * cover, cover * (1.0 - dot(through, vec3(0.2126, 0.7152, 0.0722))));
-  hide_behind(cover * (1.0 - through));
+  if (has(FULCRUM_LOOK_TRANSMISSION)) hidden = vec4(cover * (1.0 - through), colour.a);
 #endif
 }
 

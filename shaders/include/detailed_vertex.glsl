@@ -1,4 +1,5 @@
-// Vertices of detailed surfaces. FULCRUM_WITHOUT_PLACES: of those that no texture lies on, which have no places in them.
+// Vertices of detailed surfaces. FULCRUM_WITHOUT_PLACES: of looks that do not read where
+// a vertex is in textures.
 
 #include "shared/frame.h"
 #include "shared/instance.h"

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <glm/ext/matrix_clip_space.hpp>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -134,6 +137,10 @@ protected:
     for (std::size_t i = 0; i < all.size(); ++i)
       balls.parts.push_back({all[i].name == std::string("double sided") ? bowl(ball) : ball, place(i),
                              "{" + all[i].*material + "}"});
+    balls.extensions = {"KHR_texture_transform"};
+    for (const char* name :
+         {"clearcoat", "emissive_strength", "ior", "sheen", "specular", "transmission", "unlit", "volume"})
+      balls.extensions.push_back(std::string("KHR_materials_") + name);
     balls.pictures = pictures();
     balls.textures = R"("samplers":[{"wrapS":33071,"wrapT":33071,"magFilter":9728}],"textures":[)";
     for (std::size_t i = 0; i < balls.pictures.size(); ++i)

@@ -23,6 +23,7 @@ struct LitGlb {
   std::vector<std::string> nodes;   // of each, what places it: members, each with a comma before it
   std::vector<std::vector<std::uint8_t>> pictures{};  // PNG or JPEG
   std::string textures{};                             // members "samplers" and "textures", a comma after each
+  std::vector<std::string> extensions{};              // that materials and textures use
 
   std::string bytes() const {
     std::vector<std::byte> buffer;
@@ -78,10 +79,11 @@ struct LitGlb {
       glb::put(buffer, picture.data(), picture.size());
     }
     const std::string pictured = pictures.empty() ? "" : whole({R"("images":[)", images, "],", textures});
-    const std::string lit = lights.empty() ? ""
-                                           : R"("extensionsUsed":["KHR_lights_punctual"],"extensions":)"
-                                             R"({"KHR_lights_punctual":{"lights":[)" +
-                                                 shining + "]}},";
+    std::string used = lights.empty() ? "" : R"("KHR_lights_punctual")";
+    for (const std::string& extension : extensions) append(used, "\"" + extension + "\"");
+    const std::string lit =
+        (used.empty() ? "" : R"("extensionsUsed":[)" + used + "],") +
+        (lights.empty() ? "" : R"("extensions":{"KHR_lights_punctual":{"lights":[)" + shining + "]}},");
     const std::vector<std::byte> file =
         glb::file(R"({"asset":{"version":"2.0"},)" + lit + pictured + R"("scene":0,"scenes":[{"nodes":[)" +
                       roots + R"(]}],"nodes":[)" + held + R"(],"meshes":[)" + meshes + R"(],"materials":[)" +

@@ -28,7 +28,7 @@ no_headset() {
 
 # 600 frames, both eyes written in each, while the expert's hand is at work, in a task that no hand completes before.
 frames() {
-  printf '%s\n' '300 picture quad quad.ppm' '600 exit' >script
+  printf '%s\n' 'pace 5' '300 picture quad quad.ppm' '600 exit' >script
   run piping --device simulated --set dwell=600 --set time_limit=3600 --validate --out A
   [ $code = 3 ] || fail "exit $code: $(cat said)"
   goes_well "600 frames"

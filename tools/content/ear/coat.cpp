@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "tools/content/ear/tissue.h"
@@ -35,33 +36,43 @@ Place surface_place(const Flesh& flesh, const Vector3d& p) {
   return {mixed(tissue::skin(flesh, p), tissue::lining(p), in_canal), in_canal};
 }
 
-template <typename PlaceAt>
-MoistCoat coat(const Solid& solid, const Implicit& body, const PlaceAt& place_at) {
-  MoistCoat made;
+Coat coat(const Solid& solid, const Implicit& body,
+          const std::function<Vector3d(const Vector3d&)>& colour_at) {
+  Coat coat;
   for (const Vector3d& p : solid.points) {
     const Vector3d n = gradient(body, p, 0.12).normalized();
     const bool deep = p.z() < -1.0 && p.head<2>().norm() < 12.0;
     // Deep in the canal it would be dark but for the lamp that everyone who looks in there has.
     const double open =
         deep ? 0.5 + 0.5 * openness(body, p, n, in_the_canal) : openness(body, p, n, surroundings);
-    const Place place = place_at(p);
-    made.coat.normals.push_back((n + skin_grain(p)).normalized());
-    made.coat.colours.push_back(shut_in(place.colour, open, place.colour));
-    made.wetness.push_back(place.wetness);
+    const Vector3d colour = colour_at(p);
+    coat.normals.push_back((n + skin_grain(p)).normalized());
+    coat.colours.push_back(shut_in(colour, open, colour));
   }
+  return coat;
+}
+
+MoistCoat moist_coat(const Solid& solid, const Implicit& body,
+                     const std::function<Place(const Vector3d&)>& place_at) {
+  MoistCoat made;
+  made.coat = coat(solid, body, [&](const Vector3d& p) {
+    const Place place = place_at(p);
+    made.wetness.push_back(place.wetness);
+    return place.colour;
+  });
   return made;
 }
 
 }  // namespace
 
 MoistCoat skin_coat(const Flesh& flesh, const Solid& solid) {
-  return coat(
+  return moist_coat(
       solid, [&](const Vector3d& p) { return flesh.distance(p); },
       [&](const Vector3d& p) { return surface_place(flesh, p); });
 }
 
 MoistCoat open_coat(const Flesh& flesh, const Solid& solid) {
-  return coat(
+  return moist_coat(
       solid, [&](const Vector3d& p) { return flesh.open_distance(p); },
       [&](const Vector3d& p) -> Place {
         const double to_surface = std::abs(flesh.distance(p));
@@ -73,11 +84,8 @@ MoistCoat open_coat(const Flesh& flesh, const Solid& solid) {
 
 Coat drum_coat(const Flesh& flesh, const Solid& solid, double rim) {
   return coat(
-             solid, [&](const Vector3d& p) { return flesh.to_membrane(p, rim); },
-             [&](const Vector3d& p) -> Place {
-               return {tissue::drum(flesh.canal(), p), 1.0};
-             })
-      .coat;
+      solid, [&](const Vector3d& p) { return flesh.to_membrane(p, rim); },
+      [&](const Vector3d& p) { return tissue::drum(flesh.canal(), p); });
 }
 
 }  // namespace fulcrum::content

@@ -1,6 +1,6 @@
 #pragma once
-// Normals, colours and wetness of the ear's points: skin, the canal's lining, the drum, and what the cut lays
-// open.
+// Normals and colours of the ear's points: skin, the canal's lining, the drum, and what the cut lays open;
+// and how wet they are, but for the drum's, which has a material of its own.
 
 #include <vector>
 
