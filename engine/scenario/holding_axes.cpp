@@ -23,7 +23,7 @@ render::Mesh arrow(const glm::vec3& axis) {
   return mesh;
 }
 
-// The stick is its shaft, whose scale is not covered.
+// The stick is this arrow's shaft, so that the scale on it stays in sight.
 render::Mesh arrow_about_stick(const glm::vec3& axis) {
   const render::Turned collar[] = {{0.0F, -0.5F * kCollarLength},
                                    {kCollar, -0.5F * kCollarLength},
@@ -50,7 +50,7 @@ void add_holding_axes(render::VisualDesc& desc, std::uint32_t layers) {
     instance.material = desc.materials.size();
     instance.name = mesh.name;
     instance.movable = true;
-    instance.casts_shadow = false;  // it is a mark, and no thing
+    instance.casts_shadow = false;  // an arrow only marks a place
     instance.layers = layers;
     instance.follows = kFollowsHoldingPoint;
     desc.materials.push_back({mesh.name, colours[axis], 0.0F, 0.4F});

@@ -146,12 +146,10 @@ report::Page picture_page(const std::vector<ViewFigures>& views) {
       "they compare levels, not machines.");
   page.paragraph(
       "A reference has much that no level draws: light that has met more than two surfaces, mirrors in "
-      "mirrors, what lies nearer to a metal than a voxel is wide, what a moving tool hides of all but the "
-      "key "
-      "light, and its mirror image, light through thin parts, and the shadows of the lamps that models "
-      "bring. "
-      "Soft edges of shadows, what metal mirrors and light below surfaces are left out by the cheaper levels "
-      "alone; the table says by which.");
+      "mirrors, what lies nearer to a metal than a voxel is wide, light through thin parts, and the shadows "
+      "of the lamps that models bring; a moving tool hides there all light, not the key light alone, and "
+      "is seen in mirrors. Soft edges of shadows, what metal mirrors and light below surfaces are left out "
+      "by the cheaper levels alone; the table says by which.");
   for (const ViewFigures& view : views)
     if (view.stale)
       page.note("The reference of " + title_of(view) +
