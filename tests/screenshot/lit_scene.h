@@ -103,9 +103,9 @@ protected:
     return *renderer.read_back();
   }
 
-  // Radiance of a place on the floor, from the pixels that show 2 cm of it.
-  static float seen_at(render::Renderer& close_up, const glm::vec3& p_W, const glm::mat4& X_WT) {
-    const render::Picture picture = draw(close_up, {p_W + glm::vec3(0.1F, 1.0F, 0.2F), p_W, 0.02F}, X_WT);
+  // Radiance of a place on the floor, from the pixels that show so much of it (m).
+  static float seen_at(render::Renderer& close_up, const glm::vec3& p_W, const glm::mat4& X_WT, float width) {
+    const render::Picture picture = draw(close_up, {p_W + glm::vec3(0.1F, 1.0F, 0.2F), p_W, width}, X_WT);
     const float shown = mean(picture, 0.25F, 0.25F, 0.75F, 0.75F).g / 255.0F;
     float low = 0.0F, high = 16.0F;
     for (int i = 0; i < 40; ++i) {
@@ -117,9 +117,9 @@ protected:
 
   // E: illuminance (lx).
   static void expect_lit(render::Renderer& close_up, const glm::vec3& p_W, double E,
-                         const glm::mat4& X_WT = away()) {
+                         const glm::mat4& X_WT = away(), float width = 0.02F) {
     const double wanted = kAlbedo * E / (683 * std::numbers::pi);
-    EXPECT_NEAR(seen_at(close_up, p_W, X_WT), wanted, 0.015 * wanted + 0.0005)
+    EXPECT_NEAR(seen_at(close_up, p_W, X_WT, width), wanted, 0.015 * wanted + 0.0005)
         << "at " << p_W.x << " " << p_W.y << " " << p_W.z;
   }
 

@@ -99,5 +99,21 @@ TEST(EyeCamera, EdgesOfTheFieldOfViewAreThoseOfThePicture) {
     }
 }
 
+// Who puts the head to an enlarged part looks at it, and not through it.
+TEST(EyeCamera, NothingIsCutOpenBeyondFiveCentimetresHoweverLargeTheSceneIs) {
+  for (const double scale : {0.1, 1.0, 10.0, 100.0}) {
+    app::HeadsetOptions options;
+    options.scale = scale;
+    const Placement placement = place_scene(kNear, options);
+    const Pose X_LE{turn_by(0.4, Vec3(1, 2, 3).normalized()), Vec3(0.1, -0.2, 0.3)};
+    const render::Camera camera = eye_camera({X_LE, {-0.9F, 0.9F, 0.9F, -0.9F}}, placement, 1);
+    const glm::mat4 clip = render::clip_from_world(camera, {320, 240});
+    const Pose X_WC = placement.in_world(X_LE * Pose{Quat::Identity(), Vec3(0, 0, -0.051)});
+    const glm::vec4 at = clip * glm::vec4(scenario::narrowed(X_WC.p), 1.0F);
+    EXPECT_GT(at.w, 0.0F) << scale;
+    EXPECT_LT(at.z, at.w) << scale;  // depth 1 is the near plane's
+  }
+}
+
 }  // namespace
 }  // namespace fulcrum::headset
