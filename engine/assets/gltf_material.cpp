@@ -14,7 +14,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr float kLargestFactor = 1e4F;  // of what may be above one: emission, a texture's scale
+constexpr float kLargestFactor = 1e4F;   // of what may be above one: emission, a texture's scale
+constexpr float kLongestLength = 1e12F;  // in the file's unit, which may be a micrometre
 
 float within(double x, float least, float most, float otherwise) {
   return std::isfinite(x) ? std::clamp(static_cast<float>(x), least, most) : otherwise;
@@ -68,8 +69,8 @@ class MaterialReader {
 public:
   MaterialReader(const tinygltf::Model& file, Model& model) : file_(file), model_(model) {}
 
-  // sizes: of each part, see read_materials().
-  void read(const std::vector<double>& sizes) {
+  // facts: of each part.
+  void read(const std::vector<PartFacts>& facts) {
     for (const tinygltf::Material& material : file_.materials)
       model_.materials.push_back(material_from(material));
     model_.materials.push_back({});
@@ -77,7 +78,8 @@ public:
       if (!drawn_extensions().contains(extension)) leave_out(printable(extension));
     for (const tinygltf::Mesh& mesh : file_.meshes)
       for (const tinygltf::Primitive& primitive : mesh.primitives) tell_of_faint_vertices(primitive);
-    size_volumes(sizes);
+    size_volumes(facts);
+    drop_textures_without_places(facts);
   }
 
 private:
@@ -247,8 +249,8 @@ private:
   // distance is one in the scene, the thickness one in the mesh, which is `size` times as large there.
   static std::array<float, 3> passed_by(const tinygltf::Value& volume, double size) {
     constexpr float kShortest = 1e-6F;
-    const float thickness = number_in(volume, "thicknessFactor", 0.0F, kLargestFactor, 0.0F);
-    const float distance = number_in(volume, "attenuationDistance", kShortest, kLargestFactor, 0.0F);
+    const float thickness = number_in(volume, "thicknessFactor", 0.0F, kLongestLength, 0.0F);
+    const float distance = number_in(volume, "attenuationDistance", kShortest, kLongestLength, 0.0F);
     if (thickness == 0.0F || distance == 0.0F) return {1, 1, 1};  // a wall, or clear however thick
     std::array<float, 3> passed = colour_in(volume, "attenuationColor", {1, 1, 1}, 1.0F);
     for (float& part : passed)
@@ -258,13 +260,13 @@ private:
   }
 
   // Parts of one material that their nodes make smaller or larger differ in how thick they are.
-  void size_volumes(const std::vector<double>& sizes) {
+  void size_volumes(const std::vector<PartFacts>& facts) {
     constexpr double kSteps = 1024;  // sizes that differ by less are one: that is seen by nobody
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> made;
     for (std::size_t i = 0; i < model_.parts.size(); ++i) {
       std::uint32_t& material = model_.parts[i].material;
       int exponent = 0;
-      const double mantissa = std::frexp(sizes[i], &exponent);
+      const double mantissa = std::frexp(facts[i].size, &exponent);
       const double size = std::ldexp(std::round(mantissa * kSteps) / kSteps, exponent);
       if (size == 1.0 || !std::isfinite(size) || !has_volume(model_.materials[material])) continue;
       const auto [found, is_new] =
@@ -276,6 +278,43 @@ private:
       }
       material = found->second;
     }
+  }
+
+  // A mesh that does not say where a texture lies is drawn without it.
+  void drop_textures_without_places(const std::vector<PartFacts>& facts) {
+    std::map<std::pair<std::uint32_t, std::array<bool, 2>>, std::uint32_t> made;
+    for (std::size_t i = 0; i < model_.parts.size(); ++i) {
+      std::uint32_t& material = model_.parts[i].material;
+      const std::array<bool, 2>& has_uv = facts[i].has_uv;
+      const auto [found, is_new] = made.try_emplace({material, has_uv}, material);
+      if (is_new) {
+        ModelMaterial without = model_.materials[material];
+        if (drop_textures(without, has_uv)) {
+          found->second = static_cast<std::uint32_t>(model_.materials.size());
+          model_.materials.push_back(std::move(without));
+        }
+      }
+      material = found->second;
+    }
+  }
+
+  // false: it has none to drop.
+  bool drop_textures(ModelMaterial& material, const std::array<bool, 2>& has_uv) {
+    if (!material.detail) return false;
+    MaterialDetail& detail = *material.detail;
+    bool dropped = false;
+    for (std::optional<TextureUse>* use :
+         {&detail.base_colour, &detail.metal_rough, &detail.normal, &detail.occlusion, &detail.emissive}) {
+      if (!*use || has_uv[static_cast<std::size_t>((*use)->uv_set)]) continue;
+      leave_out("textures on a mesh without their coordinates (TEXCOORD_" + std::to_string((*use)->uv_set) +
+                ")");
+      use->reset();
+      dropped = true;
+    }
+    if (!detail.normal) detail.normal_scale = 1;
+    if (!detail.occlusion) detail.occlusion_strength = 1;
+    if (detail == MaterialDetail{}) material.detail.reset();
+    return dropped;
   }
 
   static bool has_volume(const ModelMaterial& material) {
@@ -297,8 +336,8 @@ bool names_pictures(const tinygltf::Model& file, int material) {
          of.normalTexture.index >= 0 || of.occlusionTexture.index >= 0 || of.emissiveTexture.index >= 0;
 }
 
-void read_materials(const tinygltf::Model& file, const std::vector<double>& sizes, Model& model) {
-  MaterialReader(file, model).read(sizes);
+void read_materials(const tinygltf::Model& file, const std::vector<PartFacts>& facts, Model& model) {
+  MaterialReader(file, model).read(facts);
 }
 
 }  // namespace fulcrum

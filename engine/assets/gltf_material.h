@@ -3,16 +3,22 @@
 
 #include <tiny_gltf.h>
 
+#include <array>
 #include <vector>
 
 #include "engine/assets/model.h"
 
 namespace fulcrum {
 
+// What a model's part leaves behind that a material's look depends on.
+struct PartFacts {
+  double size = 1;                              // how many times as large its nodes make its mesh
+  std::array<bool, 2> has_uv = {false, false};  // TEXCOORD_0, TEXCOORD_1
+};
+
 // Fills the model's materials and images: those that a material names and no other. What a material asks for
-// and is not drawn is told in Model::left_out. sizes: of each part, how many times as large its nodes make
-// its mesh. Throws GltfFault.
-void read_materials(const tinygltf::Model& file, const std::vector<double>& sizes, Model& model);
+// and is not drawn is told in Model::left_out. facts: of each part. Throws GltfFault.
+void read_materials(const tinygltf::Model& file, const std::vector<PartFacts>& facts, Model& model);
 
 // Some texture is laid onto what is made of it; what no picture is laid onto need not know where it would
 // lie. Any number may be asked for.

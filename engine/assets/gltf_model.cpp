@@ -201,8 +201,8 @@ public:
     model.parts = std::move(parts_);
   }
 
-  // How many times as large as in its mesh each part is: the mean of three directions.
-  const std::vector<double>& sizes() const { return sizes_; }
+  // Of each part; how large it is, is the mean of three directions.
+  const std::vector<PartFacts>& facts() const { return facts_; }
 
 private:
   const tinygltf::Node& visit(int index) {
@@ -234,14 +234,16 @@ private:
         throw GltfFault("it shows more than 50 million triangles; simplify it before export");
       place(part, X_MN);
       parts_.push_back(std::move(part));
-      sizes_.push_back(math::cbrt(std::abs(X_MN.linear().determinant())));
+      facts_.push_back(
+          {math::cbrt(std::abs(X_MN.linear().determinant())),
+           {primitive.attributes.contains("TEXCOORD_0"), primitive.attributes.contains("TEXCOORD_1")}});
     }
   }
 
   const tinygltf::Model& file_;
   std::vector<bool> seen_;
   std::vector<ModelPart> parts_;
-  std::vector<double> sizes_;
+  std::vector<PartFacts> facts_;
   std::size_t indices_ = 0;
 };
 
@@ -252,7 +254,7 @@ Model model_from_gltf(const tinygltf::Model& file) {
   Walk walk(file);
   walk.read(model);
   if (model.parts.empty()) throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
-  read_materials(file, walk.sizes(), model);
+  read_materials(file, walk.facts(), model);
   return model;
 }
 

@@ -15,8 +15,13 @@ std::optional<std::uint32_t> look_of(const Material& material) {
     if (detail.layers[i]) look |= 1U << i;
   const auto has = [&](bool it, std::uint32_t bit) { look |= it ? bit : 0U; };
   has(detail.emission != glm::vec3(0.0F), FULCRUM_LOOK_EMISSION);
-  has(detail.alpha == Alpha::mask, FULCRUM_LOOK_MASK);
-  const bool passes = detail.transmission > 0.0F && !detail.unlit;  // glTF: what is unlit has no other layers
+  // Without a picture it is all there, or none of it is.
+  has(detail.alpha == Alpha::mask &&
+          (detail.layers[SurfaceDetail::base_colour] || detail.opacity < detail.alpha_cutoff),
+      FULCRUM_LOOK_MASK);
+  // glTF: what is unlit has no other layers, and nothing passes through metal.
+  const bool all_metal = material.metallic >= 1.0F && !detail.layers[SurfaceDetail::metal_rough];
+  const bool passes = detail.transmission > 0.0F && !detail.unlit && !all_metal;
   has(detail.alpha == Alpha::blend || passes, FULCRUM_LOOK_BLEND);
   has(detail.alpha == Alpha::blend, FULCRUM_LOOK_COVER);
   has(detail.double_sided, FULCRUM_LOOK_DOUBLE_SIDED);
@@ -74,7 +79,7 @@ std::string describe_look(std::uint32_t look) {
                                             {1U << FULCRUM_TEXTURE_EMISSIVE, "emissive texture"},
                                             {FULCRUM_LOOK_EMISSION, "emission"},
                                             {FULCRUM_LOOK_MASK, "holes"},
-                                            {FULCRUM_LOOK_BLEND, "blending"},
+                                            {FULCRUM_LOOK_COVER, "blending"},
                                             {FULCRUM_LOOK_DOUBLE_SIDED, "both sides"},
                                             {FULCRUM_LOOK_UNLIT, "no light"},
                                             {FULCRUM_LOOK_COAT, "clear coat"},

@@ -260,8 +260,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::blended(const glm::vec3& eye, s
     const Batch& batch = batches_[i];
     if (!batch.material || !is_blended(batch.look) || (batch.layers & layers) == 0) continue;
     for (std::uint32_t slot = batch.first_slot; slot < batch.first_slot + batch.count; ++slot) {
-      const Bounds box = transformed(slots_[slot].mesh_bounds, slots_[slot].X_WM);
-      const float away = glm::distance(eye, 0.5F * (box.low + box.high));
+      const float away = distance_to(slots_[slot].mesh_bounds, slots_[slot].X_WM, eye);
       found.push_back({away, {*batch.material, batch.look, i, slot, 1}});
     }
   }

@@ -16,15 +16,21 @@ namespace {
 constexpr std::size_t kMostSidecarBytes = 1 << 20;
 
 Result<Reference> read_reference(const std::filesystem::path& file) {
+  const auto unread = [&](const Error& why) {
+    return Error{file.string() + " cannot be read: " + why.sentence +
+                 "; make it anew with tools/references."};
+  };
   Result<RegularFile> opened = RegularFile::open(file);
-  if (!opened) return opened.error();
+  if (!opened) return unread(opened.error());
   const Result<std::string> text = opened->first_bytes(kMostSidecarBytes);
-  if (!text) return text.error();
+  if (!text) return unread(text.error());
   const auto json = nlohmann::ordered_json::parse(*text, nullptr, false);
   const Result<Shot> shot = read_shot(json, file);
   if (!shot) return shot.error();
+  const auto digest = json.find("digest");
   std::filesystem::path picture = file;
-  return Reference{*shot, json.value("digest", ""), picture.replace_extension(".png")};
+  return Reference{*shot, digest != json.end() && digest->is_string() ? digest->get<std::string>() : "",
+                   picture.replace_extension(".png")};
 }
 
 }  // namespace

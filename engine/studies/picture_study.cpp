@@ -41,6 +41,8 @@ private:
 };
 
 Result<render::VisualDesc> visual_of(const Prepared& prepared, const Shot& shot) {
+  if (const auto refused = refuse_view(prepared.scenario, prepared.name, shot.view))
+    return Error{"A reference is of another view: " + refused->sentence};
   const Result<scenario::VisualAssembly> visual =
       assemble_view(prepared, scene_for_device(prepared, "simulated"), shot.view);
   if (!visual) return visual.error();

@@ -48,8 +48,8 @@ vec3 mapped(vec3 n, vec2 at, vec3 bend) {
   vec3 along_v = across_y * du.y + across_x * dv.y;
   float length2 = dot(along_v, along_v);
   float other2 = dot(along_u, along_u);
-  if (min(length2, other2) <= 1e-8 * max(length2, other2)) {
-    return n;  // no coordinates, or one of the two is the same all over the triangle
+  if (!(min(length2, other2) > 1e-8 * max(length2, other2))) {
+    return n;  // no coordinates, one of the two is the same all over the triangle, or they differ beyond all numbers
   }
   vec3 tangent = cross(along_v, n);  // v stays as it is that way
   tangent *= sign(dot(tangent, along_u));
@@ -193,6 +193,7 @@ void find_colour() {
     float albedo = sheen_albedo(n_dot_v, max(material.coat.w, kLeastSheen));
     below_sheen = 1.0 - max(material.sheen.r, max(material.sheen.g, material.sheen.b)) * albedo;
     radiance = radiance * below_sheen + material.sheen.rgb * albedo * around;
+    through *= below_sheen;
   }
 
 #ifdef FULCRUM_ENTERING

@@ -32,6 +32,21 @@ done
 expect 1 'holds results.*--force' "$FULCRUM" workprecision picture --scene stick --out P
 expect 1 "no reference of a scene 'stik'" "$FULCRUM" workprecision picture --scene stik --out Q
 expect 1 "no scene 'stik' to describe" "$FULCRUM" workprecision picture --scene stik --describe D
+expect 2 'leave one of them out' "$FULCRUM" workprecision picture --scene stik --describe D --json
+# A reference that is something else is told so.
+mkdir -p odd/references
+for part in devices materials scenarios schema; do ln -s "$(readlink -f "$content/$part")" odd/; done
+odd() { # SED: the references of stick, one of them as that makes it
+  sed "$1" "$content/references/stick_ball.json" >odd/references/stick_ball.json
+  cp "$content/references/stick_ball.png" odd/references/
+}
+odd 's/"digest": *"[^"]*"/"digest": 7/'
+expect 0 'another state' env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out odd_digest
+odd 's/"view": *"ball"/"view": "nowhere"/'
+expect 1 "no view 'nowhere'" env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out odd_view
+rm odd/references/*
+mkdir odd/references/zz.json
+expect 1 'zz.json cannot be read: it is a folder' env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out odd_folder
 expect 2 'picture' "$FULCRUM" workprecision pictures --out Q
 expect 0 'stick_ball' "$FULCRUM" workprecision picture --scene stick --describe D
 for file in stick_overview stick_ball; do [ -s D/$file.json ] && [ -s D/$file.bin ] || fail "D lacks $file"; done

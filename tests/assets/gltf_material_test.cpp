@@ -123,6 +123,42 @@ TEST(GltfMaterial, AVolumeIsAsThickAsItsNodeMakesIt) {
   for (const ModelPart& part : model.parts) EXPECT_EQ(model.materials[part.material].name, "glass");
 }
 
+// Twenty millimetres in micrometres, and a distance as long again as one may be.
+TEST(GltfMaterial, AVolumeMayBeInMicrometres) {
+  Textured glass(R"({"name":"glass","extensions":{"KHR_materials_transmission":{"transmissionFactor":1},)"
+                 R"("KHR_materials_volume":{"thicknessFactor":20000,"attenuationDistance":0.02,)"
+                 R"("attenuationColor":[0.25,0.5,1]}}})");
+  glass.file.nodes = R"([{"mesh":0,"scale":[1e-6,1e-6,1e-6]}])";
+  const Model model = glass.read();
+  EXPECT_NEAR(model.materials[model.parts[0].material].detail.value().passed[0], 0.25F, 1e-3F);
+}
+
+// A mesh that does not say where a texture lies is drawn without it, and its other parts with it.
+TEST(GltfMaterial, ATextureIsLaidOnWhatHasItsCoordinates) {
+  const std::string both = R"({"name":"both","occlusionTexture":{"index":0,"texCoord":1,"strength":0.5},)"
+                           R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+  const auto reads = [](const Model& model) {
+    const ModelMaterial& material = model.materials[model.parts[0].material];
+    EXPECT_EQ(material.name, "both");
+    std::string found;
+    if (material.detail && material.detail->base_colour) found += "base ";
+    if (material.detail && material.detail->occlusion) found += "occlusion ";
+    return found + (material.detail ? "" : "plain");
+  };
+  Textured file(both);
+  const Model one = file.read();
+  EXPECT_EQ(reads(one), "base ");
+  EXPECT_EQ(one.left_out,
+            std::vector<std::string>{"textures on a mesh without their coordinates (TEXCOORD_1)"});
+  file.file.primitive =
+      R"({"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":2},"indices":1,"material":0})";
+  EXPECT_EQ(reads(file.read()), "base occlusion ");
+  EXPECT_TRUE(file.read().left_out.empty());
+  file.file.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0})";
+  EXPECT_EQ(reads(file.read()), "plain");
+  EXPECT_EQ(file.read().left_out.size(), 2U);
+}
+
 // What names no picture is read whatever its coordinates are.
 TEST(GltfMaterial, CoordinatesThatNothingNeedsAreNotRead) {
   Textured file(R"({"name":"plain"})");

@@ -1,6 +1,5 @@
-// Textures, holes, transparency and layers, drawn with the validation layers watching. What is to be seen is
-// known on paper: which corner of a picture lies where, which slope faces the light, which pane is before
-// which.
+// Textures, holes and layers, drawn with the validation layers watching. What is to be seen is known on
+// paper: which corner of a picture lies where, which slope faces the light.
 
 #include <gtest/gtest.h>
 
@@ -10,80 +9,18 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include "image_compare.h"
+#include "pane_scene.h"
 #include "surface_balls.h"
-#include "test_scene.h"
 
 namespace fulcrum::render {
 namespace {
 
-// 10 cm wide and high, in the plane z = 0, seen from +z; u to the right, v downwards.
-Mesh pane() {
-  Mesh mesh;
-  mesh.name = "pane";
-  mesh.positions = {{-0.05F, 0.05F, 0}, {0.05F, 0.05F, 0}, {0.05F, -0.05F, 0}, {-0.05F, -0.05F, 0}};
-  mesh.normals.assign(4, {0, 0, 1});
-  mesh.uv = {{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {0, 1, 0, 0}};
-  mesh.indices = {0, 2, 1, 0, 3, 2};
-  return mesh;
-}
+using test::flat;
+using test::four_colours;
+using test::pane;
+using test::pane_scene;
 
-Texture flat(const std::array<std::uint8_t, 4>& colour, bool srgb = true) {
-  return {"flat", 1, 1, {colour.begin(), colour.end()}, srgb};
-}
-
-// Red, green over blue, white.
-Texture four_colours() {
-  return {"four colours", 2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}, true};
-}
-
-VisualDesc pane_scene() {
-  VisualDesc desc;
-  desc.meshes = {pane()};
-  desc.materials = {{"pane", glm::vec3(1.0F), 0.0F, 0.6F, SurfaceDetail{}}};
-  desc.instances = {{0, 0, "pane"}};
-  desc.key_light.reset();
-  desc.camera = {{0, 0, 0.3F}, {0, 0, 0}, 0.5F};  // the pane is two thirds of the picture's height
-  return desc;
-}
-
-class DetailedSurfacesTest : public testing::Test {
-protected:
-  void TearDown() override {
-    for (const std::string& message : gpu_.instance.messages()) ADD_FAILURE() << message;
-  }
-
-  Picture draw(const VisualDesc& desc, const Quality& quality = {1, 512, 1.0F}, Extent extent = {180, 180}) {
-    const auto renderer = Renderer::create(*gpu_.device, desc, {extent, quality, {}});
-    if (!renderer) throw std::runtime_error(renderer.error().sentence);
-    std::vector<glm::mat4> poses;
-    for (const Instance& instance : desc.instances)
-      if (instance.movable) poses.push_back(instance.X_WM);
-    FrameState state;
-    state.X_WM = poses;
-    state.camera = desc.camera;
-    const std::optional<Error> error = (*renderer)->frame(state);
-    EXPECT_FALSE(error) << error->sentence;
-    return *(*renderer)->read_back();
-  }
-
-  // Of the pane's corners, from the top left clockwise: 'r', 'g', 'b', 'w'.
-  static std::string corners(const Picture& picture) {
-    std::string found;
-    for (const auto& [x, y] : {std::pair(0.3F, 0.3F), {0.6F, 0.3F}, {0.6F, 0.6F}, {0.3F, 0.6F}}) {
-      const glm::vec3 c = test::mean(picture, x, y, x + 0.1F, y + 0.1F);
-      const float least = std::min({c.r, c.g, c.b}), most = std::max({c.r, c.g, c.b});
-      found += most - least < 0.2F * most ? 'w' : most == c.r ? 'r' : most == c.g ? 'g' : 'b';
-    }
-    return found;
-  }
-
-  static float brightness(const Picture& picture) {
-    const glm::vec3 c = test::mean(picture, 0.4F, 0.4F, 0.6F, 0.6F);
-    return c.r + c.g + c.b;
-  }
-
-  test::Gpu gpu_ = test::make_gpu("llvmpipe");
-};
+class DetailedSurfacesTest : public test::PaneTest {};
 
 TEST_F(DetailedSurfacesTest, ADetailOfNothingLooksPlain) {
   VisualDesc desc = test::make_scene();
@@ -242,25 +179,6 @@ TEST_F(DetailedSurfacesTest, WhatIsCutOutIsNotSeenAndThrowsNoShadow) {
   EXPECT_LT(at(0.63F, 0.89F).g, at(0.37F, 0.89F).g - 30) << "its shadow, and none beside it";
 }
 
-TEST_F(DetailedSurfacesTest, WhatIsSeenThroughLiesBehind) {
-  VisualDesc desc = pane_scene();
-  desc.materials = {{"red", {1, 0, 0}, 0.0F, 0.6F, SurfaceDetail{}},
-                    {"blue", {0, 0, 1}, 0.0F, 0.6F, SurfaceDetail{}}};
-  for (Material& material : desc.materials) {
-    material.detail->alpha = Alpha::blend;
-    material.detail->opacity = 0.7F;
-    material.detail->unlit = material.detail->double_sided = true;
-  }
-  desc.instances = {{0, 0, "red", glm::translate(glm::mat4(1.0F), {0, 0, 0.01F})}, {0, 1, "blue"}};
-  const auto red_before = test::mean(draw(desc), 0.4F, 0.4F, 0.6F, 0.6F);
-  EXPECT_GT(red_before.r, red_before.b + 20);
-  EXPECT_GT(red_before.b, red_before.g + 10) << "blue shines through";
-  desc.camera.eye = {0, 0, -0.3F};
-  const auto blue_before = test::mean(draw(desc), 0.4F, 0.4F, 0.6F, 0.6F);
-  EXPECT_GT(blue_before.b, blue_before.r + 20);
-  EXPECT_GT(blue_before.r, blue_before.g + 10);
-}
-
 // glTF 2.0, 3.9.3: both directions of a map's frame have unit length, and u grows along one of them alone.
 TEST_F(DetailedSurfacesTest, ASlopeIsAsSteepHoweverAPictureIsStretchedOrSheared) {
   VisualDesc desc = pane_scene();
@@ -305,28 +223,6 @@ TEST_F(DetailedSurfacesTest, NoLightGetsThroughASurfaceToASlope) {
   EXPECT_GT(brightness(draw(desc)), 100);
 }
 
-// A pane of two sides, whose own order in the mesh is front, back: the near one is seen.
-TEST_F(DetailedSurfacesTest, TheNearSideOfWhatIsBlendedIsDrawnLast) {
-  VisualDesc desc = pane_scene();
-  Mesh both = pane();
-  for (std::size_t i = 0; i < 4; ++i) {  // the back looks away; the front is red, the back green
-    both.positions.push_back(both.positions[i] - glm::vec3(0, 0, 0.02F));
-    both.normals.emplace_back(0, 0, -1);
-    both.uv.emplace_back(0.75F, 0.25F, 0, 0);
-  }
-  for (std::size_t i = 0; i < 4; ++i) both.uv[i] = {0.25F, 0.25F, 0, 0};
-  both.indices.insert(both.indices.end(), {4, 5, 6, 4, 6, 7});
-  desc.meshes = {both};
-  desc.textures = {four_colours()};
-  SurfaceDetail& detail = *desc.materials[0].detail;
-  detail.layers[SurfaceDetail::base_colour] = TextureLayer{.nearest = true};
-  detail.alpha = Alpha::blend;
-  detail.double_sided = detail.unlit = true;
-  EXPECT_EQ(corners(draw(desc)), "rrrr");
-  desc.camera.eye = {0, 0, -0.3F};
-  EXPECT_EQ(corners(draw(desc)), "gggg");
-}
-
 // Each layer does something, and what it does has the right sign.
 TEST_F(DetailedSurfacesTest, LayersLighten) {
   VisualDesc desc = pane_scene();
@@ -360,86 +256,6 @@ TEST_F(DetailedSurfacesTest, LayersLighten) {
     d.sheen_roughness = 0.8F;
   };
   EXPECT_GT(with(fibres), brightness(draw(desc)) + 20);
-}
-
-// A thin wall of glass before a red one: red is seen as before, but for what the glass mirrors.
-TEST_F(DetailedSurfacesTest, GlassShowsWhatIsBehind) {
-  VisualDesc desc = pane_scene();
-  desc.meshes.push_back(test::make_box({0.2F, 0.2F, 0.01F}));
-  desc.materials.push_back({"wall", {0.6F, 0.01F, 0.01F}, 0.0F, 0.9F});
-  desc.instances.push_back({1, 1, "wall", glm::translate(glm::mat4(1.0F), {0, 0, -0.06F})});
-  const auto red = [&] { return test::mean(draw(desc), 0.4F, 0.4F, 0.6F, 0.6F); };
-  EXPECT_LT(red().r, 1.2F * red().g) << "a white pane hides it";
-  desc.materials[0].detail->transmission = 1.0F;
-  EXPECT_GT(red().r, 2.0F * red().g);
-  desc.materials[0].base_colour = glm::vec3(0.1F);
-  const glm::vec3 through_dark = red();
-  desc.materials[0].base_colour = glm::vec3(1.0F);
-  EXPECT_GT(red().r, through_dark.r + 30) << "dark glass lets less through";
-}
-
-// Half of the light behind thick glass is what is behind thin glass of half the colour: to the pixel.
-TEST_F(DetailedSurfacesTest, ThickGlassIsDarkerByWhatItsVolumeTakes) {
-  VisualDesc desc = pane_scene();
-  desc.meshes.push_back(test::make_box({0.2F, 0.2F, 0.01F}));
-  desc.materials.push_back({"wall", {0.6F, 0.5F, 0.4F}, 0.0F, 0.9F});
-  desc.instances.push_back({1, 1, "wall", glm::translate(glm::mat4(1.0F), {0, 0, -0.06F})});
-  Material& glass = desc.materials[0];
-  glass.detail->transmission = 1.0F;
-  glass.base_colour = glm::vec3(0.5F);
-  const Picture thin = draw(desc);
-  glass.base_colour = glm::vec3(1.0F);
-  const float clear = brightness(draw(desc));
-  glass.detail->passed = glm::vec3(0.5F);
-  const Picture thick = draw(desc);
-  EXPECT_EQ(thick.rgba, thin.rgba);
-  EXPECT_LT(brightness(thick), clear - 60);
-}
-
-// A wall behind coloured glass looks as one of the colours' product does behind clear glass. The wall is
-// dark, so that the range which the picture's colours are pressed into hardly bends them.
-TEST_F(DetailedSurfacesTest, EachColourPassesByItself) {
-  VisualDesc desc = pane_scene();
-  desc.meshes.push_back(test::make_box({0.2F, 0.2F, 0.01F}));
-  desc.materials.push_back({"wall", glm::vec3(0.08F), 0.0F, 0.9F, SurfaceDetail{}});
-  desc.materials[1].detail->unlit = true;
-  desc.instances.push_back({1, 1, "wall", glm::translate(glm::mat4(1.0F), {0, 0, -0.06F})});
-  SurfaceDetail& glass = *desc.materials[0].detail;
-  glass.transmission = 1.0F;
-  glass.f0 = glm::vec3(0.0F);  // it mirrors nothing
-  glass.f90 = 0.0F;
-  const glm::vec3 amber(0.9F, 0.4F, 0.1F);
-  for (const int samples : {1, 4}) {
-    const auto seen = [&](const glm::vec3& wall, const glm::vec3& passed) {
-      desc.materials[1].base_colour = wall;
-      desc.materials[0].detail->passed = passed;
-      return test::mean(draw(desc, {samples, 512, 1.0F}), 0.4F, 0.4F, 0.6F, 0.6F);
-    };
-    const glm::vec3 grey(0.08F), clear(1.0F), through_amber = seen(grey, amber),
-                                              wanted = seen(grey * amber, clear);
-    EXPECT_GT(glm::distance(seen(grey, clear), through_amber), 60.0F);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(through_amber[i], wanted[i], 3.0F) << "of colour " << i;
-  }
-}
-
-// Clear glass, and glass that a centimetre of its colour has darkened, and three.
-TEST_F(DetailedSurfacesTest, BallsOfDeeperAndDeeperGlass) {
-  VisualDesc desc = test::surface_balls();
-  desc.instances.erase(desc.instances.begin(), desc.instances.begin() + 10);
-  Material glass{"glass", glm::vec3(1.0F), 0.0F, 0.03F, SurfaceDetail{}};
-  glass.detail->transmission = 1.0F;
-  for (std::size_t i = 0; i < 3; ++i) {
-    desc.instances.push_back(
-        {0, desc.materials.size(), "ball",
-         glm::translate(glm::mat4(1.0F), {0.12F * (static_cast<float>(i) - 1.0F), 0.04F, 0.0F})});
-    desc.materials.push_back(glass);
-    glass.detail->passed = i == 0 ? glm::vec3(0.5F, 0.6F, 0.4F) : glm::vec3(0.125F, 0.216F, 0.064F);
-  }
-  const Picture picture = draw(desc, {4, 1024, 1.0F}, {480, 270});
-  const test::Comparison result =
-      test::compare(picture, std::filesystem::path(FULCRUM_GOLDENS) / "volume.png",
-                    {.max_lsb = 2, .max_pixels = 20, .failure_folder = FULCRUM_FAILURES});
-  EXPECT_TRUE(result.passed) << result.sentence;
 }
 
 TEST_F(DetailedSurfacesTest, ABallForEachOfThem) {
@@ -477,6 +293,14 @@ TEST_F(DetailedSurfacesTest, NothingIsBuiltForWhatNoMaterialHas) {
   ASSERT_TRUE(coated);
   EXPECT_EQ(coated->looks.size(), 1U);
   EXPECT_FALSE(has_places(*coated)) << "no texture lies on it";
+  desc.materials[0].detail = SurfaceDetail{.alpha = Alpha::mask};
+  const auto whole = plan(desc, RenderOptions{});
+  ASSERT_TRUE(whole);
+  EXPECT_FALSE(has_places(*whole)) << "it is cut out nowhere";
+  for (const BuildItem& item : whole->built) EXPECT_NE(item.name, "shadows with holes");
+  desc.materials[0].detail->opacity = 0.25F;
+  EXPECT_LT(brightness(draw(desc)), 1.0F + brightness(draw({.camera = desc.camera})))
+      << "none of it is there";
 }
 
 TEST_F(DetailedSurfacesTest, WrongTexturesAreRefusedWithASentence) {
