@@ -130,8 +130,8 @@ TEST_F(SeenThroughTest, NothingPassesThroughMetal) {
   EXPECT_TRUE(is_blended(look_of(material).value())) << "its picture may say otherwise";
 }
 
-// KHR_materials_sheen: what is below fibres is darker by what they send on, which is the integral of their lobe:
-// at roughness 1, seen from straight above, sqrt(2) / 10.
+// KHR_materials_sheen: what is below fibres is darker by what they send on, which is the integral of their
+// lobe: at roughness 1, seen from straight above, sqrt(2) / 10.
 TEST_F(SeenThroughTest, FibresOnGlassTakeTheirPart) {
   VisualDesc desc = test::pane_scene();
   desc.meshes.push_back(test::make_box({0.2F, 0.2F, 0.01F}));
