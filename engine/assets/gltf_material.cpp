@@ -242,7 +242,11 @@ private:
     detail.transmission =
         number_in(get("KHR_materials_transmission"), "transmissionFactor", 0.0F, 1.0F, 0.0F);
     const tinygltf::Value& volume = get("KHR_materials_volume");
-    if (detail.transmission > 0) detail.passed = passed_by(volume, 1.0);
+    if (detail.transmission > 0) {
+      detail.passed = passed_by(volume, 1.0);
+      // A volume's far side is part of its thickness, and not another pane.
+      if (number_in(volume, "thicknessFactor", 0.0F, kLongestLength, 0.0F) > 0) detail.double_sided = false;
+    }
   }
 
   // What is left of light behind the volume's thickness, which is the file's colour behind its distance. The

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -13,7 +14,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr std::size_t kMaxIndices = 150'000'000;  // of all parts: a small file may name one mesh very often
+// Of all parts: a small file may name one mesh very often.
+constexpr std::size_t kMaxIndices = 150'000'000, kMaxVertices = 150'000'000;
 
 constexpr double kFarthest_m =
     1e5;  // of a vertex: nothing that a hand reaches, in whatever unit it was drawn
@@ -91,6 +93,29 @@ void make_flat_normals(ModelPart& part) {
   }
 }
 
+// Parts of one mesh may share its vertices: of each, those that it shows remain.
+void keep_used_vertices(ModelPart& part) {
+  constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(part.positions.size(), kUnused);
+  for (const std::uint32_t i : part.indices) number[i] = 0;
+  std::uint32_t used = 0;
+  for (std::uint32_t& each : number)
+    if (each != kUnused) each = used++;
+  if (used == part.positions.size()) return;
+  const auto keep = [&](auto& values) {
+    if (values.empty()) return;
+    for (std::size_t i = 0; i < number.size(); ++i)
+      if (number[i] != kUnused) values[number[i]] = values[i];
+    values.resize(used);
+    values.shrink_to_fit();
+  };
+  keep(part.positions);
+  keep(part.normals);
+  keep(part.colours);
+  keep(part.uv);
+  for (std::uint32_t& i : part.indices) i = number[i];
+}
+
 // Where the first two sets of coordinates put each vertex; none: the file has none.
 std::vector<std::array<float, 4>> read_uv(const tinygltf::Model& file, const tinygltf::Primitive& primitive,
                                           std::size_t vertices) {
@@ -142,6 +167,7 @@ ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& prim
     part.normals = read_vectors(file, normals->second);
     if (part.normals.size() != part.positions.size())
       throw GltfFault("a mesh has more or fewer normals than vertices; export it again");
+    keep_used_vertices(part);
   } else {
     make_flat_normals(part);
   }
@@ -225,6 +251,9 @@ private:
       if (mode < TINYGLTF_MODE_TRIANGLES) continue;  // points and lines are no surface
       if (mode != TINYGLTF_MODE_TRIANGLES)
         throw GltfFault("a mesh is made of triangle strips or fans; export it as plain triangles");
+      vertices_ += vertex_count(primitive);
+      if (vertices_ > kMaxVertices)
+        throw GltfFault("its nodes show more than 150 million vertices; simplify it before export");
       ModelPart part = part_from(file_, primitive);
       part.name = node.name.empty() ? mesh.name : node.name;
       part.marked_role = property(node, "fulcrum_role");
@@ -240,11 +269,19 @@ private:
     }
   }
 
+  // That will be read for it, used or not.
+  std::size_t vertex_count(const tinygltf::Primitive& primitive) const {
+    const auto found = primitive.attributes.find("POSITION");
+    const bool is_there = found != primitive.attributes.end() && found->second >= 0 &&
+                          static_cast<std::size_t>(found->second) < file_.accessors.size();
+    return is_there ? file_.accessors[static_cast<std::size_t>(found->second)].count : 0;
+  }
+
   const tinygltf::Model& file_;
   std::vector<bool> seen_;
   std::vector<ModelPart> parts_;
   std::vector<PartFacts> facts_;
-  std::size_t indices_ = 0;
+  std::size_t indices_ = 0, vertices_ = 0;
 };
 
 }  // namespace

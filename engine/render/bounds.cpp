@@ -1,7 +1,5 @@
 #include "engine/render/bounds.h"
 
-#include <algorithm>
-
 namespace fulcrum::render {
 
 Bounds bounds_of(std::span<const glm::vec3> positions) {
@@ -22,18 +20,6 @@ Bounds transformed(const Bounds& bounds, const glm::mat4& X) {
   std::array<glm::vec3, 8> points = corners(bounds);
   for (glm::vec3& point : points) point = glm::vec3(X * glm::vec4(point, 1.0F));
   return bounds_of(points);
-}
-
-float distance_to(const Bounds& bounds, const glm::mat4& X, const glm::vec3& point) {
-  const glm::vec3 own(glm::inverse(X) * glm::vec4(point, 1.0F));
-  const auto away = [&](const glm::vec3& place) {
-    return glm::distance(point, glm::vec3(X * glm::vec4(place, 1.0F)));
-  };
-  const glm::vec3 nearest = glm::clamp(own, bounds.low, bounds.high);
-  if (nearest != own) return away(nearest);
-  float farthest = 0.0F;
-  for (const glm::vec3& corner : corners(bounds)) farthest = std::max(farthest, away(corner));
-  return farthest;
 }
 
 Bounds united(const Bounds& a, const Bounds& b) {

@@ -21,10 +21,6 @@ std::array<glm::vec3, 8> corners(const Bounds& bounds);
 // The box around a transformed box.
 Bounds transformed(const Bounds& bounds, const glm::mat4& X);
 
-// From a point (m) to the nearest place of a box that `X` has placed; from within to its farthest corner,
-// since then its far sides are what is seen of it.
-float distance_to(const Bounds& bounds, const glm::mat4& X, const glm::vec3& point);
-
 // The box around both.
 Bounds united(const Bounds& a, const Bounds& b);
 

@@ -39,7 +39,12 @@ bool is_blended(std::uint32_t look) {
 }
 
 bool throws_shadow(const Instance& instance, const Material& material) {
-  return instance.casts_shadow && !is_blended(look_of(material).value_or(0));
+  const std::uint32_t look = look_of(material).value_or(0);
+  return instance.casts_shadow && !is_blended(look) && !is_all_cut_out(look);
+}
+
+bool is_all_cut_out(std::uint32_t look) {
+  return is_masked(look) && (look & (1U << FULCRUM_TEXTURE_BASE)) == 0;
 }
 
 bool lets_light_through(std::uint32_t look) {

@@ -16,8 +16,9 @@ std::optional<std::uint32_t> look_of(const Material& material);
 bool is_blended(std::uint32_t look);
 bool throws_shadow(const Instance& instance, const Material& material);  // what is blended does not
 bool lets_light_through(std::uint32_t look);
-bool is_masked(std::uint32_t look);      // and not blended: it is there, or it is not
-bool is_scattering(std::uint32_t look);  // light spreads below it: what is seen through is none of these
+bool is_all_cut_out(std::uint32_t look);  // nothing of it is there
+bool is_masked(std::uint32_t look);       // and not blended: it is there, or it is not
+bool is_scattering(std::uint32_t look);   // light spreads below it: what is seen through is none of these
 std::uint32_t without_scattering(std::uint32_t look);
 bool is_two_sided(std::uint32_t look);
 bool reads_places(std::uint32_t look);  // in textures: it has one, or is cut out

@@ -125,7 +125,12 @@ void SceneGeometry::sort_instances(const VisualDesc& desc) {
     Batch& batch = batches_.back();
     const bool casts = throws_shadow(instance, material);
     slot_of[order[i]] = slot;
-    slots_.push_back({mesh_bounds[instance.mesh], instance.X_WM, casts, instance.layers});
+    slots_.push_back({.mesh_bounds = mesh_bounds[instance.mesh],
+                      .box = is_blended(batch.look) ? oriented_box_of(desc.meshes[instance.mesh].positions)
+                                                    : OrientedBox(),
+                      .X_WM = instance.X_WM,
+                      .casts = casts,
+                      .layers = instance.layers});
     data()[slot] = to_gpu(instance, material);
     data()[slot].surface.z = static_cast<float>(scattering[order[i]]);
     batch.count += 1;
@@ -260,7 +265,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::blended(const glm::vec3& eye, s
     const Batch& batch = batches_[i];
     if (!batch.material || !is_blended(batch.look) || (batch.layers & layers) == 0) continue;
     for (std::uint32_t slot = batch.first_slot; slot < batch.first_slot + batch.count; ++slot) {
-      const float away = distance_to(slots_[slot].mesh_bounds, slots_[slot].X_WM, eye);
+      const float away = distance_to(slots_[slot].box, slots_[slot].X_WM, eye);
       found.push_back({away, {*batch.material, batch.look, i, slot, 1}});
     }
   }

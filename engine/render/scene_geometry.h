@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/render/light_fit.h"
+#include "engine/render/oriented_box.h"
 #include "engine/render/sight.h"
 #include "engine/vulkan/buffer.h"
 #include "shaders/shared/instance.h"
@@ -80,6 +81,7 @@ private:
   // A place in the instance buffer.
   struct Slot {
     Bounds mesh_bounds;
+    OrientedBox box;  // around what is blended
     glm::mat4 X_WM{1.0F};
     bool casts = false;
     std::uint32_t layers = 0;

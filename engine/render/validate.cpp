@@ -83,7 +83,9 @@ std::optional<Error> check_texture(const Texture& texture, std::size_t index) {
                " has no pixels, other than its size says, or more than 8192 a side; make it again."};
 }
 
-std::optional<Error> check_instance(const VisualDesc& desc, std::size_t index) {
+// first: instance of each mesh, as far as they have been looked at.
+std::optional<Error> check_instance(const VisualDesc& desc, std::size_t index,
+                                    std::vector<std::optional<std::size_t>>& first) {
   const Instance& instance = desc.instances[index];
   const std::string who = "The " + named("instance", instance.name, index);
   if (instance.mesh >= desc.meshes.size()) {
@@ -94,11 +96,11 @@ std::optional<Error> check_instance(const VisualDesc& desc, std::size_t index) {
     return Error{who + " is made of material " + std::to_string(instance.material) + ", but there are " +
                  std::to_string(desc.materials.size()) + " materials."};
   }
-  for (std::size_t i = 0; i < index; ++i) {
-    if (desc.instances[i].mesh == instance.mesh && desc.instances[i].layers != instance.layers) {
-      return Error{who + " is on other layers than instance " + std::to_string(i) +
-                   ", which shows the same mesh; give it a mesh of its own."};
-    }
+  std::optional<std::size_t>& same = first[instance.mesh];
+  if (!same) same = index;
+  if (desc.instances[*same].layers != instance.layers) {
+    return Error{who + " is on other layers than instance " + std::to_string(*same) +
+                 ", which shows the same mesh; give it a mesh of its own."};
   }
   const float volume = glm::determinant(glm::mat3(instance.X_WM));
   if (!std::isfinite(volume) || volume <= 0.0F) {
@@ -153,8 +155,9 @@ std::optional<Error> validate(const VisualDesc& desc) {
     if (auto error = check_texture(desc.textures[i], i)) return *error;
   for (std::size_t i = 0; i < desc.materials.size(); ++i)
     if (auto error = check_material(desc, i)) return *error;
+  std::vector<std::optional<std::size_t>> first(desc.meshes.size());
   for (std::size_t i = 0; i < desc.instances.size(); ++i)
-    if (auto error = check_instance(desc, i)) return *error;
+    if (auto error = check_instance(desc, i, first)) return *error;
   if (desc.lights.size() > kMostLights)
     return Error{"The scene has " + std::to_string(desc.lights.size()) +
                  " lights beside its key light; use " + std::to_string(kMostLights) + " at most."};

@@ -142,7 +142,7 @@ glm::vec3 VoxelGrid::middle(std::size_t index) const {
 bool hides_light(const VisualDesc& desc, const Instance& instance, std::uint32_t layers) {
   if (instance.movable || (instance.layers & layers) == 0) return false;
   const auto look = look_of(desc.materials[instance.material]);
-  return !look || !is_blended(*look);
+  return !look || !(is_blended(*look) || is_all_cut_out(*look));
 }
 
 std::optional<VoxelGrid> voxel_grid(const VisualDesc& desc, std::uint32_t layers, float most) {

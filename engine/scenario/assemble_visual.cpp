@@ -144,9 +144,9 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
                                        !(scenario.left_handed && entry.lettering)))
       return *refused;
   }
-  if (scenario.light) let_decor_throw_shadows(desc, *scenario.light);
   for (const MaterialOverride& material : scenario.materials)
     if (const auto applied = apply(material, desc.materials); !applied) return applied.error();
+  if (scenario.light) let_decor_throw_shadows(desc, *scenario.light);
   if (draws_arms(scenario, scene)) {
     if (const auto refused = Mechanism::refuse(scene.device.mechanism)) return *refused;
     add_device_arms(desc, scene.device.mechanism, scene.mapping, scenario.device.floor, kWhole | kCut);

@@ -27,9 +27,12 @@ void let_decor_throw_shadows(render::VisualDesc& desc, const render::KeyLight& l
     if (instance.movable) continue;
     const render::Bounds box =
         render::transformed(render::bounds_of(desc.meshes[instance.mesh].positions), instance.X_WM);
-    if (render::throws_shadow(instance, desc.materials[instance.material]))
+    render::Instance thrower = instance;
+    thrower.casts_shadow = true;
+    if (!render::throws_shadow(thrower, desc.materials[instance.material])) continue;
+    if (instance.casts_shadow)
       casters.push_back(box);
-    else if (!instance.casts_shadow && !(is_spot && holds(box, light.position)))
+    else if (!(is_spot && holds(box, light.position)))
       decor.emplace_back(box, &instance);
   }
   if (casters.empty()) return;

@@ -146,7 +146,7 @@ void find_colour() {
     n = -n;
   }
   vec3 v = normalize(frame.eye.xyz - world_position);
-  float n_dot_v = max(dot(n, v), 1e-3);
+  float n_dot_v = clamp(dot(n, v), 1e-3, 1.0);  // rounding takes it above 1, where powers of the rest are not defined
   float metallic = surface.x;
   float roughness = surface.y;
   if (has_texture(FULCRUM_TEXTURE_METAL_ROUGH)) {
@@ -235,7 +235,7 @@ void find_colour() {
     }
     float lit_from = dot(geometric, from);
     if (has(FULCRUM_LOOK_COAT) && lit_from > 0.0) {
-      coat_lit += light * lit_from * sent_by_coat(coat_alpha, geometric, v, max(dot(geometric, v), 1e-3), half_way, lit_from, kPointHalfWidth);
+      coat_lit += light * lit_from * sent_by_coat(coat_alpha, geometric, v, clamp(dot(geometric, v), 1e-3, 1.0), half_way, lit_from, kPointHalfWidth);
     }
   }
 #endif
@@ -247,7 +247,7 @@ void find_colour() {
     radiance += emitted;
   }
   if (has(FULCRUM_LOOK_COAT)) {
-    float g_dot_v = max(dot(geometric, v), 1e-3);
+    float g_dot_v = clamp(dot(geometric, v), 1e-3, 1.0);
     float rough = sqrt(coat_alpha);
     vec2 coat = environment_scale_bias(rough, g_dot_v);
     vec3 on_top = vec3(0.0);
@@ -269,7 +269,7 @@ void find_colour() {
   // The light that this pass has found itself is not used, and not compiled.
   float below_coat = 1.0;
   if (has(FULCRUM_LOOK_COAT)) {
-    below_coat -= material.coat.x * (0.04 + 0.96 * pow(1.0 - max(dot(geometric, v), 1e-3), 5.0));
+    below_coat -= material.coat.x * (0.04 + 0.96 * pow(1.0 - clamp(dot(geometric, v), 1e-3, 1.0), 5.0));
   }
   Below below = light_from_below(light_around(n));
   colour = vec4(to_target(diffuse * (below_sheen * below_coat) * below.comes_out + below.gloss), 1.0);

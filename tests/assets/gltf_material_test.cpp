@@ -123,6 +123,41 @@ TEST(GltfMaterial, AVolumeIsAsThickAsItsNodeMakesIt) {
   for (const ModelPart& part : model.parts) EXPECT_EQ(model.materials[part.material].name, "glass");
 }
 
+// The far side of a volume is part of it; a thin wall has a back where the file says so.
+TEST(GltfMaterial, AVolumeHasNoBackOfItsOwn) {
+  const auto has_back = [](const std::string& volume) {
+    return Textured(
+               R"({"doubleSided":true,"extensions":{"KHR_materials_transmission":{"transmissionFactor":1})" +
+               volume + "}}")
+        .read()
+        .materials[0]
+        .detail.value()
+        .double_sided;
+  };
+  EXPECT_FALSE(has_back(R"(,"KHR_materials_volume":{"thicknessFactor":0.01})"));
+  EXPECT_TRUE(has_back(R"(,"KHR_materials_volume":{})"));
+  EXPECT_TRUE(has_back(""));
+}
+
+// Parts of a mesh may share all its vertices: each keeps those that it shows.
+TEST(GltfMaterial, APartHasTheVerticesThatItShows) {
+  Textured file(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})");
+  file.file.primitive = R"({"attributes":{"POSITION":0,"NORMAL":0,"TEXCOORD_0":2},"indices":1,"material":0})";
+  const Model whole = file.read();
+  ASSERT_EQ(whole.parts[0].positions.size(), 4U);
+  file.file.accessors.replace(file.file.accessors.find("\"count\":12"), 10, "\"count\":3");
+  const Model one = file.read();
+  ASSERT_EQ(one.parts[0].indices.size(), 3U);
+  EXPECT_EQ(one.parts[0].positions.size(), 3U);
+  EXPECT_EQ(one.parts[0].normals.size(), 3U);
+  EXPECT_EQ(one.parts[0].uv.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t was = whole.parts[0].indices[i], is = one.parts[0].indices[i];
+    EXPECT_EQ(one.parts[0].positions[is], whole.parts[0].positions[was]);
+    EXPECT_EQ(one.parts[0].uv[is], whole.parts[0].uv[was]);
+  }
+}
+
 // Twenty millimetres in micrometres, and a distance as long again as one may be.
 TEST(GltfMaterial, AVolumeMayBeInMicrometres) {
   Textured glass(R"({"name":"glass","extensions":{"KHR_materials_transmission":{"transmissionFactor":1},)"

@@ -49,6 +49,19 @@ TEST(DecorShadows, WhatStandsAmongTheOthersThrowsOne) {
   EXPECT_EQ(throwing(desc), (std::vector{true, true, true, false, false}));
 }
 
+// Through it light passes, so that it takes nothing of the tenth that the others may have.
+TEST(DecorShadows, GlassThrowsNone) {
+  render::VisualDesc desc;
+  add_square(desc, 1.0F, {0, 0, 0}, true);
+  add_square(desc, 0.1F, {0.52F, 0, 0}, false);
+  add_square(desc, 0.2F, {-0.48F, 0, 0}, false);
+  desc.materials.push_back({"glass", glm::vec3(1.0F), 0.0F, 0.1F, render::SurfaceDetail{}});
+  desc.materials[1].detail->transmission = 1.0F;
+  desc.instances[1].material = 1;
+  let_decor_throw_shadows(desc, from_before());
+  EXPECT_EQ(throwing(desc), (std::vector{true, false, true}));
+}
+
 // Whichever of them comes first, and however many there are, the map is no wider than a tenth more.
 TEST(DecorShadows, TogetherTheyWidenTheMapByATenthAtTheMost) {
   render::VisualDesc desc;

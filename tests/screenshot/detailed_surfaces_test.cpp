@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <glm/ext/matrix_transform.hpp>
 
+#include "engine/render/look.h"
 #include "image_compare.h"
 #include "pane_scene.h"
 #include "surface_balls.h"
@@ -300,6 +301,7 @@ TEST_F(DetailedSurfacesTest, NothingIsBuiltForWhatNoMaterialHas) {
   EXPECT_FALSE(has_places(*whole)) << "it is cut out nowhere";
   for (const BuildItem& item : whole->built) EXPECT_NE(item.name, "shadows with holes");
   desc.materials[0].detail->opacity = 0.25F;
+  EXPECT_FALSE(throws_shadow(desc.instances[0], desc.materials[0]));
   VisualDesc nothing = desc;
   nothing.instances.clear();
   EXPECT_EQ(draw(desc).rgba, draw(nothing).rgba) << "none of it is there";

@@ -72,6 +72,26 @@ TEST_F(SeenThroughTest, WhatIsNearerIsDrawnLast) {
   EXPECT_TRUE(is_red_over_blue());
 }
 
+// A pane that was turned before it was exported, by half a right angle: as seen from near, from within the
+// box along the world's axes that is around it; and from afar, what hangs before it within that box.
+TEST_F(SeenThroughTest, ASlantedPaneHasItsOrderFromAnywhere) {
+  VisualDesc desc = red_and_blue();
+  const glm::vec3 normal = glm::normalize(glm::vec3(0, 1, 1));
+  Mesh slanted = test::pane();
+  for (glm::vec3& p : slanted.positions)
+    p = glm::vec3(glm::rotate(glm::mat4(1.0F), -glm::radians(45.0F), {1, 0, 0}) * glm::vec4(6.0F * p, 1.0F));
+  slanted.normals.assign(4, normal);
+  desc.meshes = {slanted, test::make_box(glm::vec3(0.02F))};
+  const auto shown = [&](const glm::vec3& eye, const glm::vec3& vial) {
+    desc.camera = {eye, vial, 0.15F};
+    desc.instances = {{0, 0, "red"}, {1, 1, "blue", glm::translate(glm::mat4(1.0F), vial)}};
+    const glm::vec3 c = test::mean(draw(desc), 0.45F, 0.45F, 0.55F, 0.55F);
+    return c.r - c.b;
+  };
+  EXPECT_GT(shown(0.2F * normal, -0.1F * normal), 20) << "the vial is behind it";
+  EXPECT_LT(shown({0, 0, 0.5F}, {0, 0, 0.15F}), -20) << "the vial is before it";
+}
+
 // A pane of two sides, whose own order in the mesh is front, back: the near one is seen.
 TEST_F(SeenThroughTest, TheNearSideOfWhatIsBlendedIsDrawnLast) {
   VisualDesc desc = test::pane_scene();
