@@ -63,7 +63,7 @@ void HeadsetRun::run(std::function<void()> ended) {
   listen();
   try {
     while (goes_on()) {
-      if (stage_.window() != nullptr) stage_.window()->poll();
+      hear_mirror();
       take_ticks();
       if (attempt_.faults().gpu_lost()) stage_.gpu().lose();
       if (!show()) std::this_thread::sleep_for(kNoFrames);
@@ -76,6 +76,14 @@ void HeadsetRun::run(std::function<void()> ended) {
   if (stage_.window() != nullptr) stage_.window()->set_events({});
   if (!error_.empty()) app::complain(error_);
   app::report_grant(loop_);
+}
+
+// What shows the mirror may not answer, as a headset's runtime may not.
+void HeadsetRun::hear_mirror() {
+  if (stage_.window() == nullptr) return;
+  if (worn_) loop_.expect_word_within(kLongestFrame);
+  stage_.window()->poll();
+  take_stop("the display of the mirror");
 }
 
 void HeadsetRun::listen() {
@@ -115,6 +123,7 @@ void HeadsetRun::take_ticks() {
     sink.take(event);
     sound_.note(sink.task());
   }
+  was_stopped_ = loop_.newest().stopped;
   sink.flush_if_due();
   if (sink.end() != app::RunSink::End::running) come_to_rest();
 }
@@ -158,16 +167,16 @@ bool HeadsetRun::show() {
   }
 }
 
-// The haptic thread has stopped the force, for the headset's runtime did not answer: as a pause, during which
-// nothing was seen, so that what was squeezed or pressed meanwhile does not go on.
-void HeadsetRun::take_stop() {
+// The haptic thread has stopped the force, for something did not answer: as a pause, during which nothing was
+// seen, so that what was squeezed or pressed meanwhile does not go on.
+void HeadsetRun::take_stop(const char* silent) {
   if (loop_.gives_word() || !began_) return;
   tool_.let_go();
   unseen_ = kBlink;
   held_up_ = true;
-  paused_ = !resting_;
-  if (paused_)
-    app::complain("the headset's runtime did not answer in time: the force is off, and the trial rests.");
+  if (resting_) return;
+  paused_ = paused_ || !was_stopped_;
+  app::complain(std::string(silent) + " did not answer in time: the force is off, and the trial rests.");
 }
 
 void HeadsetRun::look_after_session() {
@@ -199,7 +208,8 @@ void HeadsetRun::look_after_session() {
 
 void HeadsetRun::lose_session() {
   pause("the headset was lost");
-  if (worn_) app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
+  if (!worn_) return;
+  app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
   worn_.reset();
   // Another session may have another space, and says nothing of it.
   if (!colocated_) return;
@@ -217,9 +227,12 @@ bool HeadsetRun::is_seen() const {
 
 void HeadsetRun::pause(const char* why) {
   tool_.let_go();
-  if (!began_ || paused_ || resting_) return;
-  paused_ = loop_.send({Command::Kind::stop});
-  if (paused_) stopped_by_ = why;
+  const bool was_stopped = loop_.newest().stopped;
+  if (!began_ || resting_ || (paused_ && was_stopped)) return;
+  // Sent in any case: who had stopped may just have gone on. A stop that somebody asked for stays theirs.
+  if (!loop_.send({Command::Kind::stop}) || was_stopped) return;
+  paused_ = true;
+  stopped_by_ = why;
 }
 
 // The newest tick; the sink's where there is none yet, and its last one after the end.
@@ -298,9 +311,12 @@ void HeadsetRun::move_hands(const xr::Frame& frame) {
     const std::array<double, kHands> strengths = controllers->strengths();
     for (std::size_t i = 0; i < kHands; ++i) worn_->vibrate(i, strengths[i], controllers->carrier_Hz());
   }
+  take_stop();
+  loop_.expect_word_within(kLongestFrame);
+  const bool is_old = held_up_ && pressed && pressed->kind != Command::Kind::stop;  // asked before that stop
   if (colocated_ && colocated_->is_asked())
     touch(frame, hands);
-  else
+  else if (!is_old)
     ask_for(pressed);
 }
 

@@ -51,11 +51,13 @@ public:
 private:
   bool goes_on() const;
   void listen();              // to the mirror's keys
+  void hear_mirror();         // its events
   void take_ticks();          // that have passed since
   void look_after_session();  // makes one where there is none, takes its events, pauses where it is not seen
   bool is_seen() const;       // the scene, by whoever wears the headset and would be heard
   void pause(const char* why);
-  void take_stop();     // that the haptic thread made while this one was held up
+  // That the haptic thread made while this one was held up by what was silent.
+  void take_stop(const char* silent = "the headset's runtime");
   void lose_session();  // another one is made once the headset is found again
   bool show();          // draws if it is time to; false: there is nothing to draw for
   void draw();
@@ -90,9 +92,10 @@ private:
   int unseen_ = kBlink;         // so many pictures in a row showed nothing; at first, none has shown anything
   bool began_ = false;          // the haptic thread
   bool paused_ = false;         // the stop that there is, is that of a headset that showed nothing
-  std::string stopped_by_;  // what the stop that there is came of; empty: somebody asked for it, or a fault
-  bool held_up_ = false;    // by the headset's runtime, for too long, since ticks were taken last
-  bool resting_ = false;    // the trial has ended, and the force is told to go
+  std::string stopped_by_;    // what the stop that there is came of; empty: somebody asked for it, or a fault
+  bool was_stopped_ = false;  // the force, when ticks were taken last
+  bool held_up_ = false;      // by what did not answer, for too long, since then
+  bool resting_ = false;      // the trial has ended, and the force is told to go
   std::function<void()> ended_;  // null: it has been called
   std::chrono::steady_clock::time_point ended_at_{};
   app::Comparison with_;

@@ -39,7 +39,7 @@ void TouchedPoints::note(const TouchMoment& moment) {
   for (std::size_t i = 0; i < moment.hands.size(); ++i) {
     const bool stops = moment.hands[i].stops;
     takes = takes || (stops && !pressed_[i]);
-    pressed_[i] = stops;
+    pressed_[i] = stops || !moment.hands[i].is_known;  // what went on as it woke has to end first
   }
   begin(moment);
   if (touch_)
@@ -52,7 +52,7 @@ void TouchedPoints::begin(const TouchMoment& moment) {
   for (std::size_t i = 0; i < moment.hands.size(); ++i) {
     const bool squeezes = moment.hands[i].holds;
     const bool began = squeezes && !squeezed_[i];
-    squeezed_[i] = squeezes;
+    squeezed_[i] = squeezes || !moment.hands[i].is_known;
     if (!began || touch_) continue;
     if (points_.size() == kMost)
       said_ = "There are " + std::to_string(kMost) + " points, and no more are taken.";

@@ -164,14 +164,14 @@ vulkan::Result<vulkan::Surface> Window::surface(const vulkan::Instance& instance
 }
 
 void Window::poll() {
-  const render::Extent now = pixels();
-  ask_display([&] {
-    if (now.width == 0 || now.height == 0)
-      glfwWaitEventsTimeout(0.1);
-    else
-      glfwPollEvents();
-  });
+  ask_display([] { glfwPollEvents(); });
   wrap_pointer();
+}
+
+void Window::poll_or_wait() {
+  if (const render::Extent now = pixels(); now.width == 0 || now.height == 0)
+    ask_display([] { glfwWaitEventsTimeout(0.1); });
+  poll();
 }
 
 void Window::copy(const std::string& text) {

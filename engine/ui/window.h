@@ -50,8 +50,10 @@ public:
   // go on counting: a drag may be as long as it likes.
   void hold_pointer(bool held);
 
-  // Delivers what has happened. While the window is minimised it waits up to a tenth of a second for more.
+  // Delivers what has happened.
   void poll();
+  // The same; while the window is minimised it waits up to a tenth of a second for more.
+  void poll_or_wait();
 
   // For other programs to paste.
   void copy(const std::string& text);

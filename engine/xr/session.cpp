@@ -12,6 +12,7 @@ constexpr XrSpaceLocationFlags kKnown =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
 constexpr XrSpaceLocationFlags kTracked =
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+constexpr std::size_t kMostRecentrings = 64;  // announced at once: whoever announces more means the last ones
 constexpr XrViewStateFlags kSeen = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
 
 XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
@@ -71,7 +72,8 @@ void Session::take_events() {
       case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
         const auto& changed = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
         if (changed.session == session_ && changed.referenceSpaceType == type_)
-          recentred_at_ = changed.changeTime;
+          if (recentrings_.size() == kMostRecentrings) recentrings_.pop_back();
+        recentrings_.push_back(changed.changeTime);
         break;
       }
       case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
@@ -120,9 +122,8 @@ bool Session::goes_on(XrResult code, const char* doing) {
 }
 
 bool Session::was_recentred(const Frame& frame) {
-  if (!recentred_at_ || frame.display_time < *recentred_at_) return false;
-  recentred_at_.reset();
-  return true;
+  const auto has_come = [&](XrTime time) { return time <= frame.display_time; };
+  return std::erase_if(recentrings_, has_come) > 0;
 }
 
 void Session::end() {

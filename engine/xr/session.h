@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/vulkan/device.h"
 #include "engine/xr/instance.h"
@@ -85,7 +86,7 @@ private:
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool runs_ = false, lost_ = false, over_ = false, ends_ = false;
   int times_begun_ = 0;
-  std::optional<XrTime> recentred_at_;  // that was not told yet
+  std::vector<XrTime> recentrings_;  // that have been announced, and are not told yet
 };
 
 }  // namespace fulcrum::xr

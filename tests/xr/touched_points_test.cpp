@@ -31,6 +31,7 @@ public:
   void show(bool holds, bool stops, const std::optional<Vec3>& tip_L, const std::optional<Vec3>& p_DH) {
     TouchMoment moment{time_, {}, p_DH};
     moment.hands[1] = {std::nullopt, tip_L, holds, stops};
+    moment.hands[1].is_known = !sleeps;
     points.note(moment);
     time_ += kFrame;
   }
@@ -38,6 +39,7 @@ public:
 
   Pose X_LD{turn_by(0.7, Vec3(0.1, 1, 0.2).normalized()), Vec3(0.3, 0.8, -0.4)};
   TouchedPoints points;
+  bool sleeps = false;  // the controller
 
 private:
   double time_ = 100;
@@ -104,6 +106,22 @@ TEST(TouchedPoints, ASqueezeThatGoesOnFromBeforeIsNone) {
   for (int i = 0; i < 60; ++i) person.show(true, true, Vec3::Zero(), kPlaces[0]);
   EXPECT_EQ(person.points.text().find("The force is off until"), 0U) << person.points.text();
   EXPECT_TRUE(person.says("Point 1 of 3"));
+}
+
+// Put down, or gripped, as it wakes: neither a squeeze nor a button of then is meant.
+TEST(TouchedPoints, WhatIsPressedAsAControllerWakesIsNone) {
+  Toucher person;
+  for (const Vec3& place : kPlaces) person.touch(place);
+  person.sleeps = true;
+  person.show(false, false, std::nullopt, kPlaces[0]);
+  person.sleeps = false;
+  for (int i = 0; i < 60; ++i) person.show(true, true, Vec3(0.5, 0, 0), Vec3(0.2, 0.2, 0.2));
+  EXPECT_FALSE(person.points.is_taken());
+  ASSERT_TRUE(person.points.fit());
+  EXPECT_EQ(person.points.fit()->residuals.size(), 4U) << person.points.text();
+  person.show(false, false, Vec3::Zero(), kPlaces[0]);
+  person.press_menu();
+  EXPECT_TRUE(person.points.is_taken()) << "the next press is meant";
 }
 
 TEST(TouchedPoints, ALargeResidualIsKeptOnlyByWhoAsksForIt) {

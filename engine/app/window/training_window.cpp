@@ -105,7 +105,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   while (!stage_.window().closing() && !leave_ && !interrupted() && error_.empty()) {
     // What the hand does from here on can be in the next picture, as soon as the screen has a place for one.
     if (const auto error = stage_.wait()) error_ = error->sentence;
-    stage_.window().poll();
+    stage_.window().poll_or_wait();
     take_pads();
     TickEvent event;
     while (loop.next(event)) {

@@ -72,7 +72,7 @@ Result<bool> WindowStage::show(const ui::Busy& busy) {
 }
 
 Result<bool> WindowStage::show(const ui::OverlayState& state, render::FrameState frame) {
-  window_->poll();
+  window_->poll_or_wait();
   const render::Extent size = window_->pixels();
   if (size.width > 0 && size.height > 0) {
     if (auto error = overlay_->prepare(state, size)) return *error;
