@@ -71,8 +71,8 @@ void Session::take_events() {
       }
       case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
         const auto& changed = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
-        if (changed.session == session_ && changed.referenceSpaceType == type_)
-          if (recentrings_.size() == kMostRecentrings) recentrings_.pop_back();
+        if (changed.session != session_ || changed.referenceSpaceType != type_) break;
+        if (recentrings_.size() == kMostRecentrings) recentrings_.pop_back();
         recentrings_.push_back(changed.changeTime);
         break;
       }
