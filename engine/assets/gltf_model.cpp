@@ -251,10 +251,10 @@ private:
       if (mode < TINYGLTF_MODE_TRIANGLES) continue;  // points and lines are no surface
       if (mode != TINYGLTF_MODE_TRIANGLES)
         throw GltfFault("a mesh is made of triangle strips or fans; export it as plain triangles");
+      ModelPart part = part_from(file_, primitive);
       vertices_ += vertex_count(primitive);
       if (vertices_ > kMaxVertices)
         throw GltfFault("its nodes show more than 150 million vertices; simplify it before export");
-      ModelPart part = part_from(file_, primitive);
       part.name = node.name.empty() ? mesh.name : node.name;
       part.marked_role = property(node, "fulcrum_role");
       part.marked_material = property(node, "fulcrum_material");
@@ -269,12 +269,9 @@ private:
     }
   }
 
-  // That will be read for it, used or not.
+  // That were read for it, used or not.
   std::size_t vertex_count(const tinygltf::Primitive& primitive) const {
-    const auto found = primitive.attributes.find("POSITION");
-    const bool is_there = found != primitive.attributes.end() && found->second >= 0 &&
-                          static_cast<std::size_t>(found->second) < file_.accessors.size();
-    return is_there ? file_.accessors[static_cast<std::size_t>(found->second)].count : 0;
+    return file_.accessors[static_cast<std::size_t>(primitive.attributes.at("POSITION"))].count;
   }
 
   const tinygltf::Model& file_;
