@@ -14,7 +14,8 @@ namespace fulcrum::render {
 std::optional<std::uint32_t> look_of(const Material& material);
 
 bool is_blended(std::uint32_t look);
-bool throws_shadow(const Instance& instance, const Material& material);  // what is blended does not
+bool throws_shadow(const Instance& instance,
+                   const Material& material);  // not what is blended or cut out whole
 bool lets_light_through(std::uint32_t look);
 bool is_all_cut_out(std::uint32_t look);  // nothing of it is there
 bool is_masked(std::uint32_t look);       // and not blended: it is there, or it is not

@@ -25,7 +25,8 @@ TEST_F(PunctualLightTest, APointFallsOffWithTheSquareOfItsDistance) {
   }
 }
 
-// As the lamp of a scope is, in an ear. Of the floor a millimetre is looked at, over which its light is even.
+// As the lamp of a scope is, in an ear. Half a millimetre of the floor is looked at, over which its light is
+// even.
 TEST_F(PunctualLightTest, ALampMayBeNearerThanACentimetre) {
   for (const double height : {0.002, 0.004, 0.008}) {
     const double intensity = 900 * height * height;
