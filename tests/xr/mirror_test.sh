@@ -25,7 +25,7 @@ xdotool key --window "$window" Escape
 until_seen stopped || fail "Esc stops nothing: $(stops)"
 xdotool key --window "$window" Return
 until_seen goes_on || fail "Enter does not go on: $(stops)"
-# Minimised, it holds no picture of the headset back: there are half as many a tick as before at least.
+# Minimised, it holds no picture of the headset back: there are as many a tick as before.
 frames() { grep -c '^xrAcquireSwapchainImage' "$work/log"; }
 ticks() { wc -l <"$work/W/trace.csv"; }
 pace() { # frames in a million ticks, from 4000 of them; where none come, nothing
@@ -38,8 +38,11 @@ shown=$(pace)
 xdotool windowminimize "$window"
 iconic() { xprop -id "$window" WM_STATE 2>/dev/null | grep -q Iconic; }
 until_seen iconic || fail "the mirror cannot be minimised"
-hidden=$(pace)
-[ -n "$hidden" ] && [ -n "$shown" ] && [ $((2 * hidden)) -ge "$shown" ] || fail "a minimised mirror takes pictures from the headset: $hidden of $shown"
+keeps_pace() { # as good as before; what else the machine does may disturb one measure, and not three
+  hidden=$(pace)
+  [ -n "$hidden" ] && [ -n "$shown" ] && [ $((4 * hidden)) -ge $((3 * shown)) ]
+}
+keeps_pace || keeps_pace || keeps_pace || fail "a minimised mirror takes pictures from the headset: $hidden of $shown"
 xdotool windowmap "$window" windowactivate "$window"
 xdotool windowsize "$window" 400 300
 until_seen orange || fail "the mirror shows nothing once it is resized"
