@@ -36,7 +36,7 @@ void read_vertices(PipelineDesc& desc, bool shaded) {
   desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)}};
   if (shaded) {
     desc.attributes.push_back({1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)});
-    desc.attributes.push_back({2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(Vertex, colour)});
+    desc.attributes.push_back({2, 0, VK_FORMAT_R16G16B16A16_UNORM, offsetof(Vertex, colour)});
   }
 }
 

@@ -25,10 +25,10 @@ void write_pose(gpu::InstanceData& to, const glm::mat4& X_WM) {
   to.normal_z = glm::vec4(normals[2], 0.0F);
 }
 
-std::array<std::uint8_t, 4> to_bytes(const glm::vec3& colour) {
-  const glm::vec3 scaled = 255.0F * glm::clamp(colour, 0.0F, 1.0F) + 0.5F;
-  return {static_cast<std::uint8_t>(scaled.r), static_cast<std::uint8_t>(scaled.g),
-          static_cast<std::uint8_t>(scaled.b), 255};
+std::array<std::uint16_t, 4> to_vertex(const glm::vec3& colour) {
+  const glm::vec3 scaled = static_cast<float>(Vertex::kOne) * glm::clamp(colour, 0.0F, 1.0F) + 0.5F;
+  return {static_cast<std::uint16_t>(scaled.r), static_cast<std::uint16_t>(scaled.g),
+          static_cast<std::uint16_t>(scaled.b), Vertex::kOne};
 }
 
 gpu::InstanceData to_gpu(const Instance& instance, const Material& material) {
@@ -82,7 +82,7 @@ void SceneGeometry::upload_meshes(vulkan::Device& device, const VisualDesc& desc
       places_[m] = place_of(mesh, indices.size(), vertices.size());
       for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         Vertex vertex{.position = mesh.positions[i], .normal = mesh.normals[i]};
-        if (!mesh.colours.empty()) vertex.colour = to_bytes(mesh.colours[i]);
+        if (!mesh.colours.empty()) vertex.colour = to_vertex(mesh.colours[i]);
         vertices.push_back(vertex);
       }
       if (placed && !mesh.uv.empty()) uv.insert(uv.end(), mesh.uv.begin(), mesh.uv.end());
