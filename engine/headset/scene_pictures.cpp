@@ -51,11 +51,10 @@ Result<bool> ScenePictures::show(Worn& worn, const xr::Frame& frame, const std::
 }
 
 std::optional<Error> ScenePictures::keep_pace(const xr::Frame& frame) {
-  if (auto error = stage_.mirror()) return error;
   if (!quality_ && !settings_.picture && frame.period > 0)
     quality_.emplace(kPartOfFrame * 1e-9 * static_cast<double>(frame.period));
   if (!quality_ || !quality_->add(stage_.renderer().last_frame_s())) return std::nullopt;
-  return stage_.renderer().set_quality(quality_->quality());
+  return render::take_quality(stage_.renderer(), *quality_);
 }
 
 Result<std::filesystem::path> ScenePictures::save(const std::filesystem::path& file) {

@@ -65,8 +65,8 @@ bool AutoQuality::add(double frame_s) {
   if (!has_seen_enough()) return false;
   const double median = take_median();
   if (!keeps_step(median)) return true;
-  if (since_s_ > pause_s_ && (best_allowed_ > 0 || worst_allowed_ < kLowest)) {
-    best_allowed_ = 0;
+  if (since_s_ > pause_s_ && (best_allowed_ > best_possible_ || worst_allowed_ < kLowest)) {
+    best_allowed_ = best_possible_;
     worst_allowed_ = kLowest;
     since_s_ = 0.0;
     pause_s_ = std::min(2.0 * pause_s_, kLongestPause);
@@ -82,6 +82,15 @@ bool AutoQuality::add(double frame_s) {
     return true;
   }
   return false;
+}
+
+bool AutoQuality::refuse() {
+  if (level_ == kLowest) return false;
+  best_possible_ = level_ + 1;
+  best_allowed_ = std::max(best_allowed_, best_possible_);
+  worst_allowed_ = std::max(worst_allowed_, best_possible_);
+  go_to(best_possible_, Step::none, before_s_);
+  return true;
 }
 
 void AutoQuality::go_to(std::size_t level, Step step, double median) {

@@ -41,6 +41,9 @@ public:
 
   // Tells it the time one frame took (s, without waiting for the screen); true when quality() has changed.
   bool add(double frame_s);
+  // quality() cannot be had, such as where graphics memory is short: it is the next cheaper now, and no
+  // better one is chosen any more. False: there is none cheaper.
+  bool refuse();
 
   const Quality& quality() const { return kQualityLevels[level_]; }
 
@@ -58,6 +61,7 @@ private:
 
   double budget_s_;
   std::size_t level_ = kLowest;
+  std::size_t best_possible_ = 0;        // better ones were refused
   std::size_t best_allowed_ = 0;         // better ones proved too slow
   std::size_t worst_allowed_ = kLowest;  // cheaper ones gained little
   double learnt_s_ = 0.0;                // what a frame took when that was found

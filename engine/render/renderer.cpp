@@ -411,4 +411,11 @@ Result<Picture> Renderer::read_back() {
   return picture;
 }
 
+std::optional<Error> take_quality(Renderer& renderer, AutoQuality& choice) {
+  for (;;) {
+    std::optional<Error> error = renderer.set_quality(choice.quality());
+    if (!error || !choice.refuse()) return error;
+  }
+}
+
 }  // namespace fulcrum::render

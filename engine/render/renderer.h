@@ -145,4 +145,8 @@ private:
   double last_frame_s_ = 0.0;
 };
 
+// Draws as choice has chosen from now on, or, where graphics memory is too short for that, at the best level
+// below. An error: at none.
+std::optional<Error> take_quality(Renderer& renderer, AutoQuality& choice);
+
 }  // namespace fulcrum::render

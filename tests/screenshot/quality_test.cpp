@@ -110,6 +110,21 @@ TEST(AutoQuality, WhatWasLearntOfOneViewIsForgottenInAnother) {
   EXPECT_LT(waited_s, 8);
 }
 
+// Whatever time passes, and however fast the machine is.
+TEST(AutoQuality, WhatIsRefusedIsChosenNoMore) {
+  AutoQuality choice(1.0 / 30.0);
+  const auto fast = [](const Quality&) { return 0.01; };
+  settled(choice, fast);
+  ASSERT_TRUE(choice.refuse());
+  EXPECT_EQ(choice.quality(), kQualityLevels[1]);
+  for (int i = 0; i < 60; ++i) EXPECT_EQ(settled(choice, fast), kQualityLevels[1]);
+  const auto slow = [](const Quality& q) { return pixels_cost(q, 0.120); };
+  EXPECT_LE(slow(settled(choice, slow)), 1.0 / 30.0);
+  while (choice.quality() != kQualityLevels.back()) ASSERT_TRUE(choice.refuse());
+  EXPECT_FALSE(choice.refuse());
+  EXPECT_EQ(settled(choice, fast), kQualityLevels.back());
+}
+
 TEST(AutoQuality, AHopelessMachineStaysAtTheLowest) {
   AutoQuality choice(1.0 / 30.0);
   int changes = 0;

@@ -3,10 +3,13 @@
 #include "engine/render/renderer.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fstream>
 #include <glm/ext/matrix_transform.hpp>
 #include <utility>
 
@@ -278,6 +281,63 @@ TEST_F(RendererTest, ResizesAndChangesQualityInPlace) {
   draw(*renderer, desc);
   EXPECT_TRUE(renderer->set_quality({3, 256, 1.0F}));
   EXPECT_EQ(renderer->quality().samples, 4);
+}
+
+// Sanitizers take all the room for addresses that there is.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kRoomCanBeLimited = false;
+#else
+constexpr bool kRoomCanBeLimited = true;
+#endif
+
+// While it lives, this process gets no more than so much memory (bytes) beside what it has.
+class LimitedRoom {
+public:
+  explicit LimitedRoom(std::size_t more) {
+    getrlimit(RLIMIT_AS, &before_);
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlimit now{pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more, before_.rlim_max};
+    setrlimit(RLIMIT_AS, &now);
+  }
+  ~LimitedRoom() { setrlimit(RLIMIT_AS, &before_); }
+  LimitedRoom(const LimitedRoom&) = delete;
+  LimitedRoom& operator=(const LimitedRoom&) = delete;
+
+private:
+  rlimit before_{};
+};
+
+// A driver without a graphics card draws in this process's memory. Two levels need more of it than there is.
+TEST_F(RendererTest, WhereMemoryIsShortForALevelTheNextIsDrawn) {
+  if (!kRoomCanBeLimited) GTEST_SKIP();
+  const VisualDesc desc = test::make_scene();
+  RenderOptions large;
+  large.extent = {8192, 4096};
+  large.quality = kQualityLevels.back();
+  const std::unique_ptr<Renderer> renderer = make(desc, large);
+  AutoQuality choice;
+  while (choice.quality() != kQualityLevels.front()) choice.add(0.001);
+  {
+    const LimitedRoom room(400'000'000);
+    ASSERT_TRUE(renderer->set_quality(kQualityLevels.front()));
+    ASSERT_FALSE(take_quality(*renderer, choice));
+  }
+  EXPECT_EQ(renderer->quality(), choice.quality());
+  EXPECT_NE(choice.quality(), kQualityLevels.front());
+  EXPECT_NE(choice.quality(), kQualityLevels.back());
+  EXPECT_EQ(draw(*renderer, desc).width, 8192U);
+}
+
+// Two colours that 255 linear parts do not tell apart, and a screen shows four apart.
+TEST_F(RendererTest, DarkColoursOfVerticesAreToldApart) {
+  VisualDesc desc = test::make_scene();
+  desc.materials[0] = {"floor", glm::vec3(1.0F), 0.0F, 1.0F};
+  const auto floor = [&](float linear) {
+    desc.meshes[0].colours.assign(desc.meshes[0].positions.size(), glm::vec3(linear));
+    return test::mean(draw(*make(desc, small_), desc), 0.05F, 0.80F, 0.20F, 0.95F).g;
+  };
+  EXPECT_GT(floor(0.0050F), floor(0.0035F) + 0.5F);
 }
 
 // How much each pixel differs from the mean of its neighbours left and right, or above and below (stride:
