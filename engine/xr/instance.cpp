@@ -16,6 +16,16 @@ bool offers(const std::vector<XrExtensionProperties>& extensions, std::string_vi
       extensions, [name](const XrExtensionProperties& extension) { return name == extension.extensionName; });
 }
 
+// As much smaller in both directions as it has to be to lie within a picture of that size beside its like;
+// largest: 0: any.
+VkExtent2D within(VkExtent2D eye, VkExtent2D largest) {
+  double part = 1;
+  if (largest.width > 0) part = std::min(part, 0.5 * largest.width / eye.width);
+  if (largest.height > 0) part = std::min(part, static_cast<double>(largest.height) / eye.height);
+  return {std::max(static_cast<std::uint32_t>(part * eye.width), 1U),
+          std::max(static_cast<std::uint32_t>(part * eye.height), 1U)};
+}
+
 // Of the active runtime; empty, too, where there is none.
 std::vector<XrExtensionProperties> runtime_extensions() {
   std::uint32_t count = 0;
@@ -82,8 +92,11 @@ Result<std::unique_ptr<Instance>> Instance::create(bool hands) {
   auto tracking = structure<XrSystemHandTrackingPropertiesEXT>(XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
   auto headset = structure<XrSystemProperties>(XR_TYPE_SYSTEM_PROPERTIES);
   if (hands) headset.next = &tracking;
-  if (XR_SUCCEEDED(xrGetSystemProperties(made->instance_, made->system_, &headset)))
+  if (XR_SUCCEEDED(xrGetSystemProperties(made->instance_, made->system_, &headset))) {
     made->headset_ = headset.systemName;
+    made->largest_ = {headset.graphicsProperties.maxSwapchainImageWidth,
+                      headset.graphicsProperties.maxSwapchainImageHeight};
+  }
   if (hands && tracking.supportsHandTracking != XR_TRUE)
     return Error{"The headset, " + made->headset_ +
                  ", tracks no hands, or is told not to: switch that on in its settings, " + kTakeControllers};
@@ -122,7 +135,19 @@ VkExtent2D Instance::recommended_eye() const {
         "The headset's runtime wants pictures of " + std::to_string(eye.width) + " x " +
         std::to_string(eye.height) +
         " pixels, which nothing can be drawn in: set its resolution, or make another runtime active.");
-  return eye;
+  return within(eye, largest_);
+}
+
+XrEnvironmentBlendMode Instance::blend_mode() const {
+  constexpr XrViewConfigurationType kViews = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+  constexpr const char* kDoing = "say how its pictures go with the room";
+  std::uint32_t count = 0;
+  check(xrEnumerateEnvironmentBlendModes(instance_, system_, kViews, 0, &count, nullptr), kDoing);
+  std::vector<XrEnvironmentBlendMode> modes(count);
+  check(xrEnumerateEnvironmentBlendModes(instance_, system_, kViews, count, &count, modes.data()), kDoing);
+  const bool opaque =
+      modes.empty() || std::ranges::find(modes, XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != modes.end();
+  return opaque ? XR_ENVIRONMENT_BLEND_MODE_OPAQUE : modes.front();
 }
 
 XrPath Instance::path(const char* name) const {

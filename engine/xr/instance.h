@@ -28,9 +28,13 @@ public:
   // where the runtime itself is gone.
   bool find_headset();
 
-  // Pixels of one eye's picture, as large as the runtime would have it now. Throws Failure, such as where
-  // that is no size.
+  // Pixels of one eye's picture, as large as the runtime would have it now; smaller where two of them would
+  // be wider than its pictures can be. Throws Failure, such as where that is no size.
   VkExtent2D recommended_eye() const;
+
+  // How a picture goes with the room around: in its stead where the headset can, else as the runtime prefers.
+  // Throws Failure.
+  XrEnvironmentBlendMode blend_mode() const;
 
   // Of an extension that was asked for. Throws Failure.
   template <class Function>
@@ -52,6 +56,7 @@ private:
   XrInstance instance_ = XR_NULL_HANDLE;
   XrSystemId system_ = XR_NULL_SYSTEM_ID;
   std::string runtime_, headset_;
+  VkExtent2D largest_{};  // pixels of a picture; 0: the runtime does not say
 };
 
 }  // namespace fulcrum::xr

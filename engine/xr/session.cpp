@@ -32,7 +32,8 @@ XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
 
 Session::Session(Instance& instance, vulkan::Device& gpu, Space space)
     : instance_(instance),
-      type_(space == Space::stage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL) {
+      type_(space == Space::stage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL),
+      blend_mode_(instance.blend_mode()) {
   if (instance.card(gpu.instance()) != gpu.physical())
     throw Failure("The headset is plugged into another graphics card now: start this again.");
   auto binding = structure<XrGraphicsBindingVulkan2KHR>(XR_TYPE_GRAPHICS_BINDING_VULKAN2_KHR);
@@ -142,7 +143,7 @@ std::optional<Frame> Session::begin_frame() {
 void Session::end_frame(const Frame& frame, std::span<const XrCompositionLayerBaseHeader* const> layers) {
   auto info = structure<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);
   info.displayTime = frame.display_time;
-  info.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  info.environmentBlendMode = blend_mode_;
   info.layerCount = static_cast<std::uint32_t>(layers.size());
   info.layers = layers.data();
   goes_on(xrEndFrame(session_, &info), "show a picture");

@@ -83,6 +83,7 @@ private:
   XrSession session_ = XR_NULL_HANDLE;
   XrReferenceSpaceType type_;  // of L
   XrSpace space_ = XR_NULL_HANDLE;
+  XrEnvironmentBlendMode blend_mode_;
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool runs_ = false, lost_ = false, over_ = false, ends_ = false;
   int times_begun_ = 0;

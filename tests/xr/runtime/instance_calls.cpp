@@ -85,7 +85,8 @@ XrResult XRAPI_CALL get_system(XrInstance, const XrSystemGetInfo* info, XrSystem
 XrResult XRAPI_CALL system_properties(XrInstance, XrSystemId, XrSystemProperties* properties) {
   properties->systemId = kSystem;
   std::strcpy(properties->systemName, "a headset of paper");
-  properties->graphicsProperties = {4096, 4096, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
+  properties->graphicsProperties = {headset->script.largest_height, headset->script.largest_width,
+                                    XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
   for (auto* more = static_cast<XrBaseOutStructure*>(properties->next); more != nullptr; more = more->next)
     if (more->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT)
@@ -97,7 +98,7 @@ XrResult XRAPI_CALL system_properties(XrInstance, XrSystemId, XrSystemProperties
 XrResult XRAPI_CALL enumerate_blend_modes(XrInstance, XrSystemId, XrViewConfigurationType,
                                           std::uint32_t capacity, std::uint32_t* count,
                                           XrEnvironmentBlendMode* modes) {
-  constexpr std::array all{XR_ENVIRONMENT_BLEND_MODE_OPAQUE};
+  const std::array all{headset->script.blend};
   return give(std::span<const XrEnvironmentBlendMode>(all), capacity, count, modes);
 }
 

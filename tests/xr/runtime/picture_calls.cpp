@@ -24,6 +24,8 @@ XrResult XRAPI_CALL create_swapchain(XrSession, const XrSwapchainCreateInfo* inf
   log("xrCreateSwapchain " + std::to_string(info->width) + "x" + std::to_string(info->height));
   if (headset->session->breaks) lose();
   if (headset->session->lost) return XR_ERROR_SESSION_LOST;
+  if (info->width > headset->script.largest_width || info->height > headset->script.largest_height)
+    return XR_ERROR_VALIDATION_FAILURE;
   auto swapchain = std::make_unique<Swapchain>();
   swapchain->width = info->width;
   swapchain->height = info->height;

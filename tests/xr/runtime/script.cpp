@@ -15,6 +15,13 @@ namespace {
   std::_Exit(70);
 }
 
+bool read_blend(std::istringstream& rest, XrEnvironmentBlendMode& blend) {
+  std::string what;
+  rest >> what;
+  if (what == "additive") blend = XR_ENVIRONMENT_BLEND_MODE_ADDITIVE;
+  return what == "additive" || what == "opaque";
+}
+
 bool read_setting(const std::string& name, std::istringstream& rest, Script& script) {
   if (name == "size") return static_cast<bool>(rest >> script.width >> script.height);
   if (name == "eyes") return static_cast<bool>(rest >> script.eyes_apart);
@@ -22,6 +29,8 @@ bool read_setting(const std::string& name, std::istringstream& rest, Script& scr
   if (name == "pace") return static_cast<bool>(rest >> script.pace_ms);
   if (name == "tracking") return static_cast<bool>(rest >> script.tracking);
   if (name == "look") return static_cast<bool>(rest >> script.look) && script.look > 0;
+  if (name == "largest") return static_cast<bool>(rest >> script.largest_width >> script.largest_height);
+  if (name == "blend") return read_blend(rest, script.blend);
   if (name != "fov") return false;
   for (float& angle : script.fov) rest >> angle;
   return static_cast<bool>(rest);

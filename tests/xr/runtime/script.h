@@ -9,6 +9,8 @@
 //   pace MS              the least time from one frame to the next
 //   tracking WHAT        of hands without controllers: yes (the default); none, for a runtime without the
 //                        extension; off, for a headset that is told not to
+//   largest W H          pixels that a picture may have (4096 4096 at first)
+//   blend WHAT           how pictures go with the room: opaque (the default), or additive
 //   look N               pictures are read back, and judged, in every Nth frame alone (default 1)
 //
 // The rest happens at a frame, counted from 1 by calls of xrWaitFrame:
@@ -62,6 +64,8 @@ struct Script {
   std::uint64_t focus = 3;
   int pace_ms = 0;
   std::uint64_t look = 1;
+  std::uint32_t largest_width = 4096, largest_height = 4096;
+  XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   std::string tracking = "yes";
   std::vector<Event> events;  // frames ascending
 };

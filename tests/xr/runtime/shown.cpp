@@ -114,8 +114,7 @@ void judge(const XrCompositionLayerQuad& layer) {
 
 XrResult judge_frame(const XrFrameEndInfo& info) {
   if (info.displayTime != headset->time) wrong("a frame is shown at another time than it was drawn for");
-  if (info.environmentBlendMode != XR_ENVIRONMENT_BLEND_MODE_OPAQUE)
-    return XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED;
+  if (info.environmentBlendMode != headset->script.blend) return XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED;
   for (std::uint32_t i = 0; i < info.layerCount; ++i)
     if (info.layers[i]->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION)
       judge(*reinterpret_cast<const XrCompositionLayerProjection*>(info.layers[i]));
