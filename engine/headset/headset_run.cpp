@@ -21,6 +21,7 @@ constexpr XrDuration kBetweenWords = 100'000'000;  // ns, between two writings o
 // s, after which the force goes: in a call that OpenXR sets no limit to; and of a whole picture, which a slow
 // machine may take long for, but less than ticks can wait for this thread.
 constexpr double kLongestWait = 1, kLongestFrame = 5;
+constexpr const char* kMirror = "the display of the mirror";
 
 // The force is stopped, and has gone.
 bool is_off(const TickRecord& record) {
@@ -83,7 +84,13 @@ void HeadsetRun::hear_mirror() {
   if (stage_.window() == nullptr) return;
   if (worn_) loop_.expect_word_within(kLongestFrame);
   stage_.window()->poll();
-  take_stop("the display of the mirror");
+  take_stop(kMirror);
+}
+
+void HeadsetRun::show_in_mirror() {
+  loop_.expect_word_within(kLongestFrame);
+  if (const auto error = stage_.mirror()) error_ = error->sentence;
+  take_stop(kMirror);
 }
 
 void HeadsetRun::listen() {
@@ -129,7 +136,8 @@ void HeadsetRun::take_ticks() {
 }
 
 // The force goes as after a stop. What came of the trial is shown until whoever sees it puts it away, or sees
-// nothing any more; then the session is ended in its own order.
+// nothing any more; without a panel, the last moment is shown once. Then the session is ended in its own
+// order.
 void HeadsetRun::come_to_rest() {
   sound_.rest();
   if (!resting_) resting_ = loop_.send({Command::Kind::stop});
@@ -142,7 +150,7 @@ void HeadsetRun::come_to_rest() {
   // While all was written no picture was shown, and a runtime may have taken the scene away for that: it has
   // time to show the card.
   const bool has_time = !card_said_ && std::chrono::steady_clock::now() < ended_at_ + kUntilCard;
-  leaves_ = leaves_ || !card_ || (!is_seen() && !has_time);
+  leaves_ = leaves_ || (card_ ? !is_seen() && !has_time : !is_seen() || end_shown_);
   if (!leaves_) return;
   loop_.stop();
   if (worn_ && worn_->session().runs())
@@ -157,8 +165,9 @@ bool HeadsetRun::show() {
     look_after_session();
     take_stop();
     if (!worn_ || !worn_->session().runs()) return false;
-    draw();
+    const bool drawn = draw();
     take_stop();
+    if (drawn) show_in_mirror();
     return true;
   } catch (const xr::Lost&) {
     take_stop();
@@ -243,32 +252,34 @@ const TickRecord& HeadsetRun::shown_record() {
   return running && newest.tick > sink.last().tick ? newest : sink.last();
 }
 
-void HeadsetRun::draw() {
+bool HeadsetRun::draw() {
   loop_.expect_word_within(kLongestWait);
   const std::optional<xr::Frame> frame = worn_->begin_frame();
   take_stop();
-  if (!frame) return;
+  if (!frame) return false;
   loop_.expect_word_within(kLongestFrame);
   move_hands(*frame);
   place();
   const std::optional<std::array<xr::EyeView, 2>> eyes = worn_->eyes(*frame);
   if (!eyes || worn_->session().is_lost()) {
     show_nothing(*frame);
-    return;
+    return false;
   }
   sound_.hear_from(pictures_.look_from(*eyes, placement_));
   const TickRecord& record = shown_record();
   if (const auto error = say(record, *frame)) {
     error_ = error->sentence;
-    return;
+    return false;
   }
   const Result<bool> shown = pictures_.show(*worn_, *frame, *eyes, panel_place_, record, loop_);
   if (!shown)
     error_ = shown.error().sentence;
-  else if (*shown)
-    unseen_ = 0;
-  else
+  else if (!*shown)
     show_nothing(*frame);
+  if (!shown || !*shown) return false;
+  unseen_ = 0;
+  end_shown_ = resting_;
+  return true;
 }
 
 void HeadsetRun::show_nothing(const xr::Frame& frame) {

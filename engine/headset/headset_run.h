@@ -60,7 +60,8 @@ private:
   void take_stop(const char* silent = "the headset's runtime");
   void lose_session();  // another one is made once the headset is found again
   bool show();          // draws if it is time to; false: there is nothing to draw for
-  void draw();
+  bool draw();          // true: the headset shows a new picture
+  void show_in_mirror();
   void show_nothing(const xr::Frame& frame);
   void place();  // the scene, where the device is seen where it is felt
   void follow_space(const xr::Frame& frame);
@@ -101,6 +102,7 @@ private:
   app::Comparison with_;
   std::optional<ui::Debrief> card_;  // what came of the trial, once it has ended, where a panel says it
   bool card_said_ = false;           // it is on the panel
+  bool end_shown_ = false;           // the headset has shown the trial's last moment
   bool leaves_ = false;              // whoever saw it, or nobody sees anything
   bool closing_ = false;             // the headset's runtime has ended the session
   std::string error_;                // why drawing stopped

@@ -46,6 +46,15 @@ keeps_pace || keeps_pace || keeps_pace || fail "a minimised mirror takes picture
 xdotool windowmap "$window" windowactivate "$window"
 xdotool windowsize "$window" 400 300
 until_seen orange || fail "the mirror shows nothing once it is resized"
+# A display that does not answer for 7 s, where 5 s are what it may, stops the force; whom nobody holds goes on by itself.
+jams() { grep -c 'the display of the mirror did not answer in time: the force is off' "$work/said"; }
+jammed() { [ "$(jams)" = 1 ]; }
+kill -STOP $xvfb
+sleep 7
+kill -CONT $xvfb
+until_seen jammed || fail "the force stays on while the mirror's display does not answer: $(cat "$work/said")"
+stops() { column "$work/W" fault | awk '{ now = int($1 / 64) % 2; n += now && !was; was = now } END { print n + 0, was + 0 }'; } # unanswered
+until_seen goes_on || fail "the force is not back, or went more than once: $(stops)"
 grep -q '^WRONG' "$work/log" && fail "the runtime was called wrongly: $(grep -m 3 '^WRONG' "$work/log")"
 xdotool key --clearmodifiers alt+F4
 wait_for_end
