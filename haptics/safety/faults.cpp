@@ -14,7 +14,7 @@ std::span<const FaultName> fault_names() {
       {kToolInside, "tool_inside",
        "The tool is deeper inside the scene than the contact model can push it out of."},
       {kUnanswered, "unanswered",
-       "The program waited too long for another one, such as a headset's runtime."},
+       "The program waited too long for another one, such as a headset's runtime or the display."},
       {kForceClamped, "force_clamped", "The force was limited to what the device may give."},
       {kTorqueClamped, "torque_clamped", "The torque was limited to what the device may give."},
       {kSlewLimited, "slew_limited", "The force changed no faster than the limit."},

@@ -112,11 +112,11 @@ void TrainingWindow::on_key(int key, int action) {
   if (editor_ != nullptr && edit_key(key)) return;
   switch (key) {
     case GLFW_KEY_ESCAPE:
-      loop_->send({Command::Kind::stop});
+      send(Command{Command::Kind::stop});
       break;
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
-      loop_->send({Command::Kind::acknowledge});
+      send(Command{Command::Kind::acknowledge});
       break;
     case GLFW_KEY_R:
       leave_ = Leave::restart;
@@ -173,7 +173,11 @@ void TrainingWindow::go_to_view(std::size_t view) {
 }
 
 void TrainingWindow::send(const std::optional<Command>& command) {
-  if (command) loop_->send(*command);
+  if (!command) return;
+  // What was pressed while the display did not answer was pressed before anybody could see that the force is
+  // off.
+  if (command->kind == Command::Kind::acknowledge && is_held_up()) return;
+  loop_->send(*command);
 }
 
 void TrainingWindow::send(const std::vector<Command>& commands) {

@@ -29,10 +29,10 @@ void TrainingWindow::take_pads() {
 void TrainingWindow::act(PadAction action) {
   switch (action) {
     case PadAction::stop:
-      loop_->send({Command::Kind::stop});
+      send(Command{Command::Kind::stop});
       break;
     case PadAction::go_on:
-      loop_->send({Command::Kind::acknowledge});
+      send(Command{Command::Kind::acknowledge});
       break;
     case PadAction::restart:
       leave_ = Leave::restart;

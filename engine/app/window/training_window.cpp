@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "drivers/registry.h"
 #include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/picture/target_view.h"
@@ -16,8 +17,11 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::size_t kCostWindow = 1000;               // ticks that the shown percentiles are of
-constexpr double kAboutShown = 20;                      // s of the trial, at the most
+constexpr std::size_t kCostWindow = 1000;  // ticks that the shown percentiles are of
+constexpr double kAboutShown = 20;         // s of the trial, at the most
+// s, of a picture and the window's events, after which the force goes: a slow machine may take long, but less
+// than ticks can wait for this thread.
+constexpr double kLongestTurn = 5;
 constexpr glm::vec3 kExpertColour{1.0F, 0.52F, 0.04F};  // linear, of lines: no scene's ghost has it
 constexpr render::Extent kSecondView{1600, 1000};       // px, that marks in it are placed in
 
@@ -52,6 +56,7 @@ Result<std::unique_ptr<TrainingWindow>> TrainingWindow::create(WindowStage& stag
       new TrainingWindow(stage, prepared, visual, options, expert, has_start_page));
   self->circle_ = options.circle;
   self->words_ = device_words(options.device);
+  self->is_held_ = !is_simulated(options.device);
   const auto named = std::ranges::find(visual.views, options.view, &scenario::View::name);
   if (named != visual.views.end()) self->view_ = static_cast<std::size_t>(named - visual.views.begin());
   if (auto error = stage.set_scene(visual.desc, stage.settings().first_quality())) return *error;
@@ -79,7 +84,7 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   trouble_ = TickTrouble(scene_->tick_s);
   frame_rate_ = {};
   late_tool_ = {};
-  resting_ = ended_ = releases_ = edits_ = false;
+  held_up_ = resting_ = ended_ = releases_ = edits_ = false;
   if (editor_ != nullptr) editor_->let_go();
   touches_.clear();
   touch_finder_.reset();  // it was of the world before
@@ -103,6 +108,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
   draw(sink, loop);  // the first frame takes long, and its picture is where all begins: before the clock runs
   loop.start();
   while (!stage_.window().closing() && !leave_ && !interrupted() && error_.empty()) {
+    is_held_up();  // the last picture's
     // What the hand does from here on can be in the next picture, as soon as the screen has a place for one.
     if (const auto error = stage_.wait()) error_ = error->sentence;
     stage_.window().poll_or_wait();
@@ -116,6 +122,7 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
       sound_.note(sink.task());
       review_.add(event.record, sink.time());
     }
+    take_stop(sink);
     if (!ended_) sink.flush_if_due();
     if (faults.gpu_lost()) stage_.gpu().lose();
     bool rests = false;
@@ -151,6 +158,20 @@ TrainingWindow::Leave TrainingWindow::run(World& world, OpenDevice& device, RunS
     complain(error_);
   report_grant(loop);
   return leave_.value_or(Leave::closed);
+}
+
+bool TrainingWindow::is_held_up() {
+  if (!is_held_) return false;
+  held_up_ = !loop_->gives_word() || held_up_;
+  loop_->expect_word_within(kLongestTurn);
+  return held_up_;
+}
+
+void TrainingWindow::take_stop(const RunSink& sink) {
+  if (!is_held_up()) return;
+  held_up_ = false;
+  if (sink.end() == RunSink::End::running)
+    complain("the display did not answer in time: the force is off, and the trial rests until you go on.");
 }
 
 bool TrainingWindow::come_to_rest(LiveLoop& loop) {
@@ -351,16 +372,19 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   render::LatePoses late;
   if (live) late = late_tool_.poses(loop, bridge_, seen_afterglow(sink), frame.time_s);
   const auto drawn = stage_.renderer().frame(frame, stage_.swapchain(), size, late);
+  const bool chooses = !stage_.settings().picture;
   if (!drawn) {
-    error_ = drawn.error().sentence;
+    // A window that has grown may need more graphics memory at its level than there is.
+    if (!chooses || !quality_.refuse() || render::take_quality(stage_.renderer(), quality_))
+      error_ = drawn.error().sentence;
     return;
   }
   if (*drawn && live) late_tool_.shown(stage_.renderer().last_submission_s());
   if (*drawn && running)
     frame_rate_.note(
         std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count());
-  if (*drawn && !stage_.settings().picture && quality_.add(stage_.renderer().last_frame_s())) {
-    if (const auto error = stage_.renderer().set_quality(quality_.quality())) error_ = error->sentence;
+  if (*drawn && chooses && quality_.add(stage_.renderer().last_frame_s())) {
+    if (const auto error = render::take_quality(stage_.renderer(), quality_)) error_ = error->sentence;
   }
 }
 

@@ -93,6 +93,10 @@ private:
   Vec3 touch_W() const;
   void send(const std::optional<Command>& command);
   void send(const std::vector<Command>& commands);
+  // Whether the haptic thread has stopped the force, for the window did not answer in time; from now on it
+  // has as long again.
+  bool is_held_up();
+  void take_stop(const RunSink& sink);  // that was made so: says it
   void note_cost(const TickEvent& event);
   // What the author's keys and pointer do; true: it is done.
   bool edit_key(int key);
@@ -152,6 +156,7 @@ private:
   FrameRate frame_rate_;
   LateTool late_tool_;
   bool minimised_ = false;
+  bool held_up_ = false;  // by a window that did not answer, since its events were taken last
   bool resting_ = false;  // the trial has ended, and the force is told to go
   bool ended_ = false;    // ended() was called
   const RunSink* sink_ = nullptr;
@@ -180,7 +185,8 @@ private:
   bool circle_shown_ = true;  // where it is
   ui::OverlayState shown_;    // what the panels showed last
   CueSwitches cues_;
-  DeviceWords words_;  // how the device does what hints speak of
+  DeviceWords words_;    // how the device does what hints speak of
+  bool is_held_ = true;  // by a trainee, whom it pushes: it is no simulated one
   WindowSound sound_;
   const ExpertRun* expert_;
   std::optional<EarlierTrials> earlier_;
