@@ -36,7 +36,10 @@ double AutoQuality::take_median() {
 
 bool AutoQuality::keeps_step(double median) {
   const Step step = std::exchange(judged_, Step::none);
-  if (step == Step::up && median > budget_s_ && kLittle * median > before_s_) {
+  // What a climb beyond the budget costs is compared with where it left that, not with the step before:
+  // four steps of a quarter each would make more than twice as much.
+  const double left_s = beyond_s_ > 0 ? beyond_s_ : std::max(before_s_, budget_s_);
+  if (step == Step::up && median > budget_s_ && kLittle * median > left_s) {
     best_allowed_ = came_from_;
     go_to(came_from_, Step::none, median);
     return false;
@@ -44,12 +47,16 @@ bool AutoQuality::keeps_step(double median) {
   if (step == Step::down && median > kLittle * before_s_) {
     worst_allowed_ = best_allowed_ = came_from_;
     learnt_s_ = before_s_;
+    beyond_s_ = std::max(median, budget_s_);
     go_to(came_from_, Step::none, median);
     return false;
   }
   if (step == Step::up && median > budget_s_) {
+    beyond_s_ = left_s;
     worst_allowed_ = level_;
     learnt_s_ = median;
+  } else if (step != Step::none || median <= budget_s_) {
+    beyond_s_ = 0;
   }
   return true;
 }
@@ -71,7 +78,10 @@ bool AutoQuality::add(double frame_s) {
     since_s_ = 0.0;
     pause_s_ = std::min(2.0 * pause_s_, kLongestPause);
   }
-  if (median > kOther * learnt_s_) worst_allowed_ = kLowest;  // what was learnt was of another view
+  if (median > kOther * learnt_s_) {  // what was learnt was of another view
+    worst_allowed_ = kLowest;
+    beyond_s_ = 0;
+  }
   if (median > kOver * budget_s_ && level_ < worst_allowed_) {
     best_allowed_ = level_ + 1;
     go_to(std::min(level_ + (median > kFar * budget_s_ ? 2 : 1), worst_allowed_), Step::down, median);

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 namespace fulcrum::render {
 namespace {
 
@@ -108,6 +111,21 @@ TEST(AutoQuality, WhatWasLearntOfOneViewIsForgottenInAnother) {
     choice.add(frame_s);
   }
   EXPECT_LT(waited_s, 8);
+}
+
+// A quarter more for each of four steps would be 2.4 times as much. The lowest level holds the budget, or
+// not.
+TEST(AutoQuality, AClimbBeyondTheBudgetCostsAQuarterInAll) {
+  constexpr std::array<std::array<double, 5>, 2> kTimes = {
+      {{0.070, 0.057, 0.047, 0.039, 0.032}, {0.095, 0.077, 0.063, 0.051, 0.042}}};
+  for (const std::array<double, 5>& times : kTimes) {
+    AutoQuality choice(1.0 / 30.0);
+    const auto cost = [&](const Quality& q) {
+      return times[static_cast<std::size_t>(std::ranges::find(kQualityLevels, q) - kQualityLevels.begin())];
+    };
+    for (int i = 0; i < 20; ++i)
+      EXPECT_LE(cost(settled(choice, cost)), 1.25 * std::max(times.back(), 1.0 / 30.0));
+  }
 }
 
 // Whatever time passes, and however fast the machine is.
