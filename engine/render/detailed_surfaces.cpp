@@ -188,7 +188,7 @@ void DetailedSurfaces::record_entering(VkCommandBuffer commands, const Pipelines
 void DetailedSurfaces::record_shadows(VkCommandBuffer commands, const Pipelines& pipelines,
                                       const SceneGeometry& geometry, VkDescriptorSet scene_set,
                                       SceneGeometry::Casters which, const Sight& light) const {
-  const std::vector<SceneGeometry::Piece> pieces = geometry.masked_casters(which);
+  const std::vector<SceneGeometry::Piece> pieces = geometry.masked_casters(which, light.layers);
   if (pieces.empty()) return;
   geometry.bind(commands);
   const VkPipelineLayout layout = pipelines.detailed_layout.get();

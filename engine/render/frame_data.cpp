@@ -77,7 +77,7 @@ gpu::FrameData frame_data(const Setting& setting, const FrameState& state, Exten
   const Extent hidden = occlusion_extent(scene);
   data.occlusion = {static_cast<float>(hidden.width), static_cast<float>(hidden.height),
                     nearest_seen(state.camera), 0.0F};
-  data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel_m, light.spread,
+  data.shadow = {shadow_size > 0 ? 1.0F / static_cast<float>(shadow_size) : 0.0F, light.texel, light.spread,
                  setting.key_light ? 0.5F * setting.key_light->diameter : 0.0F};
   return data;
 }

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
+#include <limits>
 
 namespace fulcrum::render {
 namespace {
 
 // A size that only changes in steps of an eighth of its power of two.
 float rounded_up(float size) {
-  const float step = std::exp2(std::floor(std::log2(std::max(size, 1e-3F)))) / 8.0F;
+  const float step = std::exp2(std::floor(std::log2(std::max(size, 1e-6F)))) / 8.0F;
   return std::ceil(size / step) * step;
 }
 
@@ -43,29 +44,46 @@ LightFit fit_directional(const KeyLight& light, const glm::vec3& direction, std:
   // The view looks along -z: what is nearest to the light has the greatest z.
   const glm::mat4 clip = glm::orthoRH_ZO(x - side / 2, x + side / 2, y - side / 2, y + side / 2,
                                          -(seen.high.z + margin), -(seen.low.z - margin));
-  return {clip * view, texel, 0.5F * light.diameter * (size.z + 2.0F * margin) / side};
+  return {clip * view, texel, 0.5F * light.diameter * (size.z + 2.0F * margin) / side, 0.0F, 0.0F};
+}
+
+// Whether some of the box may be within the square that a spot's map sees; tangent: of half its angle.
+bool reaches_into(const Bounds& caster, const glm::mat4& view, float tangent) {
+  bool before = false, left = false, right = false, low = false, high = false;
+  for (const glm::vec3& corner : corners(caster)) {
+    const glm::vec4 at = view * glm::vec4(corner, 1.0F);
+    const float half = -at.z * tangent;
+    before = before || at.z < 0.0F;
+    left = left || at.x > -half;
+    right = right || at.x < half;
+    low = low || at.y > -half;
+    high = high || at.y < half;
+  }
+  return before && left && right && low && high;
 }
 
 LightFit fit_spot(const KeyLight& light, const glm::vec3& direction, std::span<const Bounds> casters,
                   int map_size) {
   const glm::mat4 view = look_along(light.position, direction);
-  float nearest = 1e9F;
+  const float cone = std::clamp(light.cone_rad, 0.05F, 2.8F);
+  const float tangent = std::tan(cone / 2.0F);
+  float nearest = std::numeric_limits<float>::infinity();
   float farthest = 0.0F;
   for (const Bounds& caster : casters) {
+    if (!reaches_into(caster, view, tangent)) continue;
     const Bounds box = transformed(caster, view);
     nearest = std::min(nearest, -box.high.z);
     farthest = std::max(farthest, -box.low.z);
   }
-  farthest = std::max(farthest * 1.02F, 0.02F);
-  nearest = std::clamp(nearest * 0.98F, 0.01F, farthest * 0.9F);
-  const float cone = std::clamp(light.cone_rad, 0.05F, 2.8F);
+  if (farthest <= 0.0F) return {};
+  farthest *= 1.02F;
+  nearest = std::clamp(nearest * 0.98F, farthest * 0.01F, farthest * 0.9F);
   const glm::mat4 clip = glm::perspectiveRH_ZO(cone, 1.0F, nearest, farthest);
-  const float width = 2.0F * std::tan(cone / 2.0F) * 0.5F * (nearest + farthest);
   // Seen from a place, what is at depth z hides the light out to a way beside that grows as 1 / z - 1 / its
   // own, measured by the width of the map there; the map's depth changes as 1 / z, too.
   const float per_depth = 1.0F / nearest - 1.0F / farthest;
-  const float spread = 0.5F * light.diameter * per_depth / (2.0F * std::tan(cone / 2.0F));
-  return {clip * view, width / static_cast<float>(map_size), spread};
+  const float spread = 0.5F * light.diameter * per_depth / (2.0F * tangent);
+  return {clip * view, 2.0F * tangent / static_cast<float>(map_size), spread, nearest, farthest};
 }
 
 }  // namespace
@@ -82,16 +100,20 @@ float width_seen(const KeyLight& light, std::span<const Bounds> casters) {
 }
 
 bool still_fits(const LightFit& fit, const KeyLight& light, std::span<const Bounds> casters, int map_size) {
-  constexpr float kWasteful = 0.8F;                      // of the texel's width
-  const bool spot = light.kind == KeyLight::Kind::spot;  // what is beside its cone throws no shadow
+  constexpr float kWasteful = 0.8F;  // of the texel's width
+  const LightFit next = fit_light(light, casters, map_size);
+  if (light.kind == KeyLight::Kind::spot) {
+    constexpr float kFar = 0.5F;  // of the farthest: depths between would be told apart too coarsely
+    return fit.nearest <= next.nearest && fit.farthest >= next.farthest &&
+           next.farthest >= kFar * fit.farthest;
+  }
   for (const Bounds& caster : casters) {
     for (const glm::vec3& corner : corners(caster)) {
       const glm::vec4 at = fit.clip_from_world * glm::vec4(corner, 1.0F);
-      if (!(at.w > 0.0F && at.z >= 0.0F && at.z <= at.w)) return false;
-      if (!spot && (std::abs(at.x) > at.w || std::abs(at.y) > at.w)) return false;
+      if (!(at.z >= 0.0F && at.z <= 1.0F && std::abs(at.x) <= 1.0F && std::abs(at.y) <= 1.0F)) return false;
     }
   }
-  return fit_light(light, casters, map_size).texel_m >= kWasteful * fit.texel_m;
+  return next.texel >= kWasteful * fit.texel;
 }
 
 }  // namespace fulcrum::render

@@ -12,10 +12,14 @@ vulkan::ImageUse either(const vulkan::ImageUse& a, const vulkan::ImageUse& b) {
   return {a.stage | b.stage, a.access | b.access, VK_IMAGE_LAYOUT_UNDEFINED};
 }
 
-// Of the shadow map: half of one of its texels is seen no more than half a pixel is.
-Sight sight_of(const LightFit& light, float coarseness) {
+// Of the shadow map: half of one of its texels is seen no more than half a pixel is. A spot's are wider the
+// farther away, along its axis: the way there is no shorter than the cosine of half its cone has it.
+Sight sight_of(const LightFit& light, const KeyLight& key, float coarseness, std::uint32_t layers) {
   constexpr float kTexels = 0.5F;
-  return {light.clip_from_world, glm::vec3(0.0F), 0.0F, coarseness > 0.0F ? kTexels * light.texel_m : 0.0F};
+  const float may_be_off = coarseness > 0.0F ? kTexels * light.texel : 0.0F;
+  if (key.kind == KeyLight::Kind::directional)
+    return {light.clip_from_world, glm::vec3(0.0F), 0.0F, may_be_off, layers};
+  return {light.clip_from_world, key.position, may_be_off * std::cos(0.5F * key.cone_rad), 0.0F, layers};
 }
 
 }  // namespace
@@ -28,6 +32,7 @@ void Renderer::record(VkCommandBuffer commands, OverlayPass* overlay) {
   }
   record_view(commands, main_);
   if (stereo_) record_view(commands, stereo_->right);
+  if (inset_light_) record_inset_shadow(commands);
   if (inset_) record_view(commands, *inset_);
   if (stereo_) {
     record_stereo(commands, overlay);
@@ -87,10 +92,10 @@ void Renderer::record_shadow(VkCommandBuffer commands) {
     vkCmdCopyImage(commands, standing_map_.get(), use::kCopySource.layout, shadow_map_.get(),
                    use::kCopyTarget.layout, 1, &all);
     vulkan::barrier(commands, shadow_map_.get(), kDepth, use::kCopyTarget, use::kDepthTarget);
-    draw_shadows(commands, shadow_map_, Casters::moving);
+    draw_shadows(commands, shadow_map_, Casters::moving, main_, light_);
   } else {
     vulkan::barrier(commands, shadow_map_.get(), kDepth, discarded_after(use::kSampled), use::kDepthTarget);
-    draw_shadows(commands, shadow_map_, Casters::all);
+    draw_shadows(commands, shadow_map_, Casters::all, main_, light_);
   }
   vulkan::barrier(commands, shadow_map_.get(), kDepth, use::kDepthTarget, use::kSampled);
 }
@@ -99,25 +104,34 @@ void Renderer::record_standing_shadow(VkCommandBuffer commands) {
   namespace use = vulkan::use;
   vulkan::barrier(commands, standing_map_.get(), kDepth, discarded_after(use::kCopySource),
                   use::kDepthTarget);
-  draw_shadows(commands, standing_map_, SceneGeometry::Casters::standing);
+  draw_shadows(commands, standing_map_, SceneGeometry::Casters::standing, main_, light_);
   vulkan::barrier(commands, standing_map_.get(), kDepth, use::kDepthTarget, use::kCopySource);
   standing_stale_ = false;
 }
 
+// In the place of the main view's, which has been drawn, and whose map is drawn anew in the next frame.
+void Renderer::record_inset_shadow(VkCommandBuffer commands) {
+  namespace use = vulkan::use;
+  vulkan::barrier(commands, shadow_map_.get(), kDepth, discarded_after(use::kSampled), use::kDepthTarget);
+  draw_shadows(commands, shadow_map_, SceneGeometry::Casters::all, *inset_, *inset_light_);
+  vulkan::barrier(commands, shadow_map_.get(), kDepth, use::kDepthTarget, use::kSampled);
+  shadow_stale_ = true;
+}
+
 // Into what is there already where that is what moves, else into an empty map.
-void Renderer::draw_shadows(VkCommandBuffer commands, const vulkan::Image& map,
-                            SceneGeometry::Casters which) {
+void Renderer::draw_shadows(VkCommandBuffer commands, const vulkan::Image& map, SceneGeometry::Casters which,
+                            const View& view, const LightFit& fit) {
   const bool kept = which == SceneGeometry::Casters::moving;
   VkRenderingAttachmentInfo depth = attachment(
       map.view(), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
       kept ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_STORE);
   depth.clearValue.depthStencil.depth = 1.0F;
   begin(commands, map.extent(), nullptr, &depth);
-  bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), main_.scene_set.get());
-  const Sight light = sight_of(light_, plan_.coarseness);
+  bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), view.scene_set.get());
+  const Sight light = sight_of(fit, *setting_.key_light, plan_.coarseness, view.sight.layers);
   geometry_->draw_casters(commands, which, light);
   if (detailed_)
-    detailed_->record_shadows(commands, pipelines_, *geometry_, main_.scene_set.get(), which, light);
+    detailed_->record_shadows(commands, pipelines_, *geometry_, view.scene_set.get(), which, light);
   vkCmdEndRendering(commands);
 }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <utility>
 
 #include "engine/render/scatter_taps.h"
 #include "engine/render/surroundings.h"
@@ -263,29 +264,31 @@ std::optional<Error> Renderer::update(const FrameState& state) {
                       state.inset->y + state.inset->height > plan_.picture.height))
     return Error{"A frame came with a second view that reaches beyond the picture; lay it inside."};
   if (geometry_ && geometry_->place(state.X_WM)) shadow_stale_ = true;
-  if (geometry_ && geometry_->see(state.camera.layers)) {
+  if (std::exchange(layers_, state.camera.layers) != state.camera.layers) {
     shadow_stale_ = standing_stale_ = true;
     light_ = {};
   }
   if (plan_.shadow_size > 0 && shadow_stale_) fit_shadow();
-  const auto show = [&](View& view, const Camera& camera) {
+  inset_at_ = state.inset;
+  fit_inset_shadow();
+  const auto show = [&](View& view, const Camera& camera, const LightFit& light) {
     FrameState seen = state;
     seen.camera = camera;
     view.light_by(device_, shared_, volume_for(volumes_, camera.layers));
     gpu::FrameData data =
-        frame_data(setting_, seen, view.plan.picture, view.plan.scene, light_, plan_.shadow_size);
+        frame_data(setting_, seen, view.plan.picture, view.plan.scene, light, plan_.shadow_size);
     if (!volumes_.empty()) write_volume(volumes_[view.volume], data);
     view.update(data, seen);
   };
   if (stereo_) {
-    show(main_, state.eyes ? state.eyes->front() : seen_by(Eye::left, *options_.stereo, state.camera));
+    show(main_, state.eyes ? state.eyes->front() : seen_by(Eye::left, *options_.stereo, state.camera),
+         light_);
     show(stereo_->right,
-         state.eyes ? state.eyes->back() : seen_by(Eye::right, *options_.stereo, state.camera));
+         state.eyes ? state.eyes->back() : seen_by(Eye::right, *options_.stereo, state.camera), light_);
   } else {
-    show(main_, state.camera);
+    show(main_, state.camera, light_);
   }
-  inset_at_ = state.inset;
-  if (inset_) show(*inset_, state.inset->camera);
+  if (inset_) show(*inset_, state.inset->camera, inset_light_.value_or(light_));
   place_lights(state.X_WM);
   markers_shown_ = plan_.markers ? write_markers(markers_, state.markers, state.marker_colours,
                                                  reinterpret_cast<gpu::MarkerData*>(marker_buffer_.mapped()))
@@ -294,15 +297,24 @@ std::optional<Error> Renderer::update(const FrameState& state) {
 }
 
 void Renderer::fit_shadow() {
-  const std::vector<Bounds> casters = geometry_->casters();
+  const std::vector<Bounds> casters = geometry_->casters(layers_);
   if (casters.empty()) {
     light_ = {};
     return;
   }
-  const bool fitted = light_.texel_m > 0.0F;
+  const bool fitted = light_.texel > 0.0F;
   if (fitted && standing_map_ && still_fits(light_, *setting_.key_light, casters, plan_.shadow_size)) return;
   light_ = fit_light(*setting_.key_light, casters, plan_.shadow_size);
   standing_stale_ = true;
+}
+
+void Renderer::fit_inset_shadow() {
+  inset_light_.reset();
+  if (!inset_at_ || plan_.shadow_size == 0 || !geometry_) return;
+  const std::uint32_t layers = inset_at_->camera.layers;
+  if (geometry_->casts_alike(layers_, layers)) return;
+  const std::vector<Bounds> casters = geometry_->casters(layers);
+  inset_light_ = casters.empty() ? LightFit() : fit_light(*setting_.key_light, casters, plan_.shadow_size);
 }
 
 void Renderer::place_lights(std::span<const glm::mat4> X_WM) {

@@ -85,6 +85,7 @@ private:
   std::optional<Error> fit(Extent extent, const std::optional<Inset>& inset);
   std::optional<Error> update(const FrameState& state);
   void fit_shadow();
+  void fit_inset_shadow();
   // Of the lights that models bring, in all views.
   void place_lights(std::span<const glm::mat4> X_WM);
   // Of poses that are told late; null: there are none.
@@ -92,7 +93,10 @@ private:
   void record(VkCommandBuffer commands, OverlayPass* overlay);
   void record_shadow(VkCommandBuffer commands);
   void record_standing_shadow(VkCommandBuffer commands);
-  void draw_shadows(VkCommandBuffer commands, const vulkan::Image& map, SceneGeometry::Casters which);
+  void record_inset_shadow(VkCommandBuffer commands);
+  // For that view, and what throws shadows there.
+  void draw_shadows(VkCommandBuffer commands, const vulkan::Image& map, SceneGeometry::Casters which,
+                    const View& view, const LightFit& light);
   void record_view(VkCommandBuffer commands, View& view);
   void record_scene(VkCommandBuffer commands, const View& view, bool ghosts);
   void record_markers(VkCommandBuffer commands);
@@ -136,7 +140,9 @@ private:
   Pipelines pipelines_;
   std::uint64_t generation_ = 0;  // of the image that an overlay is drawn into
 
+  std::uint32_t layers_ = 1;  // of the newest frame's camera
   LightFit light_;
+  std::optional<LightFit> inset_light_;  // where other things throw shadows in the second view
   bool shadow_stale_ = true;
   bool standing_stale_ = true;
   std::uint32_t markers_shown_ = 0;

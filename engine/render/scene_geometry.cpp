@@ -154,15 +154,19 @@ bool SceneGeometry::place(std::span<const glm::mat4> X_WM) {
   return caster_moved;
 }
 
-bool SceneGeometry::see(std::uint32_t layers) {
-  return std::exchange(seen_, layers) != layers;
-}
-
-std::vector<Bounds> SceneGeometry::casters() const {
+std::vector<Bounds> SceneGeometry::casters(std::uint32_t layers) const {
   std::vector<Bounds> boxes;
   for (const Slot& slot : slots_)
-    if (slot.casts && (slot.layers & seen_) != 0) boxes.push_back(transformed(slot.mesh_bounds, slot.X_WM));
+    if (slot.casts && (slot.layers & layers) != 0) boxes.push_back(transformed(slot.mesh_bounds, slot.X_WM));
   return boxes;
+}
+
+bool SceneGeometry::casts_alike(std::uint32_t layers, std::uint32_t others) const {
+  return std::ranges::none_of(
+      slots_,
+      [&](const Slot& slot) {
+        return slot.casts && ((slot.layers & layers) != 0) != ((slot.layers & others) != 0);
+      });
 }
 
 bool SceneGeometry::is_among(const Batch& batch, Casters which) {
@@ -173,7 +177,7 @@ void SceneGeometry::draw_casters(VkCommandBuffer commands, Casters which, const 
   bind(commands);
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const Batch& batch = batches_[i];
-    if ((batch.layers & seen_) == 0 || !is_among(batch, which) || is_masked(batch.look)) continue;
+    if ((batch.layers & light.layers) == 0 || !is_among(batch, which) || is_masked(batch.look)) continue;
     vkCmdSetCullMode(commands, is_two_sided(batch.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     draw(commands, Piece{0, 0, i, batch.first_slot, batch.casters}, light);
   }
@@ -275,11 +279,11 @@ std::vector<SceneGeometry::Piece> SceneGeometry::blended(const glm::vec3& eye, s
   return pieces;
 }
 
-std::vector<SceneGeometry::Piece> SceneGeometry::masked_casters(Casters which) const {
+std::vector<SceneGeometry::Piece> SceneGeometry::masked_casters(Casters which, std::uint32_t layers) const {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const Batch& batch = batches_[i];
-    if (is_masked(batch.look) && is_among(batch, which) && (batch.layers & seen_) != 0)
+    if (is_masked(batch.look) && is_among(batch, which) && (batch.layers & layers) != 0)
       pieces.push_back({*batch.material, batch.look, i, batch.first_slot, batch.casters});
   }
   return pieces;

@@ -24,15 +24,13 @@ public:
   // a shadow has moved.
   bool place(std::span<const glm::mat4> X_WM);
 
-  // What throws shadows is from now on what a camera of these layers sees. True when that is other than
-  // before.
-  bool see(std::uint32_t layers);
-
   // That are drawn for it.
   std::uint64_t triangles(const Sight& sight) const;
 
-  // Boxes around what is seen and throws a shadow, in the world, as placed.
-  std::vector<Bounds> casters() const;
+  // Boxes around what a camera of these layers sees and throws a shadow, in the world, as placed.
+  std::vector<Bounds> casters(std::uint32_t layers) const;
+  // Whether that is the same for both.
+  bool casts_alike(std::uint32_t layers, std::uint32_t others) const;
 
   VkBuffer instances() const { return instances_.get(); }
 
@@ -44,7 +42,7 @@ public:
 
   // What throws a shadow: all of it, what never moves, or what may.
   enum class Casters { all, standing, moving };
-  // Without those that have holes. light: which sees all that it throws the shadows of.
+  // Without those that have holes. light: which sees all that it throws the shadows of, of its layers.
   void draw_casters(VkCommandBuffer commands, Casters which, const Sight& light) const;
 
   // Instances of one mesh and one detailed material.
@@ -59,7 +57,7 @@ public:
   // those that throw a shadow with holes in it.
   std::vector<Piece> detailed(std::uint32_t layers) const;
   std::vector<Piece> blended(const glm::vec3& eye, std::uint32_t layers) const;
-  std::vector<Piece> masked_casters(Casters which) const;
+  std::vector<Piece> masked_casters(Casters which, std::uint32_t layers) const;
   void bind(VkCommandBuffer commands) const;
   void draw(VkCommandBuffer commands, const Piece& piece, const Sight& sight) const;
 
@@ -118,7 +116,6 @@ private:
   std::vector<Batch> batches_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> movable_slots_;
-  std::uint32_t seen_ = 1;  // layers
 };
 
 }  // namespace fulcrum::render

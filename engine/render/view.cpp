@@ -116,11 +116,12 @@ void View::light_by(vulkan::Device& device, const SharedParts& shared, std::size
       make_scene_set(device, plan, shared, frame_buffer.get(), lights.get(), occlusion, scatter, volume);
 }
 
-void View::update(const gpu::FrameData& data, const FrameState& state) {
-  std::memcpy(frame_buffer.mapped(), &data, sizeof(data));
+void View::update(gpu::FrameData data, const FrameState& state) {
   const float pixel =  // m, its width at a distance of 1 m
       2.0F * std::tan(0.5F * state.camera.vertical_fov_rad) / static_cast<float>(plan.scene.height);
   sight = {data.clip_from_world, state.camera.eye, plan.coarseness * pixel, 0.0F, state.camera.layers};
+  data.camera_up.w = sight.per_metre;
+  std::memcpy(frame_buffer.mapped(), &data, sizeof(data));
   for (std::size_t i = 0; i < ghosts.size(); ++i)
     ghosts[i]->update(state.ghosts.empty() ? GhostState() : state.ghosts[i], state.camera, plan);
 }

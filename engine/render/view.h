@@ -47,7 +47,7 @@ struct View {
   // What hides light from what it sees: that volume of the shared ones. Not while a frame is in flight.
   void light_by(vulkan::Device& device, const SharedParts& shared, std::size_t which);
   // Of what the next frame shows; state: with this view's camera.
-  void update(const gpu::FrameData& data, const FrameState& state);
+  void update(gpu::FrameData data, const FrameState& state);
   // Where the lights that models bring are, for its camera; nothing where the plan has none.
   void light_by(const PunctualLights& lights, std::span<const glm::mat4> X_WM);
 

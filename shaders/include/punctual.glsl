@@ -17,7 +17,7 @@ vec3 punctual_light(int which, vec3 position, out vec3 l) {
   LightData light = lights.each[which];
   // One formula for both kinds: where a shader branches on uniforms alone, lavapipe compiles it anew at each binding.
   vec3 to_light = mix(-light.direction.xyz, light.position.xyz - position, light.position.w);
-  float distance2 = max(dot(to_light, to_light), 1e-6);
+  float distance2 = max(dot(to_light, to_light), 1e-12);
   l = to_light * inversesqrt(distance2);
   float cone = clamp(dot(-l, light.direction.xyz) * light.fade.x + light.fade.y, 0.0, 1.0);
   float part = distance2 * light.fade.z;

@@ -52,8 +52,13 @@ const float kPi = 3.14159265;
 
 // 0 in shadow .. 1 lit.
 float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
-  // Moved off the surface by more where light grazes it: depth in the map is constant over a whole texel.
-  vec3 moved = position + n * frame.shadow.y * (0.6 + 1.8 * (1.0 - n_dot_l));
+  // Moved off the surface by more where light grazes it: depth in the map is constant over a whole texel. And by what
+  // coarse triangles may be off, which in the map are others. w is a spot's way along its axis, else 1.
+  vec4 axis = vec4(frame.shadow_from_world[0].w, frame.shadow_from_world[1].w, frame.shadow_from_world[2].w,
+                   frame.shadow_from_world[3].w);
+  float texel = frame.shadow.y * dot(axis, vec4(position, 1.0));
+  float off = frame.camera_up.w * distance(position, frame.eye.xyz);
+  vec3 moved = position + n * (texel * (0.6 + 1.8 * (1.0 - n_dot_l)) + off);
   vec4 clip = frame.shadow_from_world * vec4(moved, 1.0);
   vec3 at = clip.xyz / clip.w;
   return filtered_shadow(vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y), at.z);

@@ -11,7 +11,7 @@ struct FrameData {
   mat4 shadow_from_world;  // clip space of the shadow map: depth 0 near the light, 1 far
   vec4 eye;                // xyz position, w simulated time in s, wrapped to an hour
   vec4 camera_right;       // xyz unit
-  vec4 camera_up;          // xyz unit
+  vec4 camera_up;  // xyz unit, w how far what is drawn may be off the surface it stands for, at 1 m (m)
   vec4 key_position;       // xyz position, w 1; of a directional light the way to it, unit, w 0
   vec4 key_direction;      // xyz unit, as the light travels; w cosine of the half angle where it ends
   vec4 key_colour;  // rgb times intensity and the square of the way from its rim to 1 m before it; w cosine
@@ -30,8 +30,8 @@ struct FrameData {
   vec4 mirror_low;         // xyz added to that, w its coarsest level
   vec4 lens;               // xy tangents of half the picture's width and height, zw where its middle leans to
   vec4 occlusion;          // xy size of the image (pixels), z distance of depth 1 (m)
-  vec4 shadow;             // x 1/size of the map, y width of one of its texels in the world (m), z spread
-                           // (engine/render/light_fit.h), w half the light's diameter (m)
+  vec4 shadow;             // x 1/size of the map, y texel and z spread of engine/render/light_fit.h, w half the
+                           // light's diameter (m)
 };
 
 FULCRUM_GPU_SIZE(FrameData, 2 * 64 + 23 * 16);

@@ -137,6 +137,25 @@ TEST(LightFit, IsKeptWhileItCoversWhatMovesAndIsNotFarTooCoarse) {
   EXPECT_FALSE(still_fits(outside, light, casters(0.0F), 1024)) << "a much finer one would do";
 }
 
+// What is beside its cone or behind it is not in its map, and is no reason to draw what stands anew.
+TEST(LightFit, OfASpotIsKeptWhateverIsBesideIt) {
+  KeyLight light;
+  light.kind = KeyLight::Kind::spot;
+  light.position = {0.0F, 1.0F, 0.0F};
+  light.direction = {0.0F, -1.0F, 0.0F};
+  light.cone_rad = 0.8F;
+  const auto casters = [](const glm::vec3& other) {
+    return std::vector<Bounds>{{{-0.1F, 0.0F, -0.1F}, {0.1F, 0.3F, 0.1F}}, {other, other + glm::vec3(0.05F)}};
+  };
+  const glm::vec3 within(0.0F, 0.1F, 0.2F);
+  const LightFit fit = fit_light(light, casters(within), 1024);
+  for (const glm::vec3& other : {within, {3.0F, 0.2F, 0.0F}, {0.0F, 1.5F, 0.0F}, {5.0F, -9.0F, 0.0F}})
+    EXPECT_TRUE(still_fits(fit, light, casters(other), 1024)) << other.x << " " << other.y;
+  EXPECT_FALSE(still_fits(fit, light, casters({0.0F, -1.0F, 0.0F}), 1024)) << "beyond what is farthest";
+  EXPECT_FALSE(still_fits(fit, light, casters({0.0F, 0.6F, 0.0F}), 1024)) << "before what is nearest";
+  EXPECT_EQ(fit_light(light, std::vector<Bounds>{{glm::vec3(2.0F), glm::vec3(3.0F)}}, 1024).texel, 0.0F);
+}
+
 TEST(LightFit, ASmallMoveOfACasterShiftsTheMapByWholeTexels) {
   KeyLight light;
   const glm::vec3 fixed{0.0F, 0.0F, 0.0F};

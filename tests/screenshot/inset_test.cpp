@@ -96,12 +96,13 @@ TEST_F(InsetTest, ShowsTheToolWhereItIsNow) {
   EXPECT_GT(apart(before, without, expected).inside, 60) << "it had been elsewhere";
 }
 
+// What only one of them sees throws its shadow there alone.
 TEST_F(InsetTest, SeesItsOwnLayers) {
   desc_.instances[1].layers = 2;  // the box, in the second view alone
   desc_.instances[0].layers = desc_.instances[2].layers = 3;
   Camera side = kSide;
   side.layers = 2;
-  const auto whole = make(desc_, kPicture, {1, 0, 1.0F}), small = make(desc_, kSmall, {1, 0, 1.0F});
+  const auto whole = make(desc_, kPicture, {1, 512, 1.0F}), small = make(desc_, kSmall, {1, 512, 1.0F});
   const Picture without = drawn(*whole, state(desc_.camera)), expected = drawn(*small, state(side));
   FrameState both = state(desc_.camera);
   both.inset = {side, kX, kY, kSmall.width, kSmall.height};

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "engine/render/frame_data.h"
+#include "engine/render/levels_of_detail.h"
 #include "engine/render/tone.h"
 #include "test_scene.h"
 
@@ -55,9 +56,30 @@ protected:
     return desc;
   }
 
-  Picture drawn(const VisualDesc& desc) {
+  // A pin on the floor, under a lamp above and to the left of it; scale: m, a hundred times the pin's height.
+  static VisualDesc pin(float scale) {
+    VisualDesc desc = floor(kSunDiameter * scale);
+    const float s = scale;
+    desc.meshes = {test::make_box({s, 0.1F * s, s}), test::make_box({0.002F * s, 0.005F * s, 0.02F * s})};
+    desc.instances[0].X_WM = glm::translate(glm::mat4(1.0F), {0, -0.1F * s, 0});
+    desc.instances.push_back({1, 0, "pin", glm::translate(glm::mat4(1.0F), {0, 0.005F * s, 0}), true});
+    desc.key_light->kind = KeyLight::Kind::spot;
+    desc.key_light->position = s * glm::vec3(-0.4F, 0.5F, 0.0F);
+    desc.key_light->direction = -desc.key_light->position;
+    desc.key_light->intensity = 0.4F * s * s;
+    desc.camera = {s * glm::vec3(0.5F, 0.5F, 0.0F), glm::vec3(0.0F), 0.08F};
+    return desc;
+  }
+  // How much of the light reaches the middle of the pin's shadow.
+  float lit_behind_pin(const VisualDesc& desc, float scale) {
+    const Picture picture = drawn(desc);
+    return row_at(picture, desc.camera, {0.006F * scale, 0, 0}) /
+           row_at(picture, desc.camera, {0.016F * scale, 0, 0});
+  }
+
+  Picture drawn(const VisualDesc& desc, float coarseness = 0.0F) {
     const auto renderer =
-        Renderer::create(*gpu_.device, desc, {kSize, {1, 2048, 1.0F, 0.0F, false, true}, {}});
+        Renderer::create(*gpu_.device, desc, {kSize, {1, 2048, 1.0F, coarseness, false, true}, {}});
     if (!renderer) throw std::runtime_error(renderer.error().sentence);
     FrameState state;
     state.camera = desc.camera;
@@ -81,10 +103,10 @@ protected:
 
   // How dark it gets where nothing but itself could hide the light: the most of all pixels, 0..255. Drawn
   // without shadows as well.
-  int most_shaded(VisualDesc desc) {
-    const Picture with = drawn(desc);
+  int most_shaded(VisualDesc desc, float coarseness = 0.0F) {
+    const Picture with = drawn(desc, coarseness);
     desc.key_light->casts_shadow = false;
-    const Picture without = drawn(desc);
+    const Picture without = drawn(desc, coarseness);
     int most = 0;
     for (std::size_t i = 0; i < with.rgba.size(); i += 4)
       most = std::max(most, without.rgba[i + 1] - with.rgba[i + 1]);
@@ -158,6 +180,33 @@ TEST_F(SoftShadowTest, ABallIsNotItsOwnShadowWhereTheLightDoesNotGrazeIt) {
     desc.camera = {{0.0F, 0.5F, 0.0F}, glm::vec3(0.0F), 0.15F};  // to 50 degrees from its middle
     EXPECT_LE(most_shaded(desc), 2) << diameter;
   }
+}
+
+// What is seen of it is coarser than what is in the map, for it is far away, where pixels are larger than
+// texels.
+TEST_F(SoftShadowTest, NorIsABallOfCoarserTriangles) {
+  VisualDesc desc = floor(kSunDiameter);
+  desc.meshes = {test::make_ball(0.05F)};
+  desc.meshes[0].levels = levels_of_detail(desc.meshes[0]);
+  desc.instances = {{0, 0, "ball", glm::mat4(1.0F), true}};
+  desc.key_light->direction = {0.5F, -1.0F, -0.3F};
+  desc.camera = {{0.0F, 3.0F, 0.0F}, glm::vec3(0.0F), 0.25F};
+  EXPECT_LE(most_shaded(desc, 0.25F), 12);
+}
+
+TEST_F(SoftShadowTest, ASpotsShadowsStayWhateverIsFarFromItOrBesideIt) {
+  const VisualDesc alone = pin(1.0F);
+  ASSERT_LT(lit_behind_pin(alone, 1.0F), 0.2F);
+  for (const glm::vec3& place :
+       {glm::vec3(24.0F, -30.0F, 0.0F), {-10.0F, 20.0F, 0.0F}, {-30.0F, 0.5F, 20.0F}}) {
+    VisualDesc desc = alone;
+    desc.instances.push_back({1, 0, "elsewhere", glm::translate(glm::mat4(1.0F), place), true});
+    EXPECT_LT(lit_behind_pin(desc, 1.0F), 0.2F) << place.x << " " << place.y;
+  }
+}
+
+TEST_F(SoftShadowTest, ASpotThrowsShadowsHoweverNearItIs) {
+  for (const float scale : {0.1F, 0.01F, 0.004F}) EXPECT_LT(lit_behind_pin(pin(scale), scale), 0.2F) << scale;
 }
 
 // No light comes in below a box that stands on the floor.
