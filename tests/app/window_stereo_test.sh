@@ -55,5 +55,21 @@ wait_for_end
 [ $code = 3 ] || fail "exit $code, not 3: $(cat "$work/said")"
 [ "$(identify -format '%wx%h' "$work/W/frame.png")" = 801x501 ] || fail "frame.png is not the window's"
 
+# The slider of the holding point is drawn beyond the middle of the window: it stays at its end, in the half where it was taken.
+open_window stick --stereo side-by-side --mute --size 1280x720 --set time_limit=3600 --out "$work/S"
+xdotool windowactivate --sync "$window"
+runs "$work/S" || fail "stick does not run: $(cat "$work/said")"
+place() { column "$work/S" holding_point/place | tail -n 2 | head -n 1; }
+at_end() { awk -v p="$(place)" 'BEGIN { exit !(p > 0.169) }'; }
+xdotool mousemove --sync --window "$window" 577 231 mousedown 1
+for x in 590 605 620 632; do xdotool mousemove --window "$window" $x 231; done
+until_seen at_end || fail "the slider is not drawn to its end: $(place)"
+for x in 638 644 650 660; do xdotool mousemove --window "$window" $x 231; done
+runs "$work/S" 1500
+at_end || fail "the slider leaps where the pointer leaves its half: $(place)"
+xdotool mouseup 1
+xdotool key --clearmodifiers alt+F4
+wait_for_end
+
 [ $failures = 0 ] && echo "all good"
 exit $((failures > 0))

@@ -191,7 +191,8 @@ Vec3 TrainingWindow::touch_W() const {
 void TrainingWindow::on_cursor(double x, double y) {
   const render::Extent window = stage_.window().pixels();
   const double aspect = static_cast<double>(window.width) / std::max(window.height, 1U);
-  const auto [to, by] = pointer_.move(stage_.renderer().plan().stereo, aspect, {x, y}, button_ >= 0);
+  const bool held = button_ >= 0 || slides_;
+  const auto [to, by] = pointer_.move(stage_.renderer().plan().stereo, aspect, {x, y}, held);
   cursor_x_ = to.x;
   cursor_y_ = to.y;
   const double dx = by.x, dy = by.y;
