@@ -164,10 +164,15 @@ bool HeadsetRun::show() {
     if (worn_) loop_.expect_word_within(kLongestWait);
     look_after_session();
     take_stop();
-    if (!worn_ || !worn_->session().runs()) return false;
+    if (!worn_ || !worn_->session().runs()) {
+      pictures_.rest();
+      return false;
+    }
     const bool drawn = draw();
     take_stop();
-    if (drawn) show_in_mirror();
+    if (!drawn) return true;
+    show_in_mirror();
+    if (const auto error = pictures_.keep_pace()) error_ = error->sentence;
     return true;
   } catch (const xr::Lost&) {
     take_stop();
@@ -217,6 +222,7 @@ void HeadsetRun::look_after_session() {
 
 void HeadsetRun::lose_session() {
   pause("the headset was lost");
+  pictures_.rest();
   if (!worn_) return;
   app::complain("the headset is lost: the force is off, and the trial rests until it is back.");
   worn_.reset();
@@ -284,6 +290,7 @@ bool HeadsetRun::draw() {
 
 void HeadsetRun::show_nothing(const xr::Frame& frame) {
   unseen_ = std::min(unseen_ + 1, kBlink);
+  pictures_.rest();
   worn_->show_nothing(frame);
 }
 

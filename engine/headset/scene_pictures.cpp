@@ -46,13 +46,13 @@ Result<bool> ScenePictures::show(Worn& worn, const xr::Frame& frame, const std::
   if (!shown || !*shown) return shown;
   if (live) late_tool_.shown(stage_.renderer().last_submission_s());
   frame_rate_.note(now_s());
-  if (const auto error = keep_pace(frame)) return *error;
+  period_ = frame.period;
   return shown;
 }
 
-std::optional<Error> ScenePictures::keep_pace(const xr::Frame& frame) {
-  if (!quality_ && !settings_.picture && frame.period > 0)
-    quality_.emplace(kPartOfFrame * 1e-9 * static_cast<double>(frame.period));
+std::optional<Error> ScenePictures::keep_pace() {
+  if (!quality_ && !settings_.picture && period_ > 0)
+    quality_.emplace(kPartOfFrame * 1e-9 * static_cast<double>(period_));
   if (!quality_ || !quality_->add(stage_.renderer().last_frame_s())) return std::nullopt;
   return render::take_quality(stage_.renderer(), *quality_);
 }

@@ -26,10 +26,15 @@ public:
   // From here on they are seen from there. The left eye's.
   const render::Camera& look_from(const std::array<xr::EyeView, 2>& eyes, const Placement& placement);
 
-  // Draws one, with the tool as late as may be where the trial runs, and shows it; a mirror, too. False: the
-  // runtime took no picture, and the frame has not ended.
+  // Draws one, with the tool as late as may be where the trial runs, and shows it. False: the runtime took no
+  // picture, and the frame has not ended.
   Result<bool> show(Worn& worn, const xr::Frame& frame, const std::array<xr::EyeView, 2>& eyes,
                     const PanelPlace& panel, const TickRecord& record, LiveLoop& loop);
+  // Nothing can be shown from now on, until something is again.
+  void rest() { frame_rate_.rest(); }
+  // Where quality is automatic, the next picture's: another one's picture is none that a mirror could show
+  // yet.
+  std::optional<Error> keep_pace();
 
   // The last moment, as both eyes saw it, into a PNG.
   Result<std::filesystem::path> save(const std::filesystem::path& file);
@@ -37,8 +42,6 @@ public:
 
 private:
   render::FrameState frame_of(const TickRecord& record);
-  // Before another quality makes another picture the mirror has this one.
-  std::optional<Error> keep_pace(const xr::Frame& frame);
 
   HeadsetStage& stage_;
   const app::RunOptions& options_;
@@ -47,6 +50,7 @@ private:
   render::Camera view_;  // of the scene, that the headset's space is laid about
   app::FrameBridge bridge_;
   app::FrameRate frame_rate_;
+  XrDuration period_ = 0;  // ns, of the newest frame
   app::LateTool late_tool_;
   std::optional<render::AutoQuality> quality_;  // once the headset's pace is known, where it is automatic
   std::optional<std::array<render::Camera, 2>> eyes_;  // of the newest frame

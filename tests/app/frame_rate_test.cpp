@@ -17,6 +17,16 @@ TEST(FrameRate, TellsThatOfLateAndThatOfAll) {
   EXPECT_DOUBLE_EQ(rate.mean(), 40 / 3.0);
 }
 
+TEST(FrameRate, IsOfTheTimeInWhichSomethingIsDrawn) {
+  FrameRate rate;
+  for (int i = 0; i <= 16; ++i) rate.note(i * 0.0625);
+  rate.rest();
+  rate.rest();
+  for (int i = 0; i <= 16; ++i) rate.note(60 + i * 0.0625);
+  EXPECT_DOUBLE_EQ(rate.mean(), 16);
+  EXPECT_DOUBLE_EQ(rate.of_late(), 16);
+}
+
 TEST(FrameRate, OfOneFrameIsUnknown) {
   FrameRate rate;
   rate.note(5);

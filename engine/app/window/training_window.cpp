@@ -348,7 +348,10 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
     // Nobody holds on to what nobody sees: out of sight the trial rests, until its trainee goes on.
     if (minimised && sink.end() == RunSink::End::running) loop.send({Command::Kind::stop});
   }
-  if (minimised_) return;
+  if (minimised_) {
+    frame_rate_.rest();
+    return;
+  }
   // The newest tick; the sink's where there is none yet, and its last one after the end.
   const TimedTick newest = loop.newest_timed();
   const bool running = sink.end() == RunSink::End::running;
