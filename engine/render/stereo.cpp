@@ -1,5 +1,6 @@
 #include "engine/render/stereo.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/render/frame_data.h"
@@ -39,8 +40,10 @@ Camera seen_by(Eye eye, const Stereo& stereo, const Camera& camera) {
   }
   const glm::mat3 world_from_view = glm::transpose(glm::mat3(view_of(camera)));
   const glm::vec3 moved = world_from_view * glm::vec3(at.x, at.y, at.z - convergence);
+  const glm::vec3 ahead = camera.target - camera.eye;
   seen.eye += moved;
-  seen.target += moved;
+  // As far ahead as the eye has gone: nearer to it, a float would not hold the direction.
+  seen.target = seen.eye + ahead * std::max(1.0F, glm::length(moved) / glm::length(ahead));
   seen.lean = glm::vec2(-at.x, -at.y) / at.z;
   return seen;
 }

@@ -32,7 +32,7 @@ void describe_eyes(KeyVisitor& visitor, render::EyePair& eyes) {
                   eyes.distance, from_to(0, 10));
   describe_metres(
       visitor, {"convergence", "m", "from 'eye' to the plane that is seen at the screen; none: the target's"},
-      eyes.convergence, above_to(0, 1000));
+      eyes.convergence, from_to(0.001, 1000));
 }
 
 void describe_views(KeyVisitor& visitor, std::vector<View>& views) {

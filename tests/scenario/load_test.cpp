@@ -64,7 +64,7 @@ TEST(Load, ReadsTheEyesOfAView) {
   EXPECT_FALSE(plain->views[0].camera.eyes.convergence);
   EXPECT_EQ(given->views[0].camera.eyes.distance, 0.01F);
   EXPECT_EQ(given->views[0].camera.eyes.convergence, 0.3F);
-  const auto wrong = read(", stereo: {convergence: 0}");
+  const auto wrong = read(", stereo: {convergence: 0.0009}");
   ASSERT_FALSE(wrong);
   EXPECT_NE(to_text(wrong.faults()).find("'views.0.stereo.convergence'"), std::string::npos)
       << to_text(wrong.faults());
