@@ -72,6 +72,7 @@ std::optional<Error> HeadsetStage::set_scene(const render::VisualDesc& desc, con
   }
   options.quality = quality;
   options.stereo = render::Stereo{render::StereoMode::side_by_side};
+  options.at_screen = false;  // panels are the runtime's to show
   options.shader_folder = render::development_shader_folder();
   auto renderer = render::Renderer::create(*gpu_, desc, options);
   if (!renderer) return renderer.error();

@@ -74,10 +74,6 @@ render::FrameState ScenePictures::frame_of(const TickRecord& record) {
   render::FrameState frame = bridge_.frame(record, sink.afterglow(), sink.task(), view_, sink.time());
   frame.eyes = eyes_;
   frame.marker_colours = ui::marker_colours(settings_.look);
-  if (options_.overlay == app::kNoOverlay) {
-    frame.markers = {};
-    frame.ghosts = {};
-  }
   return frame;
 }
 

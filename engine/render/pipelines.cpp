@@ -230,14 +230,15 @@ void add_ghosts(Pipelines& made, vulkan::Device& device, const RenderPlan& plan,
   made.ghost_over = make_pipeline(device, over);
 }
 
-void add_stereo(Pipelines& made, vulkan::Device& device, StereoMode mode, const ShaderLibrary& shaders,
+void add_stereo(Pipelines& made, vulkan::Device& device, const RenderPlan& plan, const ShaderLibrary& shaders,
                 VkDescriptorSetLayout set) {
   constexpr std::array fragments{"stereo_halves.frag", "stereo_halves.frag", "stereo_interlaced.frag",
                                  "stereo_anaglyph.frag"};
   made.stereo_layout = vulkan::make_pipeline_layout(device, {&set, 1}, {});
   PipelineDesc stereo;
   stereo.layout = made.stereo_layout.get();
-  stereo.stages = stages(shaders, "screen.vert", fragments[static_cast<std::size_t>(mode)]);
+  stereo.stages = stages(shaders, "screen.vert", fragments[static_cast<std::size_t>(*plan.stereo)]);
+  stereo.stages.back().constant = plan.screen_layer ? 1 : 0;
   stereo.colour = kPictureFormat;
   made.stereo = make_pipeline(device, stereo);
 }
@@ -281,7 +282,7 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
   if (plan.scattering > 0) add_scattering(made, device, plan, shaders, sets.scatter);
   if (plan.markers) made.markers = make_markers(device, plan, shaders, layout);
   if (plan.ghosts) add_ghosts(made, device, plan, shaders, sets.ghost);
-  if (plan.stereo) add_stereo(made, device, *plan.stereo, shaders, sets.stereo);
+  if (plan.stereo) add_stereo(made, device, plan, shaders, sets.stereo);
   PipelineDesc tone;
   tone.layout = made.tone_layout.get();
   tone.stages = stages(shaders, "screen.vert", "tone.frag");

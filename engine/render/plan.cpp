@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "engine/render/environment.h"
-#include "engine/render/ghost_edges.h"
-#include "engine/render/light_volume.h"
 #include "engine/render/look.h"
-#include "engine/render/mip_chain.h"
-#include "engine/render/mirror_volume.h"
 #include "engine/render/occlusion_pass.h"
 #include "engine/render/scatter_taps.h"
 #include "engine/render/validate.h"
@@ -19,6 +14,7 @@
 #include "shaders/shared/instance.h"
 #include "shaders/shared/light.h"
 #include "shaders/shared/marker.h"
+#include "shaders/shared/material.h"
 
 namespace fulcrum::render {
 namespace {
@@ -70,6 +66,9 @@ std::optional<Error> check_options(const RenderOptions& options) {
                 inset->height > options.extent.height))
     return Error{"A second view of " + size_of(*inset) + " cannot be laid into a picture of " +
                  size_of(options.extent) + "; use 1 pixel a side up to the picture's."};
+  if (inset && options.stereo && !options.at_screen)
+    return Error{
+        "A second view lies at the screen, where this picture for two eyes has nothing; leave it out."};
   return {};
 }
 
@@ -82,18 +81,19 @@ std::string no_shadow_because(const SceneFacts& facts, const Quality& quality) {
 }
 
 void add_levels(const SceneFacts& facts, const Quality& quality, RenderPlan& plan) {
-  if (facts.levelled == 0 || quality.coarseness == 0.0F) {
+  if (facts.levelled == 0) {
     plan.left_out.push_back({"levels of detail", "buffer", 0,
-                             facts.levelled == 0
-                                 ? "no mesh has " + std::to_string(kTrianglesWorthLevels) + " triangles"
-                                 : "the quality setting asks for the finest"});
+                             "no mesh has " + std::to_string(kTrianglesWorthLevels) + " triangles"});
     return;
   }
   plan.coarseness = quality.coarseness;
+  const char* const chosen = quality.coarseness > 0.0F
+                                 ? " pieces that are chosen by their size in the picture"
+                                 : " pieces, for a quality setting that uses them";
   plan.built.push_back({"levels of detail", "buffer", facts.coarser * sizeof(std::uint32_t),
                         std::to_string(facts.levelled) + " triangles down to " +
                             std::to_string(facts.coarsest) + ", in " + std::to_string(facts.pieces) +
-                            " pieces that are chosen by their size in the picture"});
+                            chosen});
 }
 
 void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
@@ -120,7 +120,7 @@ void add_geometry(const SceneFacts& facts, RenderPlan& plan) {
                           std::to_string(facts.voxels) +
                               " voxels: what standing things hide of the surroundings, and send on"});
   else
-    plan.left_out.push_back({"light volume", "image", 0, "nothing in the scene stands"});
+    plan.left_out.push_back({"light volume", "image", 0, "nothing in the scene stands: one voxel says so"});
   if (plan.plain_surfaces)
     plan.built.push_back({"surfaces", "pipeline", 0, "metal-rough, lit from all around"});
   else
@@ -151,6 +151,10 @@ void add_detail(const SceneFacts& facts, RenderPlan& plan) {
     plan.left_out.push_back({"detailed surfaces", "pipeline", 0, "no material has more than one colour"});
     return;
   }
+  plan.built.push_back({"materials", "buffer", facts.detailed * sizeof(gpu::MaterialData),
+                        std::to_string(facts.detailed) + " detailed ones"});
+  plan.built.push_back(
+      {"white", "image", kPictureTexel, "one pixel, in the place of textures that a material has not"});
   for (const std::uint32_t look : plan.looks)
     plan.built.push_back({"detailed surfaces", "pipeline", 0,
                           describe_look(plan.scattering > 0 ? look : without_scattering(look))});
@@ -306,6 +310,14 @@ std::uint64_t view_bytes(const SceneFacts& facts, const RenderPlan& plan, Extent
          texels(picture) * facts.ghost_edges.size() * (kDepthTexel + kGhostTexel);
 }
 
+// Of one more view as well: camera, lights, samples of light below surfaces, and room for ghosts' edges.
+std::uint64_t view_numbers(const SceneFacts& facts, const RenderPlan& plan) {
+  std::uint64_t bytes = sizeof(gpu::FrameData) + (plan.lights > 0 ? sizeof(gpu::LightsData) : 0) +
+                        kScatterPatterns * static_cast<std::uint64_t>(plan.scattering) * sizeof(glm::vec4);
+  for (const std::uint64_t edges : facts.ghost_edges) bytes += edges * sizeof(gpu::GhostLine);
+  return bytes;
+}
+
 void add_inset(const SceneFacts& facts, RenderPlan& plan) {
   if (!plan.inset) {
     plan.left_out.push_back({"second view", "image", 0, "it is switched on in a window"});
@@ -313,6 +325,7 @@ void add_inset(const SceneFacts& facts, RenderPlan& plan) {
   }
   plan.built.push_back({"second view", "image", view_bytes(facts, plan, *plan.inset, *plan.inset),
                         size_of(*plan.inset) + ", the same passes once more"});
+  plan.built.push_back({"second view", "buffer", view_numbers(facts, plan), "its camera, lights and ghosts"});
 }
 
 void add_stereo(const SceneFacts& facts, RenderPlan& plan) {
@@ -325,10 +338,14 @@ void add_stereo(const SceneFacts& facts, RenderPlan& plan) {
   plan.built.push_back({"second eye", "image",
                         view_bytes(facts, plan, plan.scene, plan.picture) + finished_bytes(plan),
                         size_of(plan.scene) + ", the same passes once more; the shadow map is for both"});
+  plan.built.push_back({"second eye", "buffer", view_numbers(facts, plan), "its camera, lights and ghosts"});
   plan.built.push_back(
       {"eyes", "image", 2 * texels(plan.eye) * kPictureTexel, size + ", twice: tone mapped"});
-  plan.built.push_back({"screen layer", "image", texels(plan.picture) * kPictureTexel,
-                        size_of(plan.picture) + ", what lies at the screen: panels, a second view"});
+  if (plan.screen_layer)
+    plan.built.push_back({"screen layer", "image", texels(plan.picture) * kPictureTexel,
+                          size_of(plan.picture) + ", what lies at the screen: panels, a second view"});
+  else
+    plan.left_out.push_back({"screen layer", "image", 0, "no panel or second view lies at the screen"});
   plan.built.push_back(
       {"stereo", "pipeline", 0, std::string(kStereoModeNames[static_cast<std::size_t>(*plan.stereo)])});
 }
@@ -370,59 +387,6 @@ Extent eye_extent(Extent picture, const std::optional<Stereo>& stereo) {
   return picture;
 }
 
-SceneFacts facts_of(const VisualDesc& desc) {
-  SceneFacts facts;
-  for (const Mesh& mesh : desc.meshes) {
-    facts.vertices += mesh.positions.size();
-    facts.indices += mesh.indices.size();
-    if (!mesh.levels) continue;
-    facts.levelled += mesh.indices.size() / 3;
-    facts.coarser += mesh.levels->indices.size() - mesh.indices.size();
-    facts.pieces += mesh.levels->pieces.size();
-    for (const LevelsOfDetail::Piece& piece : mesh.levels->pieces)
-      facts.coarsest += piece.levels.back().count / 3;
-  }
-  facts.instances = desc.instances.size();
-  facts.voxels = light_volume_voxels(desc);
-  facts.mirrored = mirror_volume_voxels(desc);
-  std::set<std::size_t> placed, textures;  // meshes with places in textures, and these
-  std::set<std::uint32_t> looks;
-  for (const Instance& instance : desc.instances) {
-    const Material& material = desc.materials[instance.material];
-    const std::optional<std::uint32_t> look = look_of(material);
-    if (throws_shadow(instance, material)) {
-      ++facts.casters;
-      facts.moving_casters += instance.movable ? 1 : 0;
-    }
-    if (!look) {
-      ++facts.plain;
-      continue;
-    }
-    looks.insert(*look);
-    facts.scattering += is_scattering(*look) ? 1 : 0;
-    if (reads_places(*look)) placed.insert(instance.mesh);
-    for (const auto& layer : material.detail->layers)
-      if (layer) textures.insert(layer->texture);
-  }
-  facts.looks.assign(looks.begin(), looks.end());
-  for (const std::size_t mesh : placed) facts.placed_vertices += desc.meshes[mesh].positions.size();
-  facts.textures = textures.size();
-  for (const std::size_t texture : textures) facts.texture_bytes += mip_bytes(desc.textures[texture]);
-  facts.lights = desc.lights.size();
-  facts.markers = desc.markers.size();
-  for (const Ghost& ghost : desc.ghosts) {
-    // All of them copy the same instances: if one has no edges, none has.
-    if (const std::size_t edges = GhostEdges(desc, ghost).size(); edges > 0)
-      facts.ghost_edges.push_back(edges);
-  }
-  facts.picture = desc.ambient.picture.has_value();
-  facts.picture_seen = facts.picture && desc.ambient.picture->seen;
-  facts.key_light = desc.key_light.has_value();
-  facts.key_light_casts = desc.key_light && desc.key_light->casts_shadow;
-  facts.key_light_wide = desc.key_light && desc.key_light->diameter > 0.0F;
-  return facts;
-}
-
 Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   if (auto error = check_options(options)) return *error;
   const auto scaled = [&](std::uint32_t pixels) {
@@ -441,6 +405,7 @@ Result<RenderPlan> plan(const SceneFacts& facts, const RenderOptions& options) {
   plan.ghosts = !facts.ghost_edges.empty();
   plan.inset = options.inset;
   if (options.stereo) plan.stereo = options.stereo->mode;
+  plan.screen_layer = options.stereo && options.at_screen;
   add_geometry(facts, plan);
   add_levels(facts, options.quality, plan);
   add_shadow(facts, options.quality, plan);

@@ -33,6 +33,7 @@ struct RenderOptions {
       shader_folder;  // empty: the built-in shaders; else GLSL from here, reloaded when it changes
   std::optional<Extent> inset{};   // of a second view; none: there is none
   std::optional<Stereo> stereo{};  // none: for one eye
+  bool at_screen = true;           // in stereo, panels or a second view may lie at the screen
 };
 
 // The repository's shaders/ in a Debug build, else empty: what `shader_folder` should be in a program.
@@ -66,6 +67,7 @@ struct RenderPlan {
   bool ghosts = false;
   std::optional<Extent> inset{};       // its scene is as large
   std::optional<StereoMode> stereo{};  // none: nothing is built for a second eye
+  bool screen_layer = false;           // in stereo: for what lies at the screen
   std::vector<BuildItem> built;
   std::vector<BuildItem> left_out;
 
@@ -86,6 +88,7 @@ struct SceneFacts {
   std::uint64_t moving_casters = 0;       // of those, the ones that may move
   std::uint64_t plain = 0;                // instances without a detailed material
   std::vector<std::uint32_t> looks = {};  // of those with one, each once
+  std::uint64_t detailed = 0;             // materials of these
   std::uint64_t placed_vertices = 0;      // of their meshes that have places in textures
   std::uint64_t textures = 0;             // that they show
   std::uint64_t texture_bytes = 0;        // of those, in all their sizes

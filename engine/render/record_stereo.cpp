@@ -9,7 +9,7 @@ void Renderer::record_stereo(VkCommandBuffer commands, OverlayPass* overlay) {
   namespace use = vulkan::use;
   record_eye(commands, main_, stereo_->eyes[0]);
   record_eye(commands, stereo_->right, stereo_->eyes[1]);
-  record_screen(commands, overlay);
+  if (plan_.screen_layer) record_screen(commands, overlay);
   vulkan::barrier(commands, picture_.get(), kColour, discarded_after(use::kCopySource), use::kColourTarget);
   const VkRenderingAttachmentInfo colour =
       attachment(picture_.view(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_DONT_CARE,

@@ -87,12 +87,7 @@ Renderer::Renderer(vulkan::Device& device, const VisualDesc& desc, const RenderO
     build_environment(desc);
   }
   if (!facts_.looks.empty()) detailed_ = std::make_unique<DetailedSurfaces>(device, desc);
-  if (facts_.scattering > 0) {
-    const std::vector<glm::vec4> distances = scatter_distances(desc);
-    scatter_distances_ =
-        vulkan::upload(device, std::as_bytes(std::span(distances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    shared_.scatter_distances = scatter_distances_.get();
-  }
+  if (facts_.scattering > 0) distances_ = scatter_distances(desc);
   take_ghosts(desc);
   if (!markers_.empty()) {
     marker_buffer_ = vulkan::Buffer(device, markers_.size() * sizeof(gpu::MarkerData),
@@ -149,12 +144,22 @@ void Renderer::build(const RenderPlan& plan) {
   generation_ = next_generation();
   if (detailed_) detailed_->follow_slants(!plan.enlarged());  // what is enlarged is not so sharp anyway
   if (other_shadow) build_shadow_map();
+  build_scatter_distances();
   main_ = View(device_, plan, shared_);
   if (plan.stereo) stereo_.emplace(device_, plan, shared_);
   if (plan.inset) inset_.emplace(device_, inset_plan(plan), shared_);
   if (other_pipelines)  // not for another size alone: drivers take long to compile them
     build_pipelines();
   ready_ = true;
+}
+
+void Renderer::build_scatter_distances() {
+  if ((plan_.scattering > 0) == (shared_.scatter_distances != VK_NULL_HANDLE)) return;
+  scatter_distances_ = {};
+  if (plan_.scattering > 0)
+    scatter_distances_ =
+        vulkan::upload(device_, std::as_bytes(std::span(distances_)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  shared_.scatter_distances = scatter_distances_.get();
 }
 
 void Renderer::build_pipelines() {
@@ -263,6 +268,9 @@ std::optional<Error> Renderer::update(const FrameState& state) {
   if (state.inset && (state.inset->x + state.inset->width > plan_.picture.width ||
                       state.inset->y + state.inset->height > plan_.picture.height))
     return Error{"A frame came with a second view that reaches beyond the picture; lay it inside."};
+  if (state.overlay != nullptr && stereo_ && !plan_.screen_layer)
+    return Error{
+        "A frame came with panels, but its picture for two eyes has nothing at the screen; leave them out."};
   if (geometry_ && geometry_->place(state.X_WM)) shadow_stale_ = true;
   if (std::exchange(layers_, state.camera.layers) != state.camera.layers) {
     shadow_stale_ = standing_stale_ = true;

@@ -79,6 +79,7 @@ private:
   void build_environment(const VisualDesc& desc);
   void take_ghosts(const VisualDesc& desc);
   void build_shadow_map();
+  void build_scatter_distances();
   void build_pipelines();
   void reload_shaders();
   // Builds anew where the picture or the second view is of another size, or comes or goes.
@@ -120,7 +121,8 @@ private:
 
   std::unique_ptr<SceneGeometry> geometry_;     // null without instances
   std::unique_ptr<DetailedSurfaces> detailed_;  // null without detailed materials
-  vulkan::Buffer scatter_distances_;            // empty where light spreads below nothing
+  std::vector<glm::vec4> distances_;            // that light spreads to below surfaces, of each that it does
+  vulkan::Buffer scatter_distances_;            // the same; empty where the plan has no such light
   vulkan::Buffer marker_buffer_;                // empty without markers
   vulkan::Image environment_;                   // this and the volumes: empty without instances
   std::vector<VolumeOnDevice> volumes_;

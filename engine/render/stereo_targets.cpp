@@ -24,8 +24,8 @@ vulkan::Binding finished(std::uint32_t number, const vulkan::Image& image, VkSam
 StereoTargets::StereoTargets(vulkan::Device& device, const RenderPlan& plan, const SharedParts& shared)
     : right(device, plan, shared),
       eyes{make_finished(device, plan.eye), make_finished(device, plan.eye)},
-      screen(make_finished(device, plan.picture)),
+      screen(plan.screen_layer ? make_finished(device, plan.picture) : vulkan::Image()),
       set(device, {finished(0, eyes[0], shared.scene_sampler), finished(1, eyes[1], shared.scene_sampler),
-                   finished(2, screen, shared.scene_sampler)}) {}
+                   finished(2, plan.screen_layer ? screen : eyes[0], shared.scene_sampler)}) {}
 
 }  // namespace fulcrum::render

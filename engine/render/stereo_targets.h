@@ -14,7 +14,7 @@ struct StereoTargets {
 
   View right;
   std::array<vulkan::Image, 2> eyes;  // left, right
-  vulkan::Image screen;               // as large as the picture; premultiplied
+  vulkan::Image screen;               // as large as the picture; premultiplied; empty where the plan has none
   vulkan::DescriptorSet set;          // of these three
 };
 

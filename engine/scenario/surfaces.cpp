@@ -99,13 +99,6 @@ SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
   if (from.alpha_mode == AlphaMode::mask) cut_off = from.alpha_cutoff / std::max(from.alpha, 1e-6F);
   to.layers[SurfaceDetail::base_colour] = textures.layer(
       from.base_colour, from.alpha_mode == AlphaMode::opaque ? colours : colours_with_holes, cut_off);
-  to.layers[SurfaceDetail::metal_rough] = textures.layer(from.metal_rough, numbers);
-  to.layers[SurfaceDetail::normal] = textures.layer(from.normal, numbers);
-  to.layers[SurfaceDetail::occlusion] = textures.layer(from.occlusion, numbers);
-  to.layers[SurfaceDetail::emissive] = textures.layer(from.emissive, colours);
-  to.normal_scale = from.normal_scale;
-  to.occlusion_strength = from.occlusion_strength;
-  to.emission = colour_of(from.emission);
   to.opacity = from.alpha;
   to.alpha = from.alpha_mode == AlphaMode::mask    ? render::Alpha::mask
              : from.alpha_mode == AlphaMode::blend ? render::Alpha::blend
@@ -113,6 +106,14 @@ SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
   to.alpha_cutoff = from.alpha_cutoff;
   to.double_sided = from.double_sided;
   to.unlit = from.unlit;
+  if (to.unlit) return to;  // the rest is for those who do not know KHR_materials_unlit
+  to.layers[SurfaceDetail::metal_rough] = textures.layer(from.metal_rough, numbers);
+  to.layers[SurfaceDetail::normal] = textures.layer(from.normal, numbers);
+  to.layers[SurfaceDetail::occlusion] = textures.layer(from.occlusion, numbers);
+  to.layers[SurfaceDetail::emissive] = textures.layer(from.emissive, colours);
+  to.normal_scale = from.normal_scale;
+  to.occlusion_strength = from.occlusion_strength;
+  to.emission = colour_of(from.emission);
   const float mirrored = from.ior > 0.0F ? (from.ior - 1.0F) / (from.ior + 1.0F) : 1.0F;
   to.f0 = from.specular * glm::min(mirrored * mirrored * colour_of(from.specular_colour), glm::vec3(1.0F));
   to.f90 = from.specular;

@@ -128,6 +128,14 @@ protected:
     return {0.11F * (static_cast<float>(i % 7) - 3.0F), kRadius, 0.12F * (static_cast<float>(i / 7) - 1.0F)};
   }
 
+  static void add_textures(test::LitGlb& balls) {
+    balls.pictures = pictures();
+    balls.textures = R"("samplers":[{"wrapS":33071,"wrapT":33071,"magFilter":9728}],"textures":[)";
+    for (std::size_t i = 0; i < balls.pictures.size(); ++i)
+      balls.textures += R"({"source":)" + std::to_string(i) + "},";
+    balls.textures += R"({"source":0,"sampler":0}],)";
+  }
+
   // Of each feature's ball, from the file that `material` says.
   Picture drawn(std::string Feature::*material) {
     Mesh ball = test::unwrapped_ball(kRadius);
@@ -141,11 +149,7 @@ protected:
     for (const char* name :
          {"clearcoat", "emissive_strength", "ior", "sheen", "specular", "transmission", "unlit", "volume"})
       balls.extensions.push_back(std::string("KHR_materials_") + name);
-    balls.pictures = pictures();
-    balls.textures = R"("samplers":[{"wrapS":33071,"wrapT":33071,"magFilter":9728}],"textures":[)";
-    for (std::size_t i = 0; i < balls.pictures.size(); ++i)
-      balls.textures += R"({"source":)" + std::to_string(i) + "},";
-    balls.textures += R"({"source":0,"sampler":0}],)";
+    add_textures(balls);
     folder_.write("scenarios/peg/lamps.glb", balls.bytes());
     VisualDesc desc = assembled("");
     desc.key_light.emplace().intensity = 1.2F;
@@ -185,6 +189,30 @@ TEST_F(GltfFeaturesTest, AllAreDrawnFromAFile) {
       test::compare(with, std::filesystem::path(FULCRUM_GOLDENS) / "gltf_features.png",
                     {.max_lsb = 2, .max_pixels = 20, .failure_folder = FULCRUM_FAILURES});
   EXPECT_TRUE(result.passed) << result.sentence;
+}
+
+// What else a file says of it is for programs that light it all the same.
+TEST_F(GltfFeaturesTest, WhatIsUnlitBuildsItsColourAlone) {
+  const std::string textured = R"(,"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":2})";
+  const std::string material =
+      body(kWhite, "0.5", textured) +
+      R"(,"normalTexture":{"index":3},"occlusionTexture":{"index":4},"emissiveTexture":{"index":5},)"
+      R"("emissiveFactor":[1,1,1])";
+  test::LitGlb ball;
+  ball.parts = {{test::unwrapped_ball(kRadius), place(0),
+                 "{" +
+                     with_extensions(material, extension("unlit") + "," +
+                                                   extension("clearcoat", R"("clearcoatFactor":1)")) +
+                     "}"}};
+  ball.extensions = {"KHR_materials_unlit", "KHR_materials_clearcoat"};
+  add_textures(ball);
+  folder_.write("scenarios/peg/lamps.glb", ball.bytes());
+  const VisualDesc desc = assembled("");
+  EXPECT_EQ(desc.textures.size(), 1U);
+  const SceneFacts facts = facts_of(desc);
+  EXPECT_EQ(facts.textures, 1U);
+  ASSERT_EQ(facts.looks.size(), 1U);
+  EXPECT_EQ(describe_look(facts.looks[0]), "base colour texture, no light");
 }
 
 }  // namespace

@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/render/scatter_taps.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/light.h"
+#include "shaders/shared/material.h"
 #include "test_scene.h"
 
 namespace fulcrum::render {
@@ -62,6 +66,30 @@ TEST(Plan, HoldsEverythingThatAFullSceneShows) {
   EXPECT_EQ(find(all.built, "second eye", "image")->bytes,
             960U * 540U * (4U * 8U + 8U + 4U * 4U + 4U + 2U * 16U) + 1280U * 720U * (4U + 2U) +
                 480U * 270U * (4U + 2U * 4U) + (960U + 1280U) * 540U * 4U);
+  // Each further view has numbers of its own: of the camera, of lights, samples below surfaces, ghosts'
+  // edges.
+  const std::uint64_t numbers = sizeof(gpu::FrameData) + sizeof(gpu::LightsData) +
+                                kScatterPatterns * 16U * sizeof(glm::vec4) +
+                                find(all.built, "ghost", "buffer")->bytes;
+  EXPECT_EQ(find(all.built, "second eye", "buffer")->bytes, numbers);
+  EXPECT_EQ(find(all.built, "second view", "buffer")->bytes, numbers);
+  EXPECT_EQ(find(all.built, "materials", "buffer")->bytes, 2U * sizeof(gpu::MaterialData));
+  EXPECT_EQ(find(all.built, "white", "image")->bytes, 4U);
+}
+
+// A headset shows its panels by itself.
+TEST(Plan, LeavesOutTheScreenLayerWhereNothingLiesAtTheScreen) {
+  RenderOptions options;
+  options.stereo = Stereo{};
+  EXPECT_TRUE(planned(test::make_scene(), options).screen_layer);
+  options.at_screen = false;
+  const RenderPlan plan = planned(test::make_scene(), options);
+  EXPECT_FALSE(plan.screen_layer);
+  EXPECT_EQ(find(plan.built, "screen layer", "image"), nullptr);
+  EXPECT_NE(find(plan.left_out, "screen layer", "image"), nullptr);
+  options.inset = Extent{100, 100};
+  EXPECT_NE(complaint(test::make_scene(), options).find("A second view lies at the screen"),
+            std::string::npos);
 }
 
 TEST(Plan, LeavesOutLevelsAndEnlargementWhereNothingAsksForThem) {
@@ -75,8 +103,8 @@ TEST(Plan, LeavesOutLevelsAndEnlargementWhereNothingAsksForThem) {
   RenderOptions finest;
   finest.quality.coarseness = 0.0F;
   EXPECT_EQ(planned(desc, finest).coarseness, 0.0F);
-  EXPECT_EQ(find(planned(desc, finest).left_out, "levels of detail", "buffer")->note,
-            "the quality setting asks for the finest");
+  // They are there for a quality that changes.
+  EXPECT_NE(find(planned(desc, finest).built, "levels of detail", "buffer"), nullptr);
   EXPECT_GT(planned(desc).coarseness, 0.0F);
 }
 
@@ -104,7 +132,8 @@ TEST(Plan, LeavesOutTheLightVolumeWhereNothingStands) {
   for (Instance& instance : desc.instances) instance.movable = true;
   const RenderPlan moving = planned(desc);
   EXPECT_EQ(find(moving.built, "light volume", "image"), nullptr);
-  EXPECT_EQ(find(moving.left_out, "light volume", "image")->note, "nothing in the scene stands");
+  EXPECT_EQ(find(moving.left_out, "light volume", "image")->note,
+            "nothing in the scene stands: one voxel says so");
   desc.instances.clear();
   desc.ghosts.clear();
   const RenderPlan empty = planned(desc);

@@ -240,6 +240,20 @@ TEST_F(StereoTest, IsBuiltWhereItIsAskedForAndNowhereElse) {
   EXPECT_EQ(names(both->left_out).find("stereo"), std::string::npos);
 }
 
+// A headset's, and one without panels.
+TEST_F(StereoTest, WhereNothingCanLieAtTheScreenThePictureIsTheSame) {
+  const VisualDesc desc = test::make_scene();
+  for (const StereoMode mode : {StereoMode::side_by_side, StereoMode::interlaced, StereoMode::anaglyph}) {
+    RenderOptions options{{320, 180}, {4, 512, 1.0F}, {}, {}};
+    options.stereo = Stereo{mode};
+    options.at_screen = false;
+    const auto bare = Renderer::create(*gpu_.device, desc, options);
+    ASSERT_TRUE(bare) << bare.error().sentence;
+    EXPECT_TRUE(drawn(**bare, state(desc)).rgba == drawn(*make(desc, mode, {320, 180}), state(desc)).rgba)
+        << name_of(mode);
+  }
+}
+
 TEST_F(StereoTest, AScreenWithoutHeightIsRefused) {
   RenderOptions options;
   options.stereo = Stereo{StereoMode::anaglyph, Screen{}};

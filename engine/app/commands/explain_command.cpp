@@ -147,7 +147,10 @@ int explain_command(const ExplainOptions& options) {
   }
   render::RenderOptions picture;
   picture.stereo = stereo_of(options.stereo);
-  if (options.headset.asked) picture.stereo = render::Stereo{};  // its eyes lie side by side
+  if (options.headset.asked) {
+    picture.stereo = render::Stereo{};  // its eyes lie side by side
+    picture.at_screen = false;
+  }
   const Result<render::RenderPlan> plan = render::plan(visual->desc, picture);
   if (!plan) {
     complain(plan.error().sentence);
@@ -159,7 +162,7 @@ int explain_command(const ExplainOptions& options) {
     complain(costs.error().sentence);
     return kError;
   }
-  Inventory list = inventory(*world, *prepared, &*plan, false, options.device);
+  Inventory list = inventory(*world, *prepared, &*plan, {.device = options.device});
   add_scene_sound(*prepared, world->desc(), true, list);
   add_headset(options.headset, options.device, list);
   for (InventoryItem& item : list.built) {

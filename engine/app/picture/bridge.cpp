@@ -91,8 +91,9 @@ FrameBridge::FrameBridge(const render::VisualDesc& desc, const scenario::Scenari
       checkpoints_(scenario.checkpoints.size()),
       guide_(scenario.guide),
       X_TH_(scene.tool.X_HT.inverse()) {
-  if (shows_ghost(scene, scene)) ghost_q_HT_ = scene.tool.X_HT.q;
-  expert_shown_ = follows_expert(scene);
+  // A picture of the scene alone has none.
+  if (shows_ghost(scene, scene) && !desc.ghosts.empty()) ghost_q_HT_ = scene.tool.X_HT.q;
+  expert_shown_ = follows_expert(scene) && !desc.ghosts.empty();
   if (const auto use = channel_use(scene, scene); use && use->axis_W) {
     left_ = scene.device.vibrotactile->find("left").value_or(0);
     right_ = scene.device.vibrotactile->find("right").value_or(0);

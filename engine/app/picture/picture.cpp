@@ -16,6 +16,10 @@ Result<scenario::VisualAssembly> assemble_shown(const Prepared& prepared, const 
                                                 const RunOptions& options) {
   Result<scenario::VisualAssembly> visual = assemble_view(prepared, scene, options.view);
   if (!visual) return visual;
+  if (options.overlay == kNoOverlay) {
+    visual->desc.markers.clear();
+    visual->desc.ghosts.clear();
+  }
   if (options.circle) add_impact_circle(visual->desc);
   set_eyes(options.stereo, visual->desc.camera);
   for (scenario::View& view : visual->views) set_eyes(options.stereo, view.camera);
@@ -35,6 +39,7 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   render::RenderOptions wanted;
   wanted.extent = options.size;
   wanted.stereo = stereo_of(options.stereo);
+  wanted.at_screen = options.overlay != kNoOverlay;
   const auto renderer = render::Renderer::create(**device, visual.desc, wanted);
   if (!renderer) return renderer.error();
   if (plan != nullptr) *plan = (*renderer)->plan();
@@ -44,10 +49,7 @@ Result<std::filesystem::path> draw_picture(const Prepared& prepared, const Scene
   render::FrameState frame =
       bridge.frame(input.record, input.afterglow, input.task, input.camera, shown.time_s);
   std::unique_ptr<ui::Overlay> overlay;
-  if (options.overlay == kNoOverlay) {
-    frame.markers = {};
-    frame.ghosts = {};
-  } else {
+  if (options.overlay != kNoOverlay) {
     auto made = ui::Overlay::create(**device);
     if (!made) return made.error();
     overlay = std::move(*made);

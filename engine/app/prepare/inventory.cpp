@@ -110,13 +110,13 @@ std::string why_no_arms(const Prepared& prepared, const SceneDesc& scene) {
 
 }  // namespace
 
-Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan, bool circle,
-                    const std::string& device) {
+Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
+                    const InventoryOptions& options) {
   Inventory result;
   for (const BuiltPart& part : world.parts())
     result.built.push_back({part.name, "haptics", part.bytes, 0, part.what});
   leave_out_of_haptics(world, prepared, result.left_out);
-  if (plays_sound(device)) add_sound(world.desc(), device, result);
+  if (plays_sound(options.device)) add_sound(world.desc(), options.device, result);
   if (plan == nullptr) {
     result.left_out.push_back({"renderer", "picture", 0, 0, "nothing is drawn"});
     return result;
@@ -126,7 +126,7 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
         {"device's arms", "picture", 0, 0, "as its table has them, where the handle holds them"});
   else
     result.left_out.push_back({"device's arms", "picture", 0, 0, why_no_arms(prepared, world.desc())});
-  if (circle)
+  if (options.circle)
     result.built.push_back({"circle of confusion", "picture", 0, 0, "about the tool, after an impact"});
   else
     result.left_out.push_back({"circle of confusion", "picture", 0, 0, "only `run --circle` asks for it"});
@@ -139,6 +139,8 @@ Inventory inventory(const World& world, const Prepared& prepared, const render::
         "no finger sweeps on a device that vibrates");
   drawn(prepared.scenario.guide.has_value(), "guide", "a ball that goes to and fro",
         "the scenario does not name it");
+  drawn(options.panels, "panels", "text and marks over the scene, with an image of their font",
+        "--overlay none leaves them out");
   for (const render::BuildItem& item : plan->built)
     result.built.push_back({item.name, item.kind, item.bytes, 0, item.note});
   for (const render::BuildItem& item : plan->left_out)

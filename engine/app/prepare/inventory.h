@@ -23,10 +23,16 @@ struct Inventory {
   std::vector<InventoryItem> built, left_out;
 };
 
-// plan: none when nothing is drawn. circle: of confusion, with what is drawn. device: as the command line
-// names it.
+// What a command line asks for of it.
+struct InventoryOptions {
+  bool circle = false;  // of confusion, with what is drawn
+  bool panels = true;
+  std::string device = "simulated";  // as the command line names it
+};
+
+// plan: none when nothing is drawn.
 Inventory inventory(const World& world, const Prepared& prepared, const render::RenderPlan* plan,
-                    bool circle = false, const std::string& device = "simulated");
+                    const InventoryOptions& options = {});
 
 // What is heard of the scene, to either list. heard: by somebody, or by a file.
 void add_scene_sound(const Prepared& prepared, const SceneDesc& scene, bool heard, Inventory& to);

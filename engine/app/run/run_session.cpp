@@ -121,7 +121,8 @@ int RunSession::finish(const render::RenderPlan* plan, bool person, const Pictur
     outcome.summary.heard = heard_scene(player_->counts(), player_->device());
     std::fprintf(stderr, "Heard: %s.\n", record::heard_text(*outcome.summary.heard).c_str());
   }
-  Inventory list = inventory(world_, prepared_, plan, options_.circle, options_.device);
+  Inventory list =
+      inventory(world_, prepared_, plan, {options_.circle, options_.overlay != kNoOverlay, options_.device});
   add_scene_sound(prepared_, world_.desc(), player_ != nullptr || sink_.writes_sound(), list);
   add_headset(options_.headset, options_.device, list);
   bool written = write_results(folder_, outcome, list) && outcome.recorded;
