@@ -4,41 +4,48 @@
 #include <cstdio>
 
 #include "engine/analysis/picture/frame_times.h"
-#include "engine/render/renderer.h"
 #include "engine/studies/moving_shot.h"
 
 namespace fulcrum::app {
-namespace {
 
-Result<DrawnLevel> draw_level(vulkan::Device& device, const render::VisualDesc& desc, const Shot& shot,
-                              const render::RenderOptions& options) {
-  const auto renderer = render::Renderer::create(device, desc, options);
-  if (!renderer) return renderer.error();
-  MovingShot frames(shot);
-  analysis::picture::FrameTimes times(1);
-  while (!times.are_enough()) {
-    if (const auto error = (*renderer)->frame(frames.next())) return *error;
-    times.add((*renderer)->last_frame_s());
-  }
-  if (const auto error = (*renderer)->frame(frames.still())) return *error;
-  Result<render::Picture> picture = (*renderer)->read_back();
-  if (!picture) return picture.error();
-  return DrawnLevel{std::move(*picture), times.median_ms(0)};
-}
-
-}  // namespace
-
-Result<std::vector<DrawnLevel>> draw_levels(vulkan::Device& device, render::VisualDesc desc, const Shot& shot,
-                                            render::Extent extent) {
-  without_marks(desc, shot);
-  std::vector<DrawnLevel> levels;
+Result<TimedLevels> time_levels(vulkan::Device& device, const render::VisualDesc& desc, const Shot& shot,
+                                render::Extent extent) {
+  TimedLevels timed;
   for (const render::Quality& quality : render::kQualityLevels) {
     render::RenderOptions options;
     options.extent = extent;
     options.quality = quality;
-    Result<DrawnLevel> drawn = draw_level(device, desc, shot, options);
-    if (!drawn) return drawn.error();
-    levels.push_back(std::move(*drawn));
+    auto renderer = render::Renderer::create(device, desc, options);
+    if (!renderer) return renderer.error();
+    timed.renderers.push_back(std::move(*renderer));
+  }
+  MovingShot frames(shot);
+  render::FrameState state;
+  const auto times = analysis::picture::FrameTimes::by_turns(
+      timed.renderers.size(), [&](std::size_t level) -> Result<double> {
+        if (level == 0) state = frames.next();
+        if (const auto error = timed.renderers[level]->frame(state)) return *error;
+        return timed.renderers[level]->last_frame_s();
+      });
+  if (!times) return times.error();
+  for (std::size_t level = 0; level < timed.renderers.size(); ++level)
+    timed.frame_ms.push_back(times->median_ms(level));
+  return timed;
+}
+
+Result<std::vector<DrawnLevel>> draw_levels(vulkan::Device& device, render::VisualDesc desc, const Shot& shot,
+                                            render::Extent extent) {
+  without_marks(desc, shot);
+  const Result<TimedLevels> timed = time_levels(device, desc, shot, extent);
+  if (!timed) return timed.error();
+  const MovingShot frames(shot);
+  std::vector<DrawnLevel> levels;
+  for (std::size_t level = 0; level < timed->renderers.size(); ++level) {
+    render::Renderer& renderer = *timed->renderers[level];
+    if (const auto error = renderer.frame(frames.still())) return *error;
+    Result<render::Picture> picture = renderer.read_back();
+    if (!picture) return picture.error();
+    levels.push_back({std::move(*picture), timed->frame_ms[level]});
   }
   return levels;
 }

@@ -8,11 +8,21 @@
 #include "engine/render/picture.h"
 #include "engine/render/plan.h"
 #include "engine/render/quality.h"
+#include "engine/render/renderer.h"
 #include "engine/render/visual_desc.h"
 #include "engine/studies/picture_shot.h"
 #include "engine/vulkan/device.h"
 
 namespace fulcrum::app {
+
+struct TimedLevels {
+  std::vector<std::unique_ptr<render::Renderer>> renderers;  // one for each of render::kQualityLevels
+  std::vector<double> frame_ms;                              // of each of them, the median
+};
+
+// The levels take turns. desc: with the shot's instances.
+Result<TimedLevels> time_levels(vulkan::Device& device, const render::VisualDesc& desc, const Shot& shot,
+                                render::Extent extent);
 
 struct DrawnLevel {
   render::Picture picture;

@@ -7,13 +7,11 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/analysis/picture/frame_times.h"
 #include "engine/analysis/picture/speed_report.h"
 #include "engine/app/cli/exit_code.h"
 #include "engine/app/cli/report_output.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/prepare/chosen_view.h"
-#include "engine/render/renderer.h"
 #include "engine/studies/moving_shot.h"
 #include "engine/studies/picture_levels.h"
 #include "engine/vulkan/instance.h"
@@ -27,30 +25,12 @@ constexpr std::array<render::Extent, 3> kSizes = {{{640, 360}, {1280, 720}, {192
 
 Result<SpeedFigures> measure_speed(vulkan::Device& device, const render::VisualDesc& desc, const Shot& shot,
                                    render::Extent extent) {
-  std::vector<std::unique_ptr<render::Renderer>> renderers;
-  SpeedFigures figures{shot.scene, shot.view, extent.width, extent.height, {}, {}, {}};
-  for (const render::Quality& quality : render::kQualityLevels) {
-    render::RenderOptions options;
-    options.extent = extent;
-    options.quality = quality;
-    auto renderer = render::Renderer::create(device, desc, options);
-    if (!renderer) return renderer.error();
-    renderers.push_back(std::move(*renderer));
+  const Result<TimedLevels> timed = time_levels(device, desc, shot, extent);
+  if (!timed) return timed.error();
+  SpeedFigures figures{shot.scene, shot.view, extent.width, extent.height, {}, timed->frame_ms, {}};
+  for (const render::Quality& quality : render::kQualityLevels)
     figures.qualities.push_back(words_of(quality));
-  }
-  MovingShot frames(shot);
-  analysis::picture::FrameTimes times(renderers.size());
-  while (!times.are_enough()) {
-    const render::FrameState state = frames.next();
-    for (const auto& renderer : renderers) {
-      if (const auto error = renderer->frame(state)) return *error;
-      times.add(renderer->last_frame_s());
-    }
-  }
-  for (std::size_t level = 0; level < renderers.size(); ++level) {
-    figures.frame_ms.push_back(times.median_ms(level));
-    figures.triangles.push_back(renderers[level]->triangles());
-  }
+  for (const auto& renderer : timed->renderers) figures.triangles.push_back(renderer->triangles());
   return figures;
 }
 

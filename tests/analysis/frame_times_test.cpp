@@ -32,5 +32,28 @@ TEST(FrameTimes, SlowFramesAreCountedToo) {
   EXPECT_DOUBLE_EQ(times.median_ms(0), 1000 * (1.5));
 }
 
+// A machine on which every frame takes a percent longer than the one before, whatever level it is of.
+TEST(FrameTimes, OfTurnsCompareLevelsOnAMachineThatBecomesSlower) {
+  double slowed = 1;
+  const Result<FrameTimes> times = FrameTimes::by_turns(2, [&](std::size_t level) -> Result<double> {
+    slowed *= 1.01;
+    return slowed * (level == 0 ? 0.02 : 0.01);
+  });
+  ASSERT_TRUE(times);
+  EXPECT_NEAR(times->median_ms(0) / times->median_ms(1), 2, 0.03);
+}
+
+TEST(FrameTimes, EndWithTheFirstFrameThatCannotBeDrawn) {
+  int drawn = 0;
+  const Result<FrameTimes> times = FrameTimes::by_turns(2, [&](std::size_t level) -> Result<double> {
+    ++drawn;
+    if (level == 1) return Error{"The GPU is lost."};
+    return 0.01;
+  });
+  ASSERT_FALSE(times);
+  EXPECT_EQ(times.error().sentence, "The GPU is lost.");
+  EXPECT_EQ(drawn, 2);
+}
+
 }  // namespace
 }  // namespace fulcrum::analysis::picture

@@ -4,6 +4,19 @@
 
 namespace fulcrum::analysis::picture {
 
+Result<FrameTimes> FrameTimes::by_turns(std::size_t levels,
+                                        const std::function<Result<double>(std::size_t)>& draw) {
+  FrameTimes times(levels);
+  while (!times.are_enough()) {
+    for (std::size_t level = 0; level < levels; ++level) {
+      const Result<double> frame_s = draw(level);
+      if (!frame_s) return frame_s.error();
+      times.add(*frame_s);
+    }
+  }
+  return times;
+}
+
 void FrameTimes::add(double frame_s) {
   if (next_ == 0) counts_ = rounds_ >= kUncounted && uncounted_s_ >= kUncounted_s;
   if (counts_) times_[next_].push_back(frame_s);

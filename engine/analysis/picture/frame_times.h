@@ -2,7 +2,10 @@
 // How long frames take, in the median.
 
 #include <cstddef>
+#include <functional>
 #include <vector>
+
+#include "haptics/math/result.h"
 
 namespace fulcrum::analysis::picture {
 
@@ -12,6 +15,11 @@ namespace fulcrum::analysis::picture {
 class FrameTimes {
 public:
   explicit FrameTimes(std::size_t levels) : times_(levels) {}
+
+  // Lets the levels take turns, frame by frame, until there are enough: what else the machine does meanwhile
+  // slows all of them alike. draw: draws the next frame of a level; s that it took.
+  static Result<FrameTimes> by_turns(std::size_t levels,
+                                     const std::function<Result<double>(std::size_t)>& draw);
 
   // Of the next frame, level after level.
   void add(double frame_s);
