@@ -3,22 +3,24 @@
 #include <png.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <memory>
+#include <cstring>
+#include <string>
 
 namespace fulcrum::render {
 namespace {
-
-constexpr std::uint32_t kMostPixelsOfASide = 16384;
-
-struct CloseRead {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 [[noreturn]] void leave_reading(png_structp png, png_const_charp) {
   png_longjmp(png, 1);
 }
 void hush_reading(png_structp, png_const_charp) {}
+
+// The next bytes of the string_view that the reader has been given.
+void take_bytes(png_structp png, png_bytep to, std::size_t size) {
+  auto& left = *static_cast<std::string_view*>(png_get_io_ptr(png));
+  if (left.size() < size) png_error(png, "it ends before");
+  std::memcpy(to, left.data(), size);
+  left.remove_prefix(size);
+}
 
 struct Samples {
   std::uint32_t width = 0, height = 0;
@@ -26,7 +28,7 @@ struct Samples {
 };
 
 // libpng leaves by longjmp: what this function fills belongs to its caller.
-bool read_samples(std::FILE* file, Samples& samples) {
+bool read_samples(std::string_view& left, Samples& samples) {
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave_reading, hush_reading);
   if (png == nullptr) return false;
   png_infop info = png_create_info_struct(png);
@@ -34,8 +36,8 @@ bool read_samples(std::FILE* file, Samples& samples) {
     png_destroy_read_struct(&png, &info, nullptr);
     return false;
   }
-  png_set_user_limits(png, kMostPixelsOfASide, kMostPixelsOfASide);
-  png_init_io(png, file);
+  png_set_user_limits(png, kMostRadiancePixels, kMostRadiancePixels);
+  png_set_read_fn(png, &left, take_bytes);
   png_read_info(png, info);
   if (png_get_bit_depth(png, info) != 16 || png_get_color_type(png, info) != PNG_COLOR_TYPE_RGB_ALPHA ||
       png_get_interlace_type(png, info) != PNG_INTERLACE_NONE)
@@ -43,8 +45,11 @@ bool read_samples(std::FILE* file, Samples& samples) {
   samples.width = png_get_image_width(png, info);
   samples.height = png_get_image_height(png, info);
   const std::size_t row = std::size_t{samples.width} * 8;
-  samples.bytes.resize(row * samples.height);
-  for (std::uint32_t y = 0; y < samples.height; ++y) png_read_row(png, &samples.bytes[y * row], nullptr);
+  // Row by row: a header may promise more than comes.
+  for (std::uint32_t y = 0; y < samples.height; ++y) {
+    samples.bytes.resize((y + 1) * row);
+    png_read_row(png, &samples.bytes[y * row], nullptr);
+  }
   png_read_end(png, nullptr);
   png_destroy_read_struct(&png, &info, nullptr);
   return true;
@@ -52,16 +57,11 @@ bool read_samples(std::FILE* file, Samples& samples) {
 
 }  // namespace
 
-vulkan::Result<Radiance> read_radiance(const std::filesystem::path& path) {
-  const std::unique_ptr<std::FILE, CloseRead> file(std::fopen(path.c_str(), "rb"));
-  if (!file)
-    return vulkan::Error{"The reference " + path.string() + " cannot be read; is it there, and readable?"};
+vulkan::Result<Radiance> read_radiance(std::string_view png) {
   Samples samples;
-  if (!read_samples(file.get(), samples))
-    return vulkan::Error{
-        "The reference " + path.string() +
-        " is no whole PNG of red, green, blue and alpha with 16 bits each; make it anew with "
-        "tools/references."};
+  if (!read_samples(png, samples))
+    return vulkan::Error{"it is no whole PNG of red, green, blue and alpha with 16 bits each, of at most " +
+                         std::to_string(kMostRadiancePixels) + " pixels a side"};
   Radiance radiance{samples.width, samples.height, {}};
   radiance.pixels.reserve(samples.bytes.size() / 8);
   for (std::size_t at = 0; at < samples.bytes.size(); at += 8) {

@@ -2,8 +2,8 @@
 // Scene radiance of a picture that another renderer has drawn, as a 16-bit PNG.
 
 #include <cstdint>
-#include <filesystem>
 #include <glm/glm.hpp>
+#include <string_view>
 #include <vector>
 
 #include "engine/vulkan/result.h"
@@ -16,8 +16,11 @@ struct Radiance {
   std::vector<glm::vec4> pixels;
 };
 
-// A file of red, green, blue and alpha, 16 bits each: of v / 65535 the square is c / (1 + the largest c),
-// alpha as it is. Fails with a sentence where it is none such.
-vulkan::Result<Radiance> read_radiance(const std::filesystem::path& file);
+// Of a side: what is larger is no reference.
+inline constexpr std::uint32_t kMostRadiancePixels = 4096;
+
+// The bytes of a file of red, green, blue and alpha, 16 bits each: of v / 65535 the square is
+// c / (1 + the largest c), alpha as it is. Fails with a clause where it is none such.
+vulkan::Result<Radiance> read_radiance(std::string_view png);
 
 }  // namespace fulcrum::render

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "engine/app/cli/terminal.h"
 #include "engine/files/regular_file.h"
 #include "engine/render/tone.h"
 #include "engine/scenario/content.h"
@@ -14,16 +15,25 @@ namespace fulcrum::app {
 namespace {
 
 constexpr std::size_t kMostSidecarBytes = 1 << 20;
+// Of a picture: all that the largest one can be without being compressed.
+constexpr std::size_t kMostPictureBytes =
+    9 * std::size_t{render::kMostRadiancePixels} * render::kMostRadiancePixels;
+
+Error unread(const std::filesystem::path& file, const Error& why) {
+  return {file.string() + " cannot be read: " + why.sentence + "; make it anew with tools/references."};
+}
+
+Result<std::string> bytes_of(const std::filesystem::path& file, std::size_t most) {
+  const Result<RegularFile> opened = RegularFile::open(file);
+  if (!opened) return unread(file, opened.error());
+  Result<std::string> bytes = opened->first_bytes(most);
+  if (!bytes) return unread(file, bytes.error());
+  return bytes;
+}
 
 Result<Reference> read_reference(const std::filesystem::path& file) {
-  const auto unread = [&](const Error& why) {
-    return Error{file.string() + " cannot be read: " + why.sentence +
-                 "; make it anew with tools/references."};
-  };
-  Result<RegularFile> opened = RegularFile::open(file);
-  if (!opened) return unread(opened.error());
-  const Result<std::string> text = opened->first_bytes(kMostSidecarBytes);
-  if (!text) return unread(text.error());
+  const Result<std::string> text = bytes_of(file, kMostSidecarBytes);
+  if (!text) return text.error();
   const auto json = nlohmann::ordered_json::parse(*text, nullptr, false);
   const Result<Shot> shot = read_shot(json, file);
   if (!shot) return shot.error();
@@ -38,11 +48,17 @@ Result<Reference> read_reference(const std::filesystem::path& file) {
 Result<std::vector<Reference>> find_references(const std::string& scene) {
   std::vector<Reference> found;
   for (const std::filesystem::path& root : scenario::content_roots()) {
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(root / "references", none)) {
-      if (entry.path().extension() != ".json") continue;
-      Result<Reference> reference = read_reference(entry.path());
-      if (!reference) return reference.error();
+    std::error_code fault;
+    std::filesystem::directory_iterator entry(root / "references", fault);
+    for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
+      const std::filesystem::path& file = entry->path();
+      if (file.extension() != ".json") continue;
+      Result<Reference> reference = read_reference(file);
+      if (!reference) {
+        if (scene.empty() || file.filename().string().starts_with(scene + "_")) return reference.error();
+        complain("left out, since it does not seem to be of '" + scene + "': " + reference.error().sentence);
+        continue;
+      }
       if (scene.empty() || reference->shot.scene == scene) found.push_back(std::move(*reference));
     }
     if (!found.empty()) break;
@@ -56,6 +72,14 @@ Result<std::vector<Reference>> find_references(const std::string& scene) {
     return std::tuple(each.shot.scene, each.shot.time_s, each.shot.view);
   });
   return found;
+}
+
+Result<render::Radiance> radiance_of(const Reference& reference) {
+  const Result<std::string> png = bytes_of(reference.picture, kMostPictureBytes);
+  if (!png) return png.error();
+  Result<render::Radiance> radiance = render::read_radiance(*png);
+  if (!radiance) return unread(reference.picture, radiance.error());
+  return radiance;
 }
 
 analysis::picture::Image shown_on(const render::Background& background, const render::Radiance& radiance) {

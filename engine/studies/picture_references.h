@@ -19,8 +19,11 @@ struct Reference {
   std::filesystem::path picture;
 };
 
-// By scene and time; scene: of that alone, empty: of all. Fails where there is none.
+// By scene and time; scene: of that alone, empty: of all. Fails where there is none, and where one of those
+// that were asked for is damaged; one of another scene is told of on stderr.
 Result<std::vector<Reference>> find_references(const std::string& scene);
+
+Result<render::Radiance> radiance_of(const Reference& reference);
 
 // As our renderer would show it: the background laid under it, then tone mapped.
 analysis::picture::Image shown_on(const render::Background& background, const render::Radiance& radiance);

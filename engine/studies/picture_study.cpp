@@ -79,7 +79,7 @@ int describe_all(const PictureStudyOptions& options) {
 
 Result<measured::ViewFigures> measure(vulkan::Device& device, const Prepared& prepared,
                                       const Reference& reference) {
-  const Result<render::Radiance> radiance = render::read_radiance(reference.picture);
+  const Result<render::Radiance> radiance = radiance_of(reference);
   if (!radiance) return radiance.error();
   const Result<render::VisualDesc> desc = visual_of(prepared, reference.shot);
   if (!desc) return desc.error();

@@ -46,7 +46,33 @@ odd 's/"view": *"ball"/"view": "nowhere"/'
 expect 1 "no view 'nowhere'" env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out odd_view
 rm odd/references/*
 mkdir odd/references/zz.json
-expect 1 'zz.json cannot be read: it is a folder' env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out odd_folder
+expect 1 'zz.json cannot be read: it is a folder' env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --out odd_folder
+# Where one scene is asked for, what is of another is told of and left out, and a damaged one of this scene is not.
+rmdir odd/references/zz.json
+odd ''
+echo '{' >odd/references/ear_outside.json
+expect_each 0 'left out.*ear_outside.json is not what tools/references writes' 'stick +ball' -- \
+  env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out odd_other
+expect 1 'ear_outside.json is not what' env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --out odd_all
+echo '{' >odd/references/stick_ball.json
+expect 1 'stick_ball.json is not what' env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out odd_own
+# A picture that is none is told so, too, and a pipe does not make the program wait.
+rm -r odd/references/*
+odd ''
+odd_picture() { # WHAT
+  expect 1 "references/stick_ball.png cannot be read: $1.*tools/references" \
+    timeout 600 env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out odd_picture
+}
+rm odd/references/stick_ball.png
+odd_picture 'No such file'
+mkfifo odd/references/stick_ball.png
+odd_picture 'it is a pipe'
+rm odd/references/stick_ball.png
+mkdir odd/references/stick_ball.png
+odd_picture 'it is a folder'
+rmdir odd/references/stick_ball.png
+printf '\x89PNG\r\n\x1a\n' >odd/references/stick_ball.png
+odd_picture 'it is no whole PNG'
 expect 2 'picture' "$FULCRUM" workprecision pictures --out Q
 expect 0 'stick_ball' "$FULCRUM" workprecision picture --scene stick --describe D
 for file in stick_overview stick_ball; do [ -s D/$file.json ] && [ -s D/$file.bin ] || fail "D lacks $file"; done

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
-#include <unistd.h>
+#include <sys/resource.h>
 
-#include <cstdio>
-#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "engine/render/radiance_png.h"
 #include "engine/render/renderer.h"
@@ -48,33 +48,34 @@ TEST(Tone, IsTheShaders) {
   }
 }
 
-class RadianceFile : public testing::Test {
-protected:
-  void TearDown() override { std::filesystem::remove(file_); }
+// A PNG of 16 bits each. values: of its rows, one after the other; the header may promise more of them.
+std::string png_of(std::uint32_t width, std::uint32_t height, int format, std::vector<std::uint16_t> values) {
+  std::string bytes;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_set_write_fn(
+      png, &bytes,
+      [](png_structp to, png_bytep data, std::size_t size) {
+        static_cast<std::string*>(png_get_io_ptr(to))->append(reinterpret_cast<const char*>(data), size);
+      },
+      nullptr);
+  png_set_IHDR(png, info, width, height, 16, format, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  png_set_swap(png);
+  const std::size_t row = std::size_t{width} * png_get_channels(png, info);
+  const std::size_t rows = values.size() / row;
+  for (std::size_t y = 0; y < rows; ++y)
+    png_write_row(png, reinterpret_cast<png_const_bytep>(values.data() + y * row));
+  if (rows == height) png_write_end(png, info);
+  png_destroy_write_struct(&png, &info);
+  return bytes;
+}
 
-  void write(std::uint32_t format, const std::vector<std::uint16_t>& values) const {
-    std::FILE* file = std::fopen(file_.c_str(), "wb");
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-    png_infop info = png_create_info_struct(png);
-    png_init_io(png, file);
-    png_set_IHDR(png, info, 2, 1, 16, static_cast<int>(format), PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_write_info(png, info);
-    png_set_swap(png);
-    png_write_row(png, reinterpret_cast<png_const_bytep>(values.data()));
-    png_write_end(png, info);
-    png_destroy_write_struct(&png, &info);
-    std::fclose(file);
-  }
-
-  std::filesystem::path file_ =
-      std::filesystem::temp_directory_path() / ("fulcrum_radiance_" + std::to_string(::getpid()) + ".png");
-};
-
-TEST_F(RadianceFile, IsReadAsItsHeaderSays) {
+TEST(Radiance, IsReadAsItsHeaderSays) {
   // The square root of 0.5 / 1.5 and of 0.25 / 1.5: half and a quarter; then nothing at all.
-  write(PNG_COLOR_TYPE_RGB_ALPHA, {37837, 26755, 0, 65535, 0, 0, 0, 13107});
-  const auto radiance = read_radiance(file_);
+  const auto radiance =
+      read_radiance(png_of(2, 1, PNG_COLOR_TYPE_RGB_ALPHA, {37837, 26755, 0, 65535, 0, 0, 0, 13107}));
   ASSERT_TRUE(radiance) << radiance.error().sentence;
   ASSERT_EQ(radiance->width, 2U);
   ASSERT_EQ(radiance->height, 1U);
@@ -85,13 +86,36 @@ TEST_F(RadianceFile, IsReadAsItsHeaderSays) {
   EXPECT_NEAR(radiance->pixels[1].a, 0.2F, 1e-6F);
 }
 
-TEST_F(RadianceFile, OfAnotherKindIsRefused) {
-  EXPECT_FALSE(read_radiance(file_));  // none there
-  write(PNG_COLOR_TYPE_RGB, {1, 2, 3, 4, 5, 6});
-  EXPECT_NE(read_radiance(file_).error().sentence.find("tools/references"), std::string::npos);
-  write(PNG_COLOR_TYPE_RGB_ALPHA, {1, 2, 3, 4, 5, 6, 7, 8});
-  std::filesystem::resize_file(file_, std::filesystem::file_size(file_) - 20);
-  EXPECT_FALSE(read_radiance(file_));
+TEST(Radiance, OfAnotherKindIsRefused) {
+  EXPECT_FALSE(read_radiance(""));
+  EXPECT_NE(read_radiance(png_of(2, 1, PNG_COLOR_TYPE_RGB, {1, 2, 3, 4, 5, 6}))
+                .error()
+                .sentence.find("no whole PNG of red, green, blue and alpha"),
+            std::string::npos);
+  const std::string whole = png_of(2, 1, PNG_COLOR_TYPE_RGB_ALPHA, {1, 2, 3, 4, 5, 6, 7, 8});
+  EXPECT_FALSE(read_radiance(whole.substr(0, whole.size() - 20)));
+}
+
+TEST(Radiance, LargerThanAReferenceIsRefused) {
+  const auto row_of = [](std::uint32_t width) {
+    return png_of(width, 1, PNG_COLOR_TYPE_RGB_ALPHA, std::vector<std::uint16_t>(std::size_t{4} * width));
+  };
+  EXPECT_TRUE(read_radiance(row_of(kMostRadiancePixels)));
+  EXPECT_FALSE(read_radiance(row_of(kMostRadiancePixels + 1)));
+}
+
+TEST(Radiance, TakesNoMemoryForRowsThatDoNotCome) {
+  const auto largest_kB = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  // A chunk of pixels begins, and the file ends.
+  const std::string promise = png_of(kMostRadiancePixels, kMostRadiancePixels, PNG_COLOR_TYPE_RGB_ALPHA, {}) +
+                              std::string("\0\0\0\x10IDAT", 8);
+  const long before_kB = largest_kB();
+  EXPECT_FALSE(read_radiance(promise));
+  EXPECT_LT(largest_kB() - before_kB, 64 * 1024) << "of 128 MiB that are promised";
 }
 
 }  // namespace
