@@ -54,8 +54,8 @@ Result<Shot> take_shot(const Prepared& prepared, const WantedShot& wanted) {
       wanted.scene, wanted.view, wanted.time_s, visual->desc.camera, {frame.X_WM.begin(), frame.X_WM.end()}};
 }
 
-std::string name_of(const Shot& shot) {
-  return shot.scene + "_" + shot.view;
+std::string name_of(const WantedShot& shot) {
+  return std::string(shot.scene) + "_" + shot.view;
 }
 
 nlohmann::ordered_json shot_json(const Shot& shot) {

@@ -34,7 +34,7 @@ std::vector<WantedShot> wanted_shots();
 Result<Shot> take_shot(const Prepared& prepared, const WantedShot& wanted);
 
 // scene_view, for files.
-std::string name_of(const Shot& shot);
+std::string name_of(const WantedShot& shot);
 
 nlohmann::ordered_json shot_json(const Shot& shot);
 Result<Shot> read_shot(const nlohmann::ordered_json& json, const std::filesystem::path& file);

@@ -54,11 +54,32 @@ Result<render::VisualDesc> visual_of(const Prepared& prepared, const Shot& shot)
   return visual->desc;
 }
 
+constexpr const char *kDescription = ".json", *kNumbers = ".bin";  // of a shot's files
+
+// Why these shots may not be described in that folder; absent: nothing of theirs lies there, or it may go.
+std::optional<Error> refuse_described(const std::vector<WantedShot>& wanted,
+                                      const PictureStudyOptions& options) {
+  if (options.run.force) return std::nullopt;
+  for (const WantedShot& shot : wanted)
+    for (const char* const end : {kDescription, kNumbers}) {
+      const std::filesystem::path file = std::filesystem::path(options.describe) / (name_of(shot) + end);
+      std::error_code none;
+      if (std::filesystem::exists(std::filesystem::symlink_status(file, none)))
+        return Error{file.string() +
+                     " is there already: choose another folder with --describe, or replace it with --force."};
+    }
+  return std::nullopt;
+}
+
 int describe_all(const PictureStudyOptions& options) {
+  std::vector<WantedShot> all = wanted_shots();
+  if (!options.scene.empty())
+    std::erase_if(all, [&](const WantedShot& shot) { return options.scene != shot.scene; });
+  if (all.empty())
+    return refused({"there is no scene '" + options.scene + "' to describe; fulcrum list has them."});
+  if (const auto error = refuse_described(all, options)) return refused(*error);
   PreparedScenes scenes;
-  int described = 0;
-  for (const WantedShot& wanted : wanted_shots()) {
-    if (!options.scene.empty() && options.scene != wanted.scene) continue;
+  for (const WantedShot& wanted : all) {
     const Prepared* prepared = scenes.get(wanted.scene);
     if (prepared == nullptr) return kError;
     const Result<Shot> shot = take_shot(*prepared, wanted);
@@ -66,15 +87,14 @@ int describe_all(const PictureStudyOptions& options) {
     const Result<render::VisualDesc> desc = visual_of(*prepared, *shot);
     if (!desc) return refused(desc.error());
     const SceneDescription description = describe(*desc, *shot);
-    const std::filesystem::path base = std::filesystem::path(options.describe) / name_of(*shot);
-    if (!put_file(base.string() + ".json", {std::as_bytes(std::span(description.json))}) ||
-        !put_file(base.string() + ".bin", {std::as_bytes(std::span(description.bytes))}))
+    const std::string name = name_of(wanted);
+    const std::filesystem::path base = std::filesystem::path(options.describe) / name;
+    if (!put_file(base.string() + kDescription, {std::as_bytes(std::span(description.json))}) ||
+        !put_file(base.string() + kNumbers, {std::as_bytes(std::span(description.bytes))}))
       return refused({base.string() + " cannot be written; is the folder writable, and is there room?"});
-    std::printf("%s\n", name_of(*shot).c_str());
-    ++described;
+    std::printf("%s\n", name.c_str());
   }
-  if (described > 0) return kCompleted;
-  return refused({"there is no scene '" + options.scene + "' to describe; fulcrum list has them."});
+  return kCompleted;
 }
 
 Result<measured::ViewFigures> measure(vulkan::Device& device, const Prepared& prepared,

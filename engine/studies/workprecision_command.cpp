@@ -91,9 +91,13 @@ int workprecision_command(const RunOptions& options) {
 std::optional<std::string> refuse_for_others(const std::string& what, const PictureStudyOptions& asked) {
   if (what != "picture" && !asked.describe.empty())
     return "--describe is of `workprecision picture`: leave it out, or ask for that.";
-  if (!asked.describe.empty() && (!asked.run.out.empty() || asked.run.json))
-    return std::string(asked.run.json ? "--json" : "--out") +
-           " is of what is measured, and --describe measures nothing: leave one of them out.";
+  const char* const measuring = !asked.run.out.empty()   ? "--out"
+                                : asked.run.json         ? "--json"
+                                : !asked.run.gpu.empty() ? "--gpu"
+                                                         : nullptr;
+  if (!asked.describe.empty() && measuring != nullptr)
+    return std::string(measuring) +
+           " is of what is drawn and measured, and --describe draws nothing: leave one of them out.";
   if (what != "contact") return std::nullopt;
   const char* const option = !asked.scene.empty() ? "--scene" : !asked.run.gpu.empty() ? "--gpu" : nullptr;
   if (option == nullptr) return std::nullopt;

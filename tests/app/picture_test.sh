@@ -32,7 +32,10 @@ done
 expect 1 'holds results.*--force' "$FULCRUM" workprecision picture --scene stick --out P
 expect 1 "no reference of a scene 'stik'" "$FULCRUM" workprecision picture --scene stik --out Q
 expect 1 "no scene 'stik' to describe" "$FULCRUM" workprecision picture --scene stik --describe D
-expect 2 'leave one of them out' "$FULCRUM" workprecision picture --scene stik --describe D --json
+for other in --json '--out O' '--gpu nonsense'; do
+  # shellcheck disable=SC2086 # an option and its value are two words
+  expect 2 "^fulcrum: ${other%% *} is .*leave one of them out" "$FULCRUM" workprecision picture --scene stick --describe D $other
+done
 # A reference that is something else is told so.
 mkdir -p odd/references
 for part in devices materials scenarios schema; do ln -s "$(readlink -f "$content/$part")" odd/; done
@@ -76,6 +79,13 @@ odd_picture 'it is no whole PNG'
 expect 2 'picture' "$FULCRUM" workprecision pictures --out Q
 expect 0 'stick_ball' "$FULCRUM" workprecision picture --scene stick --describe D
 for file in stick_overview stick_ball; do [ -s D/$file.json ] && [ -s D/$file.bin ] || fail "D lacks $file"; done
+# What lies there may be the references themselves: it is replaced under --force alone, and nothing before that is seen.
+echo kept >D/stick_ball.json
+rm D/stick_overview.*
+expect 1 'D/stick_ball.json is there already.*--force' "$FULCRUM" workprecision picture --scene stick --describe D
+[ "$(cat D/stick_ball.json)" = kept ] && [ ! -e D/stick_overview.json ] || fail "a description that was refused has written into D"
+expect 0 'stick_ball' "$FULCRUM" workprecision picture --scene stick --describe D --force
+grep -q '"shot"' D/stick_ball.json || fail "--force does not describe stick_ball anew"
 
 # --- speed: every level at three sizes, and the cheapest is faster than the best
 expect_each 0 'scene +view +size +level 0' 'stick +overview +1920 x 1080' -- "$FULCRUM" workprecision speed --scene stick --out S
