@@ -24,6 +24,9 @@ expect 2 '\-\-xr-space is where a headset shows the scene: add --xr' "$FULCRUM" 
 expect 2 '\-\-xr-scale is how large' "$FULCRUM" run piping --headless --xr-scale 3
 expect 2 '\-\-xr-space is where' "$FULCRUM" explain piping --xr-space stage
 expect 2 'leave out --stereo' "$FULCRUM" explain piping --xr --stereo anaglyph
+for length in --eye-distance=63 --convergence=500 --screen-height=300 --head=0,0,600; do
+  expect 2 "^fulcrum: --xr has the headset's own eyes: leave out ${length%=*}" "$FULCRUM" run piping --xr "$length"
+done
 expect 2 '\-\-scene is of .workprecision picture' "$FULCRUM" workprecision --scene piping
 for number in nan -nan inf 1e999; do
   expect 2 "'$number' is no finite number" "$FULCRUM" run piping --headless --stereo anaglyph --eye-distance "$number"

@@ -68,14 +68,18 @@ void add_stereo(Arguments& arguments, StereoOptions& options) {
       [&options](const std::string& text) { return read_head(text, options.head_mm); });
 }
 
+const char* given_length(const StereoOptions& options) {
+  return options.eye_distance_mm    ? "--eye-distance"
+         : options.convergence_mm   ? "--convergence"
+         : options.screen_height_mm ? "--screen-height"
+         : options.head_mm          ? "--head"
+                                    : nullptr;
+}
+
 std::optional<Error> refuse_stereo(const StereoOptions& options) {
   if (options.head_mm && !options.screen_height_mm)
     return Error{"--head is a place before a screen of known size: add --screen-height."};
-  const char* alone = options.eye_distance_mm    ? "--eye-distance"
-                      : options.convergence_mm   ? "--convergence"
-                      : options.screen_height_mm ? "--screen-height"
-                                                 : nullptr;
-  if (alone != nullptr && !options.mode)
+  if (const char* const alone = given_length(options); alone != nullptr && !options.mode)
     return Error{std::string(alone) + " is of pictures for two eyes: add --stereo."};
   return std::nullopt;
 }

@@ -22,6 +22,9 @@ struct StereoOptions {
 void add_stereo(Arguments& arguments, StereoOptions& options);       // all of them
 void add_stereo_mode(Arguments& arguments, StereoOptions& options);  // --stereo alone
 
+// The first of them beside --stereo that was given: --eye-distance, ...; null: none.
+const char* given_length(const StereoOptions& options);
+
 // Why one of them does not go without another; absent: they go together.
 std::optional<Error> refuse_stereo(const StereoOptions& options);
 

@@ -132,6 +132,8 @@ std::optional<std::string> refuse_headset(const RunOptions& options) {
     return refused;
   if (options.headless) return "--xr shows the scene in a headset, and --headless nowhere: leave one out.";
   if (options.stereo.mode) return "--xr has a picture for each eye already: leave out --stereo.";
+  if (const char* const length = given_length(options.stereo))
+    return std::string("--xr has the headset's own eyes: leave out ") + length + ".";
   if (!options.gpu.empty())
     return "--xr draws with the card that the headset is plugged into: leave out --gpu.";
   if (options.headset.colocate && options.headset.scale != 1)
