@@ -167,7 +167,7 @@ int measure_all(const PictureStudyOptions& options) {
       complain("the reference of " + view.scene + ", " + view.view +
                " was drawn of another state of the scene: make it anew with tools/references.");
   if (!write_report(*folder, {{measured::kPictureCsvName, measured::picture_csv(views).text()},
-                              {measured::kPicturePageName, measured::picture_page(views).html()}}))
+                              {measured::kPicturePageName, measured::picture_page(views, options.command).html()}}))
     return kError;
   if (options.run.json) {
     std::printf(

@@ -10,6 +10,7 @@ namespace fulcrum::app {
 struct PictureStudyOptions {
   RunOptions run;        // out, force, json, gpu
   std::string scene;     // empty: all
+  std::string command;   // that asks for this, for a page
   std::string describe;  // a folder: scenes are described there for another renderer, and nothing is drawn
 };
 

@@ -99,7 +99,7 @@ int speed_study(const PictureStudyOptions& options) {
   }
   bar.clear();
   if (!write_report(*folder, {{measured::kSpeedCsvName, measured::speed_csv(all).text()},
-                              {measured::kSpeedPageName, measured::speed_page(all).html()}}))
+                              {measured::kSpeedPageName, measured::speed_page(all, options.command).html()}}))
     return kError;
   if (options.run.json) {
     std::printf(

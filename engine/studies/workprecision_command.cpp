@@ -104,6 +104,23 @@ std::optional<std::string> refuse_for_others(const std::string& what, const Pict
   return std::string(option) +
          " is of `workprecision picture` and `workprecision speed`: leave it out, or ask for one of them.";
 }
+// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:,+";
+  if (text.find_first_not_of(kPlain) == text.npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
+// Of a study of pictures: without where its report goes.
+std::string command_line(const std::string& what, const PictureStudyOptions& asked) {
+  std::string command = "fulcrum workprecision " + what;
+  if (!asked.scene.empty()) command += " --scene " + shell_word(asked.scene);
+  if (!asked.run.gpu.empty()) command += " --gpu " + shell_word(asked.run.gpu);
+  return command;
+}
+
 
 }  // namespace
 
@@ -135,6 +152,7 @@ void add_workprecision(Program& program) {
         if (const auto refused = refuse_for_others(options->what, options->picture)) {
           complain(*refused);
           return static_cast<int>(kUsage);
+        options->picture.command = command_line(options->what, options->picture);
         }
         if (options->what == "picture") return picture_study(options->picture);
         if (options->what == "speed") return speed_study(options->picture);

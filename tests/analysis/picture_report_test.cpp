@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
+#include <string>
+
 namespace fulcrum::analysis::picture {
 namespace {
 
@@ -64,10 +68,28 @@ TEST(PictureReport, HasALineForEachLevel) {
 }
 
 TEST(PictureReport, SaysWhichReferenceIsOld) {
-  const std::string html = picture_page(two_views()).html();
+  const std::string html = picture_page(two_views(), "fulcrum workprecision picture --scene ear").html();
   EXPECT_NE(html.find("The reference of nut, above, 2.5 s was drawn of another state"), html.npos);
   EXPECT_EQ(html.find("The reference of ear"), html.npos);
   EXPECT_NE(html.find("data:image/png;base64,cG5n"), html.npos);
+}
+
+TEST(PictureReport, SaysWhatMakesItAgain) {
+  const std::string command = "fulcrum workprecision picture --scene ear --gpu 1";
+  EXPECT_NE(picture_page(two_views(), command).html().find(command + "<"), std::string::npos);
+}
+
+// The legend shows a line for each scene; no two of them look the same, though there are more than hues.
+TEST(PictureReport, TellsEveryShippedSceneFromTheOthersInItsPlot) {
+  std::vector<ViewFigures> views;
+  for (const char* scene : {"ear", "knock", "nut", "piping", "plate", "stick", "sweep", "teeth", "tutorial"})
+    views.push_back({scene, "overview", 0, two_views().front().levels, {}, false});
+  const std::string html = picture_page(views, "").html();
+  const std::regex line("<path class=\"(line h[^\"]*)\" d=\"M[0-9.]+ [0-9.]+h30\"/>");
+  std::set<std::string> looks;
+  for (std::sregex_iterator each(html.begin(), html.end(), line); each != std::sregex_iterator(); ++each)
+    EXPECT_TRUE(looks.insert((*each)[1]).second) << (*each)[1] << " stands for two scenes";
+  EXPECT_EQ(looks.size(), views.size());
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ awk -F, 'NR > 1 {
     exit bad }' P/picture.csv || fail "figures out of order: $(cat P/picture.csv)"
 [ "$(grep -o 'data:image/png;base64,iVBOR' P/picture.html | wc -l)" = 8 ] || fail "picture.html lacks pictures"
 grep -q '</html>' P/picture.html || fail "no whole picture.html"
+grep -q 'fulcrum workprecision picture --scene stick<' P/picture.html || fail "picture.html does not say how it was made"
 grep -q 'another state' P/picture.html && fail "the references of stick are of another state of it: see tools/references"
 
 # Every scene that comes with Fulcrum has two.
@@ -88,13 +89,14 @@ expect 0 'stick_ball' "$FULCRUM" workprecision picture --scene stick --describe 
 grep -q '"shot"' D/stick_ball.json || fail "--force does not describe stick_ball anew"
 
 # --- speed: every level at three sizes, and the cheapest is faster than the best
-expect_each 0 'scene +view +size +level 0' 'stick +overview +1920 x 1080' -- "$FULCRUM" workprecision speed --scene stick --out S
+expect_each 0 'scene +view +size +level 0' 'stick +overview +1920 x 1080' -- "$FULCRUM" workprecision speed --scene stick --gpu 0 --out S
 [ "$(head -1 S/speed.csv)" = scene,view,width,height,level,triangles,frame_ms ] ||
   fail "speed.csv has other columns: $(head -1 S/speed.csv)"
 awk -F, 'NR > 1 { ms[$3, $5] = $7; size[$3] = 1; ++lines; if (!($6 > 0 && $7 > 0)) { print; bad = 1 } }
   END { for (s in size) if (!(ms[s, 4] < ms[s, 0])) { print s; bad = 1 }
     exit bad || lines != 15 }' S/speed.csv || fail "figures out of order: $(cat S/speed.csv)"
 grep -q '</html>' S/speed.html || fail "no whole speed.html"
+grep -q 'fulcrum workprecision speed --scene stick --gpu 0<' S/speed.html || fail "speed.html does not say how it was made"
 expect 1 "no scene 'stik' to draw" "$FULCRUM" workprecision speed --scene stik --out T
 
 # --- the scene alone: no panel, no marker, the same trial

@@ -1,6 +1,7 @@
 #include "engine/analysis/picture/report.h"
 
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "haptics/math/functions.h"
@@ -55,16 +56,18 @@ Plot plot_of(const std::vector<ViewFigures>& views) {
   plot.title = "Difference over cost";
   plot.x = {"time of a frame, of the best level's", "", Scale::logarithmic, {}, {}};
   plot.y = {"mean FLIP", "", Scale::linear, 0.0, {}};
-  int hue = 0;
+  constexpr report::Line kLines[] = {report::Line::solid, report::Line::dashed, report::Line::dotted};
+  int scene_index = 0;
   std::string scene;
   for (const ViewFigures& view : views) {
     Series series;
     series.name = view.scene == scene ? "" : view.scene;
-    hue += view.scene == scene || scene.empty() ? 0 : 1;
+    scene_index += view.scene == scene || scene.empty() ? 0 : 1;
     scene = view.scene;
-    series.line = report::Line::solid;
+    // There are more scenes than hues.
+    series.line = kLines[(scene_index / report::kHues) % std::size(kLines)];
     series.faint = true;
-    series.hue = hue % report::kHues;
+    series.hue = scene_index % report::kHues;
     for (const LevelFigures& level : view.levels)
       series.points.push_back({level.frame_ms / view.levels.front().frame_ms, level.flip_mean});
     plot.series.push_back(series);
@@ -133,17 +136,16 @@ report::Table view_table(const std::vector<ViewFigures>& views) {
   return table;
 }
 
-report::Page picture_page(const std::vector<ViewFigures>& views) {
+report::Page picture_page(const std::vector<ViewFigures>& views, std::string_view command) {
   report::Page page("Pictures against a path-traced reference");
-  page.command("fulcrum workprecision picture");
+  page.command(command);
   page.paragraph(
       "Each quality level draws each scene as a path tracer has drawn it, from the same meshes, materials, "
       "lights and camera, and both pass through the same tone mapping. FLIP is what somebody who alternates "
       "between the two would see, from 0 (nothing) to 1, at 67 pixels a degree: Andersson and others, 2020. "
       "Light is that of the whole picture on the screen, in relation to the reference's: above 0 it is too "
       "bright. Times are medians of a few frames in which the tool moves, on the machine that made this "
-      "page: "
-      "they compare levels, not machines.");
+      "page: they compare levels, not machines.");
   page.paragraph(
       "A reference has much that no level draws: light that has met more than two surfaces, mirrors in "
       "mirrors, what lies nearer to a metal than a voxel is wide, light through thin parts, and the shadows "

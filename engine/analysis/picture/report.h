@@ -13,7 +13,8 @@ inline constexpr std::string_view kPictureCsvName = "picture.csv", kPicturePageN
 
 // scene, view, level, flip_mean, flip_p99, luminance_error, frame_ms; level: 0 is the best
 report::Csv picture_csv(const std::vector<ViewFigures>& views);
-report::Page picture_page(const std::vector<ViewFigures>& views);
+// command: what makes the page again.
+report::Page picture_page(const std::vector<ViewFigures>& views, std::string_view command);
 // A line a level: means over the views.
 report::Table level_table(const std::vector<ViewFigures>& views);
 // A line a view: its best level.

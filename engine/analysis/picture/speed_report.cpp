@@ -43,9 +43,9 @@ report::Table speed_table(const std::vector<SpeedFigures>& all) {
   return table;
 }
 
-report::Page speed_page(const std::vector<SpeedFigures>& all) {
+report::Page speed_page(const std::vector<SpeedFigures>& all, std::string_view command) {
   report::Page page("Frames a second");
-  page.command("fulcrum workprecision speed");
+  page.command(command);
   page.paragraph(
       "Each scene as it begins, drawn at each quality level into a picture of each size: the scene alone, "
       "without panels and without a window. Levels take turns, frame by frame, so that what else the machine "

@@ -25,6 +25,7 @@ struct SpeedFigures {
 report::Csv speed_csv(const std::vector<SpeedFigures>& all);
 // A line a scene and size: frames a second at each level.
 report::Table speed_table(const std::vector<SpeedFigures>& all);
-report::Page speed_page(const std::vector<SpeedFigures>& all);
+// command: what makes the page again.
+report::Page speed_page(const std::vector<SpeedFigures>& all, std::string_view command);
 
 }  // namespace fulcrum::analysis::picture
