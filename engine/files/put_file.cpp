@@ -99,7 +99,9 @@ bool put_file_by_part(const fs::path& path, Pieces pieces) {
   if (!file) return false;
   const bool written = ::flock(file.number(), LOCK_EX | LOCK_NB) == 0 && write_all(file.number(), pieces) &&
                        ::rename(part.c_str(), path.c_str()) == 0;
+  const int why_not = errno;
   if (!written) fs::remove(part, fault);
+  errno = why_not;
   return written;
 }
 

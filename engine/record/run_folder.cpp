@@ -59,19 +59,6 @@ std::vector<std::string> present(const fs::path& folder, std::string_view name) 
   return names;
 }
 
-Result<std::size_t> remove_files(const fs::path& folder, std::span<const std::string_view> files) {
-  std::size_t removed = 0;
-  for (const std::string_view wanted : files) {
-    for (const std::string& name : present(folder, wanted)) {
-      // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.
-      const fs::path file = folder / name;
-      if (::unlink(file.c_str()) != 0) return file_error("remove", file, errno);
-      ++removed;
-    }
-  }
-  return removed;
-}
-
 }  // namespace
 
 std::string channel_file_name(std::string_view channel) {
@@ -85,8 +72,7 @@ std::span<const std::string_view> result_file_names() {
   return names;
 }
 
-Result<fs::path> make_default_run_folder(std::string_view scenario, std::chrono::system_clock::time_point now,
-                                         std::string_view shelf) {
+Result<fs::path> default_shelf(std::string_view shelf) {
   const fs::path data = data_folder();
   if (data.empty())
     return Error{"Neither XDG_DATA_HOME nor HOME names a folder for the results: name one with --out."};
@@ -94,31 +80,60 @@ Result<fs::path> make_default_run_folder(std::string_view scenario, std::chrono:
   std::error_code failure;
   fs::create_directories(runs, failure);
   if (failure) return file_error("create", runs, failure.value());
+  return writable(runs);
+}
+
+Result<fs::path> make_default_run_folder(std::string_view scenario, std::chrono::system_clock::time_point now,
+                                         std::string_view shelf) {
+  const Result<fs::path> runs = default_shelf(shelf);
+  if (!runs) return runs.error();
   const std::string name = file_name_of(scenario) + '-' + utc(now);
-  fs::path folder = runs / name;
+  fs::path folder = *runs / name;
+  std::error_code failure;
   for (int suffix = 2; !fs::create_directory(folder, failure); ++suffix) {
     if (failure) return file_error("create", folder, failure.value());
-    folder = runs / (name + '-' + std::to_string(suffix));
+    folder = *runs / (name + '-' + std::to_string(suffix));
+  }
+  return writable(folder);
+}
+
+Result<fs::path> take_run_folder(const fs::path& folder, bool force,
+                                 std::span<const std::string_view> files) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) return file_error("create", folder, failure.value());
+  for (const std::string_view wanted : files) {
+    for (const std::string& name : present(folder, wanted)) {
+      if (!force)
+        return Error{folder.string() + " holds results (" + name +
+                     "): choose another folder with --out, or replace them with --force."};
+      if (fs::is_directory(fs::symlink_status(folder / name, failure)))
+        return file_error("replace", folder / name, EISDIR);
+    }
   }
   return writable(folder);
 }
 
 Result<fs::path> prepare_run_folder(const fs::path& folder, bool force,
                                     std::span<const std::string_view> files) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) return file_error("create", folder, failure.value());
-  for (const std::string_view wanted : files)
-    if (const std::vector<std::string> names = present(folder, wanted); !force && !names.empty())
-      return Error{folder.string() + " holds results (" + names.front() +
-                   "): choose another folder with --out, or replace them with --force."};
-  const Result<std::size_t> removed = remove_files(folder, files);
+  Result<fs::path> taken = take_run_folder(folder, force, files);
+  if (!taken) return taken;
+  const Result<std::size_t> removed = remove_results(folder, files);
   if (!removed) return removed.error();
-  return writable(folder);
+  return taken;
 }
 
-Result<std::size_t> remove_results(const fs::path& folder) {
-  return remove_files(folder, result_file_names());
+Result<std::size_t> remove_results(const fs::path& folder, std::span<const std::string_view> files) {
+  std::size_t removed = 0;
+  for (const std::string_view wanted : files) {
+    for (const std::string& name : present(folder, wanted)) {
+      // unlink: a link is removed, never what it points to; a folder of that name is not ours and stays.
+      const fs::path file = folder / name;
+      if (::unlink(file.c_str()) != 0) return file_error("remove", file, errno);
+      ++removed;
+    }
+  }
+  return removed;
 }
 
 Result<std::size_t> count_results(const fs::path& folder) {

@@ -30,14 +30,22 @@ Result<std::filesystem::path> make_default_run_folder(std::string_view scenario,
                                                       std::chrono::system_clock::time_point now,
                                                       std::string_view shelf = "runs");
 
-// With --out: makes the folder, or takes one that has none of these files in it. With force, those that are
-// there are removed, and nothing else.
+// Makes that shelf, or takes one that can be written into.
+Result<std::filesystem::path> default_shelf(std::string_view shelf);
+
+// With --out: makes the folder, or takes one that has none of these files in it. With force it may have them,
+// but for a folder of such a name, and nothing is removed.
+Result<std::filesystem::path> take_run_folder(const std::filesystem::path& folder, bool force,
+                                              std::span<const std::string_view> files);
+
+// The same, and with force those files that are there are removed, and nothing else.
 Result<std::filesystem::path> prepare_run_folder(
     const std::filesystem::path& folder, bool force,
     std::span<const std::string_view> files = result_file_names());
 
 // Removes those files of a run's folder, the summary last, and nothing else; how many there were.
-Result<std::size_t> remove_results(const std::filesystem::path& folder);
+Result<std::size_t> remove_results(const std::filesystem::path& folder,
+                                   std::span<const std::string_view> files = result_file_names());
 
 // How many of them there are.
 Result<std::size_t> count_results(const std::filesystem::path& folder);

@@ -50,16 +50,15 @@ int ambiguity_command(const RunOptions& options) {
   overrides.emplace_back("contact.surface=points");  // the tool's points are the places where it is struck
   const std::optional<Prepared> prepared = prepare(options.scenario, overrides);
   if (!prepared) return kError;
-  const std::optional<std::filesystem::path> folder = report_folder("ambiguity", options, files);
-  if (!folder) return kError;
+  const auto place = report_place("ambiguity", options, files);
+  if (!place) return kError;
   analysis::ambiguity::AmbiguityStudy study = study_of(*prepared);
   study.command = "fulcrum ambiguity " + options.scenario;
   for (const std::string& change : options.overrides) study.command += " --set " + change;
-  if (!write_report(
-          *folder,
-          {{analysis::ambiguity::kAmbiguityCsvName, analysis::ambiguity::ambiguity_csv(study).text()},
-           {analysis::ambiguity::kAmbiguityPageName, analysis::ambiguity::ambiguity_page(study).html()}}))
-    return kError;
+  const auto folder = write_report(
+      *place, {{analysis::ambiguity::kAmbiguityCsvName, analysis::ambiguity::ambiguity_csv(study).text()},
+               {analysis::ambiguity::kAmbiguityPageName, analysis::ambiguity::ambiguity_page(study).html()}});
+  if (!folder) return kError;
   print_table(analysis::ambiguity::ambiguity_table(study));
   std::printf("Every place lies in %s\n", bold(folder->string()).c_str());
   return kCompleted;

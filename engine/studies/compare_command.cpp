@@ -118,20 +118,19 @@ int compare_command(const CompareOptions& options) {
     complain(error->sentence);
     return kError;
   }
-  const std::optional<std::filesystem::path> folder = report_folder("compare", options.run, files);
-  if (!folder) return kError;
+  const auto place = report_place("compare", options.run, files);
+  if (!place) return kError;
   ProgressBar bar;
   analysis::compare::Comparison comparison =
       run_trials(*prepared, options, [&bar](double fraction) { bar.show("Running the trials", fraction); });
   bar.clear();
   comparison.command = command_line(options);
   const std::string json = to_json(comparison).dump(2) + "\n";
-  if (!write_report(
-          *folder,
-          {{analysis::compare::kCompareCsvName, analysis::compare::compare_csv(comparison).text()},
-           {analysis::compare::kCompareJsonName, json},
-           {analysis::compare::kComparePageName, analysis::compare::compare_page(comparison).html()}}))
-    return kError;
+  const auto folder = write_report(
+      *place, {{analysis::compare::kCompareCsvName, analysis::compare::compare_csv(comparison).text()},
+               {analysis::compare::kCompareJsonName, json},
+               {analysis::compare::kComparePageName, analysis::compare::compare_page(comparison).html()}});
+  if (!folder) return kError;
   if (options.run.json) {
     std::printf("%s", json.c_str());
     return kCompleted;

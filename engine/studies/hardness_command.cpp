@@ -142,8 +142,8 @@ int hardness_command(const HardnessOptions& options) {
     analysis::hardness::limit_motors(*device, *options.motor_limit);
     command += " --motor-limit " + number_text(*options.motor_limit, 6);
   }
-  const std::optional<std::filesystem::path> folder = report_folder("hardness", options.run, files);
-  if (!folder) return kError;
+  const auto place = report_place("hardness", options.run, files);
+  if (!place) return kError;
   ProgressBar bar;
   analysis::hardness::HardnessStudy study = analysis::hardness::study_hardness(
       options.device, *device, setting,
@@ -151,12 +151,11 @@ int hardness_command(const HardnessOptions& options) {
   bar.clear();
   study.command = command;
   const std::string json = to_json(study).dump(2) + "\n";
-  if (!write_report(
-          *folder,
-          {{analysis::hardness::kHardnessCsvName, analysis::hardness::hardness_csv(study).text()},
-           {analysis::hardness::kHardnessJsonName, json},
-           {analysis::hardness::kHardnessPageName, analysis::hardness::hardness_page(study).html()}}))
-    return kError;
+  const auto folder = write_report(
+      *place, {{analysis::hardness::kHardnessCsvName, analysis::hardness::hardness_csv(study).text()},
+               {analysis::hardness::kHardnessJsonName, json},
+               {analysis::hardness::kHardnessPageName, analysis::hardness::hardness_page(study).html()}});
+  if (!folder) return kError;
   if (options.run.json) {
     std::printf("%s", json.c_str());
     return kCompleted;

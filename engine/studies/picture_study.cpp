@@ -148,8 +148,8 @@ int measure_all(const PictureStudyOptions& options) {
   if (!instance) return refused(instance.error());
   const auto device = vulkan::Device::create(*instance, options.run.gpu);
   if (!device) return refused(device.error());
-  const auto folder = report_folder("workprecision", options.run, files);
-  if (!folder) return kError;
+  const auto place = report_place("workprecision", options.run, files);
+  if (!place) return kError;
   PreparedScenes scenes;
   std::vector<measured::ViewFigures> views;
   ProgressBar bar;
@@ -166,9 +166,10 @@ int measure_all(const PictureStudyOptions& options) {
     if (view.stale)
       complain("the reference of " + view.scene + ", " + view.view +
                " was drawn of another state of the scene: make it anew with tools/references.");
-  if (!write_report(*folder, {{measured::kPictureCsvName, measured::picture_csv(views).text()},
-                              {measured::kPicturePageName, measured::picture_page(views, options.command).html()}}))
-    return kError;
+  const auto folder = write_report(
+      *place, {{measured::kPictureCsvName, measured::picture_csv(views).text()},
+               {measured::kPicturePageName, measured::picture_page(views, options.command).html()}});
+  if (!folder) return kError;
   if (options.run.json) {
     std::printf(
         "%s\n",

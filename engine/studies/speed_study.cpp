@@ -87,8 +87,8 @@ int speed_study(const PictureStudyOptions& options) {
   if (!instance) return refused(instance.error().sentence);
   const auto device = vulkan::Device::create(*instance, options.run.gpu);
   if (!device) return refused(device.error().sentence);
-  const auto folder = report_folder("workprecision", options.run, files);
-  if (!folder) return kError;
+  const auto place = report_place("workprecision", options.run, files);
+  if (!place) return kError;
   std::vector<SpeedFigures> all;
   ProgressBar bar;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -98,9 +98,10 @@ int speed_study(const PictureStudyOptions& options) {
     all.insert(all.end(), figures->begin(), figures->end());
   }
   bar.clear();
-  if (!write_report(*folder, {{measured::kSpeedCsvName, measured::speed_csv(all).text()},
-                              {measured::kSpeedPageName, measured::speed_page(all, options.command).html()}}))
-    return kError;
+  const auto folder =
+      write_report(*place, {{measured::kSpeedCsvName, measured::speed_csv(all).text()},
+                            {measured::kSpeedPageName, measured::speed_page(all, options.command).html()}});
+  if (!folder) return kError;
   if (options.run.json) {
     std::printf(
         "%s\n",

@@ -70,17 +70,16 @@ int stability_command(const StabilityOptions& asked) {
                                         analysis::stability::kStabilityPageName};
   const std::optional<std::vector<analysis::stability::NamedAxis>> models = device_axes(asked.device);
   if (!models) return kError;
-  const std::optional<std::filesystem::path> folder = report_folder("stability", options, files);
-  if (!folder) return kError;
+  const auto place = report_place("stability", options, files);
+  if (!place) return kError;
   ProgressBar bar;
   const analysis::stability::StabilityStudy study = analysis::stability::study_stability(
       *models, [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
   bar.clear();
-  if (!write_report(
-          *folder,
-          {{analysis::stability::kStabilityCsvName, analysis::stability::stability_csv(study).text()},
-           {analysis::stability::kStabilityPageName, analysis::stability::stability_page(study).html()}}))
-    return kError;
+  const auto folder = write_report(
+      *place, {{analysis::stability::kStabilityCsvName, analysis::stability::stability_csv(study).text()},
+               {analysis::stability::kStabilityPageName, analysis::stability::stability_page(study).html()}});
+  if (!folder) return kError;
   if (options.json) {
     std::printf("%s\n",
                 nlohmann::ordered_json{{"folder", folder->string()},

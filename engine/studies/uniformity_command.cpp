@@ -22,19 +22,19 @@ int uniformity_command(const RunOptions& options) {
                                         analysis::uniformity::kUniformityPageName};
   const std::optional<DeviceDesc> device = pushing_device_named(kDevice);
   if (!device) return kError;
-  const std::optional<std::filesystem::path> folder = report_folder("uniformity", options, files);
-  if (!folder) return kError;
+  const auto place = report_place("uniformity", options, files);
+  if (!place) return kError;
   ProgressBar bar;
   analysis::uniformity::UniformityStudy study = analysis::uniformity::study_uniformity(
       *device, {}, kStrikes, [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
   bar.clear();
   study.command = "fulcrum uniformity";
-  if (!write_report(
-          *folder,
-          {{analysis::uniformity::kUniformityCsvName, analysis::uniformity::uniformity_csv(study).text()},
-           {analysis::uniformity::kFilterCsvName, analysis::uniformity::filter_csv(study).text()},
-           {analysis::uniformity::kUniformityPageName, analysis::uniformity::uniformity_page(study).html()}}))
-    return kError;
+  const auto folder = write_report(
+      *place,
+      {{analysis::uniformity::kUniformityCsvName, analysis::uniformity::uniformity_csv(study).text()},
+       {analysis::uniformity::kFilterCsvName, analysis::uniformity::filter_csv(study).text()},
+       {analysis::uniformity::kUniformityPageName, analysis::uniformity::uniformity_page(study).html()}});
+  if (!folder) return kError;
   for (const std::string& sentence : analysis::uniformity::uniformity_answer(study))
     std::printf("%s\n", sentence.c_str());
   print_table(analysis::uniformity::summary_table(study));

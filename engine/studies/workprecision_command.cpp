@@ -59,8 +59,8 @@ std::optional<analysis::workprecision::PipingParts> piping_parts() {
 int workprecision_command(const RunOptions& options) {
   constexpr std::string_view files[] = {analysis::workprecision::kWorkCsvName,
                                         analysis::workprecision::kWorkPageName};
-  const std::optional<std::filesystem::path> folder = report_folder("workprecision", options, files);
-  if (!folder) return kError;
+  const auto place = report_place("workprecision", options, files);
+  if (!place) return kError;
   const std::optional<analysis::workprecision::PipingParts> piping = piping_parts();
   if (!piping) complain("the scenario 'piping' cannot be read, so its studies are left out.");
   ProgressBar bar;
@@ -68,11 +68,10 @@ int workprecision_command(const RunOptions& options) {
       analysis::workprecision::study_work_precision(
           piping, [&bar](std::string_view what, double fraction) { bar.show(what, fraction); });
   bar.clear();
-  if (!write_report(
-          *folder,
-          {{analysis::workprecision::kWorkCsvName, analysis::workprecision::work_csv(studies).text()},
-           {analysis::workprecision::kWorkPageName, analysis::workprecision::work_page(studies).html()}}))
-    return kError;
+  const auto folder = write_report(
+      *place, {{analysis::workprecision::kWorkCsvName, analysis::workprecision::work_csv(studies).text()},
+               {analysis::workprecision::kWorkPageName, analysis::workprecision::work_page(studies).html()}});
+  if (!folder) return kError;
   if (options.json) {
     std::printf(
         "%s\n",
@@ -104,6 +103,7 @@ std::optional<std::string> refuse_for_others(const std::string& what, const Pict
   return std::string(option) +
          " is of `workprecision picture` and `workprecision speed`: leave it out, or ask for one of them.";
 }
+
 // As a shell takes it for one word.
 std::string shell_word(const std::string& text) {
   constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:,+";
@@ -120,7 +120,6 @@ std::string command_line(const std::string& what, const PictureStudyOptions& ask
   if (!asked.run.gpu.empty()) command += " --gpu " + shell_word(asked.run.gpu);
   return command;
 }
-
 
 }  // namespace
 
@@ -152,8 +151,8 @@ void add_workprecision(Program& program) {
         if (const auto refused = refuse_for_others(options->what, options->picture)) {
           complain(*refused);
           return static_cast<int>(kUsage);
-        options->picture.command = command_line(options->what, options->picture);
         }
+        options->picture.command = command_line(options->what, options->picture);
         if (options->what == "picture") return picture_study(options->picture);
         if (options->what == "speed") return speed_study(options->picture);
         return workprecision_command(options->picture.run);

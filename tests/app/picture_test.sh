@@ -77,6 +77,13 @@ odd_picture 'it is a folder'
 rmdir odd/references/stick_ball.png
 printf '\x89PNG\r\n\x1a\n' >odd/references/stick_ball.png
 odd_picture 'it is no whole PNG'
+# A study that fails leaves the report that is there, and no folder of its own.
+mkdir F
+for file in picture.csv picture.html; do echo old >F/$file; done
+expect 1 'it is no whole PNG' env FULCRUM_CONTENT="$work/odd" "$FULCRUM" workprecision picture --scene stick --out F --force
+[ "$(cat F/picture.csv F/picture.html)" = $'old\nold' ] || fail "a study that failed has replaced a report"
+expect 1 'it is no whole PNG' env FULCRUM_CONTENT="$work/odd" XDG_DATA_HOME="$work/data" "$FULCRUM" workprecision picture --scene stick
+[ -z "$(ls data/fulcrum/reports)" ] || fail "a study that failed leaves a folder"
 expect 2 'picture' "$FULCRUM" workprecision pictures --out Q
 expect 0 'stick_ball' "$FULCRUM" workprecision picture --scene stick --describe D
 for file in stick_overview stick_ball; do [ -s D/$file.json ] && [ -s D/$file.bin ] || fail "D lacks $file"; done

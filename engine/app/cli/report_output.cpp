@@ -1,38 +1,61 @@
 #include "engine/app/cli/report_output.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <vector>
 
 #include "engine/app/cli/terminal.h"
-#include "engine/files/block_file.h"
+#include "engine/files/file_error.h"
 #include "engine/files/plain_text.h"
+#include "engine/files/put_file.h"
 #include "engine/record/run_folder.h"
 
 namespace fulcrum::app {
 
-std::optional<std::filesystem::path> report_folder(std::string_view report, const RunOptions& options,
-                                                   std::span<const std::string_view> files) {
-  const Result<std::filesystem::path> folder =
-      options.out.empty()
-          ? record::make_default_run_folder(std::string(report), std::chrono::system_clock::now(), "reports")
-          : record::prepare_run_folder(options.out, options.force, files);
-  if (!folder) {
-    complain(folder.error().sentence);
-    return std::nullopt;
-  }
-  return *folder;
+namespace {
+
+constexpr std::string_view kShelf = "reports";
+
+// Nothing: there is none, which is said on stderr.
+std::optional<std::filesystem::path> told(const Result<std::filesystem::path>& folder) {
+  if (folder) return *folder;
+  complain(folder.error().sentence);
+  return std::nullopt;
 }
 
-bool write_report(const std::filesystem::path& folder,
-                  std::initializer_list<std::pair<std::string_view, std::string>> contents) {
+}  // namespace
+
+std::optional<ReportPlace> report_place(std::string_view report, const RunOptions& options,
+                                        std::span<const std::string_view> files) {
+  if (!told(options.out.empty() ? record::default_shelf(kShelf)
+                                : record::take_run_folder(options.out, options.force, files)))
+    return std::nullopt;
+  return ReportPlace{report, options.out, options.force, files};
+}
+
+std::optional<std::filesystem::path> write_report(
+    const ReportPlace& place, std::initializer_list<std::pair<std::string_view, std::string>> contents) {
+  // Looked at once more: another program may have written there meanwhile.
+  const std::optional<std::filesystem::path> folder =
+      told(place.out.empty()
+               ? record::make_default_run_folder(place.report, std::chrono::system_clock::now(), kShelf)
+               : record::take_run_folder(place.out, place.force, place.files));
+  if (!folder) return std::nullopt;
+  std::vector<std::string_view> old(place.files.begin(), place.files.end());
   for (const auto& [name, content] : contents) {
-    if (const std::optional<Error> error = write_new_file(folder / name, content)) {
-      complain(error->sentence);
-      return false;
+    if (!put_file(*folder / name, {std::as_bytes(std::span(content))})) {
+      complain(file_error("write", *folder / name, errno).sentence);
+      return std::nullopt;
     }
+    std::erase(old, name);
   }
-  return true;
+  if (const Result<std::size_t> removed = record::remove_results(*folder, old); !removed) {
+    complain(removed.error().sentence);
+    return std::nullopt;
+  }
+  return folder;
 }
 
 // Widths count letters, not bytes.

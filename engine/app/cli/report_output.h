@@ -14,14 +14,23 @@
 
 namespace fulcrum::app {
 
-// options.out, or a new folder under the data directory; nothing if that cannot be, which is said on stderr.
-// files: what the report will write, and replaces under options.force alone.
-std::optional<std::filesystem::path> report_folder(std::string_view report, const RunOptions& options,
-                                                   std::span<const std::string_view> files);
+// Where a report will be written.
+struct ReportPlace {
+  std::string_view report;    // its name
+  std::filesystem::path out;  // empty: a new folder under the data directory, which is made with the report
+  bool force = false;
+  std::span<const std::string_view> files;  // what may be written, and is replaced under force alone
+};
 
-// False: a file could not be written, which is said on stderr.
-bool write_report(const std::filesystem::path& folder,
-                  std::initializer_list<std::pair<std::string_view, std::string>> contents);
+// Looks at it before the work, and removes nothing. Nothing if it cannot be written, which is said on stderr.
+// files: must outlive the place.
+std::optional<ReportPlace> report_place(std::string_view report, const RunOptions& options,
+                                        std::span<const std::string_view> files);
+
+// The folder that the report lies in now. Each file of an old one stays until the new one is whole, or all
+// new ones are there. Nothing: one could not be written, which is said on stderr.
+std::optional<std::filesystem::path> write_report(
+    const ReportPlace& place, std::initializer_list<std::pair<std::string_view, std::string>> contents);
 
 // On stdout, columns side by side.
 void print_table(const report::Table& table);

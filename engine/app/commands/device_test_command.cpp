@@ -63,8 +63,8 @@ int device_test_command(const DeviceTestOptions& options) {
     complain(opened.error().sentence);
     return kError;
   }
-  const std::optional<std::filesystem::path> folder = report_folder("device-test", options.output, files);
-  if (!folder) return kError;
+  const auto place = report_place("device-test", options.output, files);
+  if (!place) return kError;
   catch_interrupts();
   dt::TestBench bench(*opened->open.device, dt::kTick,
                       opened->simulated ? dt::without_clock(dt::kTick) : dt::by_clock(dt::kTick),
@@ -75,10 +75,10 @@ int device_test_command(const DeviceTestOptions& options) {
             : std::make_unique<dt::PersonAtTerminal>();
   dt::Findings findings = dt::walk(bench, *person);
   findings.parts.push_back(dropouts_part(bench));
-  if (!write_report(*folder,
-                    {{dt::kPageName, dt::page(findings, bench.desc().name, about(options, bench)).html()},
-                     {dt::kCsvName, dt::csv(findings).text()}}))
-    return kError;
+  const auto folder = write_report(
+      *place, {{dt::kPageName, dt::page(findings, bench.desc().name, about(options, bench)).html()},
+               {dt::kCsvName, dt::csv(findings).text()}});
+  if (!folder) return kError;
   if (options.output.json) {
     nlohmann::ordered_json json = dt::as_json(findings);
     json["device"] = options.device;
