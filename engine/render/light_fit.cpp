@@ -62,23 +62,36 @@ bool reaches_into(const Bounds& caster, const glm::mat4& view, float tangent) {
   return before && left && right && low && high;
 }
 
+float cone_of(const KeyLight& light) {
+  return std::clamp(light.cone_rad, 0.05F, 2.8F);
+}
+
+// m along a spot's axis; farthest is 0 where nothing is in its cone.
+struct Depths {
+  float nearest = 0.0F, farthest = 0.0F;
+};
+
+Depths depths_of(const KeyLight& light, const glm::mat4& view, std::span<const Bounds> casters) {
+  Depths depths{std::numeric_limits<float>::infinity(), 0.0F};
+  for (const Bounds& caster : casters) {
+    if (!reaches_into(caster, view, std::tan(0.5F * cone_of(light)))) continue;
+    const Bounds box = transformed(caster, view);
+    depths.nearest = std::min(depths.nearest, -box.high.z);
+    depths.farthest = std::max(depths.farthest, -box.low.z);
+  }
+  depths.nearest = std::clamp(depths.nearest, 0.01F * depths.farthest, 0.9F * depths.farthest);
+  return depths;
+}
+
 LightFit fit_spot(const KeyLight& light, const glm::vec3& direction, std::span<const Bounds> casters,
                   int map_size) {
+  constexpr float kMargin = 0.05F;  // so that what moves a little needs no other
   const glm::mat4 view = look_along(light.position, direction);
-  const float cone = std::clamp(light.cone_rad, 0.05F, 2.8F);
-  const float tangent = std::tan(cone / 2.0F);
-  float nearest = std::numeric_limits<float>::infinity();
-  float farthest = 0.0F;
-  for (const Bounds& caster : casters) {
-    if (!reaches_into(caster, view, tangent)) continue;
-    const Bounds box = transformed(caster, view);
-    nearest = std::min(nearest, -box.high.z);
-    farthest = std::max(farthest, -box.low.z);
-  }
-  if (farthest <= 0.0F) return {};
-  farthest *= 1.02F;
-  nearest = std::clamp(nearest * 0.98F, farthest * 0.01F, farthest * 0.9F);
-  const glm::mat4 clip = glm::perspectiveRH_ZO(cone, 1.0F, nearest, farthest);
+  const float tangent = std::tan(0.5F * cone_of(light));
+  const Depths depths = depths_of(light, view, casters);
+  if (depths.farthest <= 0.0F) return {};
+  const float nearest = (1.0F - kMargin) * depths.nearest, farthest = (1.0F + kMargin) * depths.farthest;
+  const glm::mat4 clip = glm::perspectiveRH_ZO(cone_of(light), 1.0F, nearest, farthest);
   // Seen from a place, what is at depth z hides the light out to a way beside that grows as 1 / z - 1 / its
   // own, measured by the width of the map there; the map's depth changes as 1 / z, too.
   const float per_depth = 1.0F / nearest - 1.0F / farthest;
@@ -101,11 +114,12 @@ float width_seen(const KeyLight& light, std::span<const Bounds> casters) {
 
 bool still_fits(const LightFit& fit, const KeyLight& light, std::span<const Bounds> casters, int map_size) {
   constexpr float kWasteful = 0.8F;  // of the texel's width
-  const LightFit next = fit_light(light, casters, map_size);
   if (light.kind == KeyLight::Kind::spot) {
     constexpr float kFar = 0.5F;  // of the farthest: depths between would be told apart too coarsely
-    return fit.nearest <= next.nearest && fit.farthest >= next.farthest &&
-           next.farthest >= kFar * fit.farthest;
+    const Depths depths =
+        depths_of(light, look_along(light.position, glm::normalize(light.direction)), casters);
+    return fit.nearest <= depths.nearest && fit.farthest >= depths.farthest &&
+           depths.farthest >= kFar * fit.farthest;
   }
   for (const Bounds& caster : casters) {
     for (const glm::vec3& corner : corners(caster)) {
@@ -113,7 +127,7 @@ bool still_fits(const LightFit& fit, const KeyLight& light, std::span<const Boun
       if (!(at.z >= 0.0F && at.z <= 1.0F && std::abs(at.x) <= 1.0F && std::abs(at.y) <= 1.0F)) return false;
     }
   }
-  return next.texel >= kWasteful * fit.texel;
+  return fit_light(light, casters, map_size).texel >= kWasteful * fit.texel;
 }
 
 }  // namespace fulcrum::render

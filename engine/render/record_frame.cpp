@@ -127,11 +127,13 @@ void Renderer::draw_shadows(VkCommandBuffer commands, const vulkan::Image& map, 
       kept ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_STORE);
   depth.clearValue.depthStencil.depth = 1.0F;
   begin(commands, map.extent(), nullptr, &depth);
-  bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), view.scene_set.get());
-  const Sight light = sight_of(fit, *setting_.key_light, plan_.coarseness, view.sight.layers);
-  geometry_->draw_casters(commands, which, light);
-  if (detailed_)
-    detailed_->record_shadows(commands, pipelines_, *geometry_, view.scene_set.get(), which, light);
+  if (fit.texel > 0.0F) {  // else nothing is to be seen from there
+    bind(commands, pipelines_.shadow.get(), pipelines_.scene_layout.get(), view.scene_set.get());
+    const Sight light = sight_of(fit, *setting_.key_light, plan_.coarseness, view.sight.layers);
+    geometry_->draw_casters(commands, which, light);
+    if (detailed_)
+      detailed_->record_shadows(commands, pipelines_, *geometry_, view.scene_set.get(), which, light);
+  }
   vkCmdEndRendering(commands);
 }
 

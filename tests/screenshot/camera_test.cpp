@@ -151,6 +151,7 @@ TEST(LightFit, OfASpotIsKeptWhateverIsBesideIt) {
   const LightFit fit = fit_light(light, casters(within), 1024);
   for (const glm::vec3& other : {within, {3.0F, 0.2F, 0.0F}, {0.0F, 1.5F, 0.0F}, {5.0F, -9.0F, 0.0F}})
     EXPECT_TRUE(still_fits(fit, light, casters(other), 1024)) << other.x << " " << other.y;
+  EXPECT_TRUE(still_fits(fit, light, casters({0.0F, -0.02F, 0.2F}), 1024)) << "a small move";
   EXPECT_FALSE(still_fits(fit, light, casters({0.0F, -1.0F, 0.0F}), 1024)) << "beyond what is farthest";
   EXPECT_FALSE(still_fits(fit, light, casters({0.0F, 0.6F, 0.0F}), 1024)) << "before what is nearest";
   EXPECT_EQ(fit_light(light, std::vector<Bounds>{{glm::vec3(2.0F), glm::vec3(3.0F)}}, 1024).texel, 0.0F);

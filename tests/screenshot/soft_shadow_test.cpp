@@ -205,6 +205,16 @@ TEST_F(SoftShadowTest, ASpotsShadowsStayWhateverIsFarFromItOrBesideIt) {
   }
 }
 
+TEST_F(SoftShadowTest, WhereAllIsBesideItsConeASpotThrowsNoShadow) {
+  VisualDesc desc = pin(1.0F);
+  desc.key_light->position = {0.3F, 0.5F, 0.0F};
+  desc.key_light->direction = {0.0F, -1.0F, 0.0F};
+  desc.key_light->cone_rad = 0.5F;
+  desc.camera.target = {0.3F, 0.0F, 0.0F};
+  desc.camera.vertical_fov_rad = 0.5F;
+  EXPECT_EQ(most_shaded(desc), 0);
+}
+
 TEST_F(SoftShadowTest, ASpotThrowsShadowsHoweverNearItIs) {
   for (const float scale : {0.1F, 0.01F, 0.004F}) EXPECT_LT(lit_behind_pin(pin(scale), scale), 0.2F) << scale;
 }
