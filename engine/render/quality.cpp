@@ -38,7 +38,7 @@ bool AutoQuality::keeps_step(double median) {
   const Step step = std::exchange(judged_, Step::none);
   // What a climb beyond the budget costs is compared with where it left that, not with the step before:
   // four steps of a quarter each would make more than twice as much.
-  const double left_s = beyond_s_ > 0 ? beyond_s_ : std::max(before_s_, budget_s_);
+  const double left_s = beyond_s_ > 0 ? beyond_s_ : before_s_;
   if (step == Step::up && median > budget_s_ && kLittle * median > left_s) {
     best_allowed_ = came_from_;
     go_to(came_from_, Step::none, median);
@@ -47,7 +47,7 @@ bool AutoQuality::keeps_step(double median) {
   if (step == Step::down && median > kLittle * before_s_) {
     worst_allowed_ = best_allowed_ = came_from_;
     learnt_s_ = before_s_;
-    beyond_s_ = std::max(median, budget_s_);
+    beyond_s_ = median;
     go_to(came_from_, Step::none, median);
     return false;
   }

@@ -128,6 +128,23 @@ TEST(AutoQuality, AClimbBeyondTheBudgetCostsAQuarterInAll) {
   }
 }
 
+// A level that is twice as dear, and beyond the budget, is not kept for being nearly within it: a headset
+// would drop pictures.
+TEST(AutoQuality, WhatIsMuchDearerAndBeyondTheBudgetIsLeft) {
+  AutoQuality choice(0.8);
+  const auto cost = [](const Quality& q) {
+    return q == kQualityLevels[0] ? 1.26 : q == kQualityLevels[1] ? 0.98 : 0.49;
+  };
+  double beyond_s = 0, all_s = 0;
+  while (all_s < 5000) {
+    const double now = cost(choice.quality());
+    all_s += now;
+    if (now > 0.8) beyond_s += now;
+    choice.add(now);
+  }
+  EXPECT_LT(beyond_s, 0.15 * all_s);
+}
+
 // Whatever time passes, and however fast the machine is.
 TEST(AutoQuality, WhatIsRefusedIsChosenNoMore) {
   AutoQuality choice(1.0 / 30.0);
