@@ -43,6 +43,10 @@ Result<bool> ScenePictures::show(Worn& worn, const xr::Frame& frame, const std::
   render::LatePoses late;
   if (live) late = late_tool_.poses(loop, bridge_, attempt_.sink().afterglow(), state.time_s);
   Result<bool> shown = worn.show(frame, eyes, state, panel, late);
+  // The runtime may want pictures larger than there is graphics memory for at their level.
+  if (!shown && quality_ && stage_.renderer().is_short_of_memory() && quality_->refuse() &&
+      !render::take_quality(stage_.renderer(), *quality_))
+    return false;
   if (!shown || !*shown) return shown;
   if (live) late_tool_.shown(stage_.renderer().last_submission_s());
   frame_rate_.note(now_s());

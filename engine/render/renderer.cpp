@@ -192,9 +192,11 @@ void Renderer::build_shadow_map() {
 std::optional<Error> Renderer::rebuild(const RenderOptions& options) {
   const Result<RenderPlan> planned = render::plan(facts_, options);
   if (!planned) return planned.error();
+  short_of_memory_ = false;
   try {
     build(*planned);
   } catch (const vulkan::Failure& failure) {
+    short_of_memory_ = failure.is_of_memory();
     return Error{failure.what()};
   }
   options_ = options;
@@ -434,7 +436,9 @@ Result<Picture> Renderer::read_back() {
 std::optional<Error> take_quality(Renderer& renderer, AutoQuality& choice) {
   for (;;) {
     std::optional<Error> error = renderer.set_quality(choice.quality());
-    if (!error || !choice.refuse()) return error;
+    if (!error || !renderer.is_short_of_memory() || !choice.refuse()) return error;
+    std::fprintf(stderr,
+                 "Graphics memory is short for this quality of the picture: it is lower from here on.\n");
   }
 }
 

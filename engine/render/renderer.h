@@ -66,6 +66,8 @@ public:
   Result<Picture> read_back();
 
   std::optional<Error> resize(Extent extent);
+  // What it was to be built as last failed for want of memory: it draws again once it is built as less.
+  bool is_short_of_memory() const { return short_of_memory_; }
   std::optional<Error> set_quality(const Quality& quality);
   // From here on the scene has other ghosts: desc is the description that it was created from, with them.
   std::optional<Error> set_ghosts(const VisualDesc& desc);
@@ -116,6 +118,7 @@ private:
   PunctualLights lights_;
   std::vector<Marker> markers_;
   RenderPlan plan_;
+  bool short_of_memory_ = false;
   ShaderLibrary shaders_;
   vulkan::Commands commands_;
 
@@ -153,8 +156,8 @@ private:
   double last_frame_s_ = 0.0;
 };
 
-// Draws as choice has chosen from now on, or, where graphics memory is too short for that, at the best level
-// below. An error: at none.
+// Draws as choice has chosen from now on, or, where graphics memory is too short for that, which is said, at
+// the best level below. An error: at none, or for another reason.
 std::optional<Error> take_quality(Renderer& renderer, AutoQuality& choice);
 
 }  // namespace fulcrum::render

@@ -44,7 +44,7 @@ void check(VkResult code, const char* doing) {
     default:
       sentence += "; update the graphics driver, or choose another device with --gpu.";
   }
-  throw Failure(sentence);
+  throw Failure(sentence, code);
 }
 
 }  // namespace fulcrum::vulkan

@@ -20,7 +20,15 @@ using fulcrum::Result;
 // A Vulkan call that failed at run time.
 class Failure : public std::runtime_error {
 public:
-  using std::runtime_error::runtime_error;
+  explicit Failure(const std::string& sentence, VkResult code = VK_ERROR_UNKNOWN)
+      : std::runtime_error(sentence), code_(code) {}
+  // There was not enough memory, of the graphics card or of the machine.
+  bool is_of_memory() const {
+    return code_ == VK_ERROR_OUT_OF_DEVICE_MEMORY || code_ == VK_ERROR_OUT_OF_HOST_MEMORY;
+  }
+
+private:
+  VkResult code_;
 };
 
 // "VK_ERROR_DEVICE_LOST" and so on; the number for a code that is not expected here.
