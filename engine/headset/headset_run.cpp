@@ -87,6 +87,12 @@ void HeadsetRun::hear_mirror() {
   take_stop(kMirror);
 }
 
+void HeadsetRun::keep_pace() {
+  loop_.expect_word_within(kLongestFrame);
+  if (const auto error = pictures_.keep_pace()) error_ = error->sentence;
+  take_stop("the graphics card");
+}
+
 void HeadsetRun::show_in_mirror() {
   loop_.expect_word_within(kLongestFrame);
   if (const auto error = stage_.mirror()) error_ = error->sentence;
@@ -172,7 +178,7 @@ bool HeadsetRun::show() {
     take_stop();
     if (!drawn) return true;
     show_in_mirror();
-    if (const auto error = pictures_.keep_pace()) error_ = error->sentence;
+    keep_pace();
     return true;
   } catch (const xr::Lost&) {
     take_stop();

@@ -119,7 +119,7 @@ void TrainingWindow::on_key(int key, int action) {
       send(Command{Command::Kind::acknowledge});
       break;
     case GLFW_KEY_R:
-      leave_ = Leave::restart;
+      restart();
       break;
     case GLFW_KEY_F10:
       if (has_start_page_) leave_ = Leave::start_page;

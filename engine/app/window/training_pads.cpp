@@ -35,7 +35,7 @@ void TrainingWindow::act(PadAction action) {
       send(Command{Command::Kind::acknowledge});
       break;
     case PadAction::restart:
-      leave_ = Leave::restart;
+      restart();
       break;
     case PadAction::start_page:
       if (has_start_page_) leave_ = Leave::start_page;

@@ -84,7 +84,7 @@ void TrainingWindow::begin(const World& world, OpenDevice& device, const RunSink
   trouble_ = TickTrouble(scene_->tick_s);
   frame_rate_ = {};
   late_tool_ = {};
-  held_up_ = resting_ = ended_ = releases_ = edits_ = false;
+  held_up_ = stop_told_ = stop_seen_ = resting_ = ended_ = releases_ = edits_ = false;
   if (editor_ != nullptr) editor_->let_go();
   touches_.clear();
   touch_finder_.reset();  // it was of the world before
@@ -169,9 +169,14 @@ bool TrainingWindow::is_held_up() {
 
 void TrainingWindow::take_stop(const RunSink& sink) {
   if (!is_held_up()) return;
-  held_up_ = false;
-  if (sink.end() == RunSink::End::running)
+  if (!std::exchange(stop_told_, true) && sink.end() == RunSink::End::running)
     complain("the display did not answer in time: the force is off, and the trial rests until you go on.");
+  releases_ = false;  // for a scene that takes over: whoever goes on brings that force back, too
+  if (stop_seen_) held_up_ = stop_told_ = stop_seen_ = false;
+}
+
+void TrainingWindow::restart() {
+  if (!is_held_up()) leave_ = Leave::restart;
 }
 
 bool TrainingWindow::come_to_rest(LiveLoop& loop) {
@@ -378,10 +383,11 @@ void TrainingWindow::draw(const RunSink& sink, LiveLoop& loop) {
   const bool chooses = !stage_.settings().picture;
   if (!drawn) {
     // A window that has grown may need more graphics memory at its level than there is.
-    if (!chooses || !quality_.refuse() || render::take_quality(stage_.renderer(), quality_))
-      error_ = drawn.error().sentence;
+    const bool is_short = chooses && stage_.renderer().is_short_of_memory() && quality_.refuse();
+    if (!is_short || render::take_quality(stage_.renderer(), quality_)) error_ = drawn.error().sentence;
     return;
   }
+  stop_seen_ = stop_told_ && *drawn;
   if (*drawn && live) late_tool_.shown(stage_.renderer().last_submission_s());
   if (*drawn && running)
     frame_rate_.note(

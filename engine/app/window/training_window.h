@@ -97,6 +97,7 @@ private:
   // has as long again.
   bool is_held_up();
   void take_stop(const RunSink& sink);  // that was made so: says it
+  void restart();                       // the attempt, where that is heeded
   void note_cost(const TickEvent& event);
   // What the author's keys and pointer do; true: it is done.
   bool edit_key(int key);
@@ -156,9 +157,11 @@ private:
   FrameRate frame_rate_;
   LateTool late_tool_;
   bool minimised_ = false;
-  bool held_up_ = false;  // by a window that did not answer, since its events were taken last
-  bool resting_ = false;  // the trial has ended, and the force is told to go
-  bool ended_ = false;    // ended() was called
+  // By a window that did not answer, until a picture has shown it and what was pressed before has been heard.
+  bool held_up_ = false;
+  bool stop_told_ = false, stop_seen_ = false;  // the stop that came of it
+  bool resting_ = false;                        // the trial has ended, and the force is told to go
+  bool ended_ = false;                          // ended() was called
   const RunSink* sink_ = nullptr;
   Review review_{1};                    // of the attempt that runs, to be looked back at
   std::optional<ui::Debrief> debrief_;  // once the trial has ended
