@@ -6,8 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "engine/render/voxels.h"
-
 namespace fulcrum::render {
 namespace {
 
@@ -220,7 +218,8 @@ LightVolume make_light_volume(const VisualDesc& desc, std::uint32_t layers, cons
   made.low = grid->low;
   made.voxel = grid->voxel;
   made.counts = grid->counts;
-  const std::vector<Matter> matter = matter_of(desc, layers, *grid, 1.0F);
+  made.means = texture_means(desc, layers);
+  const std::vector<Matter> matter = matter_of(desc, layers, *grid, 1.0F, made.means);
   const std::vector<float> passes = passing(*grid, matter);
   let_in(made, *grid, passes, rays);
   send_on(made, *grid, matter, passes, rays, radiance_of(made, *grid, matter, desc, received));

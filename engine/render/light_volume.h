@@ -12,6 +12,7 @@
 
 #include "engine/render/environment.h"
 #include "engine/render/visual_desc.h"
+#include "engine/render/voxels.h"
 
 namespace fulcrum::render {
 
@@ -27,6 +28,7 @@ struct LightVolume {
   std::vector<glm::vec4> sent_on{
       glm::vec4(0.0F)};      // rgb: radiance in the mean of all directions that are not open
   glm::vec4 unhidden{0.0F};  // received, where nothing hides anything
+  TextureMeans means{};      // of what it was made of, for the mirror volume of the same
 };
 
 // The key light as a place sees it.

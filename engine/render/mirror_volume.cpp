@@ -5,8 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/render/voxels.h"
-
 namespace fulcrum::render {
 namespace {
 
@@ -212,7 +210,7 @@ MirrorVolume make_mirror_volume(const VisualDesc& desc, std::uint32_t layers, co
   made.low = grid->low;
   made.voxel = grid->voxel;
   made.counts = grid->counts;
-  const std::vector<Matter> matter = matter_of(desc, layers, *grid, kPiece);
+  const std::vector<Matter> matter = matter_of(desc, layers, *grid, kPiece, light.means);
   const std::vector<float> passes = passing(*grid, matter);
   const Lighting by{desc, *grid, passes, light, received};
   VoxelLevel level{grid->counts, {}, {}, {}, {}, {}};

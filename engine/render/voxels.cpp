@@ -66,11 +66,17 @@ private:
   std::vector<Matter> matter_;
 };
 
-// What a surface of it sends on of what it receives, in the mean of its picture.
-glm::vec3 sent_on_by(const VisualDesc& desc, const Material& material) {
-  if (!material.detail) return material.base_colour;
+// The picture of its base colour; none: it has none.
+std::optional<std::size_t> base_texture(const Material& material) {
+  if (!material.detail) return {};
   const auto& layer = material.detail->layers[SurfaceDetail::base_colour];
-  return layer ? material.base_colour * mean_colour(desc.textures[layer->texture]) : material.base_colour;
+  return layer ? std::optional(layer->texture) : std::nullopt;
+}
+
+// What a surface of it sends on of what it receives, in the mean of its picture.
+glm::vec3 sent_on_by(const Material& material, const TextureMeans& means) {
+  const auto texture = base_texture(material);
+  return texture ? material.base_colour * *means[*texture] : material.base_colour;
 }
 
 // An instance that hides light, its vertices in the world.
@@ -79,14 +85,12 @@ struct Standing {
   std::vector<Corner> corners;
 };
 
-std::vector<Standing> standing_in(const VisualDesc& desc, std::uint32_t layers) {
+std::vector<Standing> standing_in(const VisualDesc& desc, std::uint32_t layers, const TextureMeans& means) {
   std::vector<Standing> found;
-  std::vector<glm::vec3> colours;  // of each material
-  for (const Material& material : desc.materials) colours.push_back(sent_on_by(desc, material));
   for (const Instance& instance : desc.instances) {
     if (!hides_light(desc, instance, layers)) continue;
     const Mesh& mesh = desc.meshes[instance.mesh];
-    const glm::vec3 colour = colours[instance.material];
+    const glm::vec3 colour = sent_on_by(desc.materials[instance.material], means);
     Standing& standing = found.emplace_back(Standing{&mesh, {}});
     standing.corners.reserve(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
@@ -171,9 +175,19 @@ std::optional<VoxelGrid> voxel_grid(const VisualDesc& desc, std::uint32_t layers
   return grid;
 }
 
+TextureMeans texture_means(const VisualDesc& desc, std::uint32_t layers) {
+  TextureMeans means(desc.textures.size());
+  for (const Instance& instance : desc.instances) {
+    if (!hides_light(desc, instance, layers)) continue;
+    const auto texture = base_texture(desc.materials[instance.material]);
+    if (texture && !means[*texture]) means[*texture] = mean_colour(desc.textures[*texture]);
+  }
+  return means;
+}
+
 std::vector<Matter> matter_of(const VisualDesc& desc, std::uint32_t layers, const VoxelGrid& grid,
-                              float piece) {
-  const std::vector<Standing> all = standing_in(desc, layers);
+                              float piece, const TextureMeans& means) {
+  const std::vector<Standing> all = standing_in(desc, layers, means);
   Voxeliser voxeliser(grid, piece_for(all, grid, piece));
   for_each_triangle(all, [&](const Corner& a, const Corner& b, const Corner& c) { voxeliser.add(a, b, c); });
   return voxeliser.take();

@@ -38,10 +38,16 @@ bool hides_light(const VisualDesc& desc, const Instance& instance, std::uint32_t
 // to it as far as it is near. None: nothing stands. most: voxels along its longest side.
 std::optional<VoxelGrid> voxel_grid(const VisualDesc& desc, std::uint32_t layers, float most);
 
+// The mean colour (linear) of each texture of the description; none: no surface that hides light in these
+// layers has it as its base colour. Every pixel is read for it, so that it is found once and handed on.
+using TextureMeans = std::vector<std::optional<glm::vec3>>;
+TextureMeans texture_means(const VisualDesc& desc, std::uint32_t layers);
+
 // Of each voxel. piece: the longest edge, in voxels, of the pieces that triangles are cut into, each of which
-// belongs to one voxel: pieces as large as a voxel leave some voxels of a plane half empty.
+// belongs to one voxel: pieces as large as a voxel leave some voxels of a plane half empty. means: of the
+// same layers.
 std::vector<Matter> matter_of(const VisualDesc& desc, std::uint32_t layers, const VoxelGrid& grid,
-                              float piece);
+                              float piece, const TextureMeans& means);
 
 // Unit; none: as much of it faces one way as the other.
 std::optional<glm::vec3> facing(const Matter& matter);

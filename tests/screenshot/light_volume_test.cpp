@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "test_scene.h"
+#include "tests/bench/cpu_time.h"
 
 namespace fulcrum::render {
 namespace {
@@ -143,6 +144,43 @@ TEST(LightVolume, AWallSendsTheMeanOfItsPictureOn) {
   const glm::vec4 near = volume.sent_on[voxel_at(volume, {0.1F, 0.1F, 1.4F * volume.voxel})];
   EXPECT_NEAR(near.r, 0.8F, 0.15F) << "an open wall in even light is as bright as its picture in the mean";
   EXPECT_GT(near.r, 5.0F * near.g);
+}
+
+// Sheets one above the other, each of a material of its own whose base colour is texture i % pictures.
+VisualDesc painted_sheets(std::size_t count, std::size_t pictures) {
+  VisualDesc desc;
+  desc.key_light.reset();
+  for (std::size_t i = 0; i < count; ++i) {
+    add(desc, {{{0, 0.01F * static_cast<float>(i), 0}, {0, 0, 0.2F}, {0.2F, 0, 0}}}, glm::vec3(1.0F));
+    desc.materials.back().detail.emplace().layers[SurfaceDetail::base_colour] =
+        TextureLayer{.texture = i % pictures};
+  }
+  return desc;
+}
+
+TEST(LightVolume, ReadsThePicturesOfWhatHidesLightAlone) {
+  VisualDesc desc = painted_sheets(4, 4);
+  for (const std::uint8_t red : std::initializer_list<std::uint8_t>{255, 51, 102, 153})
+    desc.textures.push_back({"paint", 1, 1, {red, 0, 0, 255}});
+  desc.instances[1].movable = true;
+  desc.instances[2].layers = 2;
+  desc.materials[3].detail->alpha = Alpha::blend;
+  const LightVolume volume = volume_of(desc, {even}, 1);
+  ASSERT_EQ(volume.means.size(), 4U);
+  ASSERT_TRUE(volume.means[0]);
+  EXPECT_FLOAT_EQ(volume.means[0]->r, 1.0F);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_FALSE(volume.means[i]) << i;
+}
+
+// An atlas, as exporters make it.
+TEST(LightVolume, APictureThatManyMaterialsShareIsReadOnce) {
+  VisualDesc desc = painted_sheets(64, 1);
+  constexpr std::uint32_t kSide = 4096;
+  desc.textures = {{"atlas", kSide, kSide, std::vector<std::uint8_t>(std::size_t{4} * kSide * kSide, 128)}};
+  const double many = bench::cpu_us([&] { volume_of(desc); });
+  for (std::size_t i = 1; i < desc.materials.size(); ++i) desc.materials[i].detail.reset();
+  const double one = bench::cpu_us([&] { volume_of(desc); });
+  EXPECT_LT(many, 2.0 * one);
 }
 
 TEST(LightVolume, WhatMovesOrIsSeenThroughHidesNothing) {
