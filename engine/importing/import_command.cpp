@@ -1,9 +1,9 @@
 #include "engine/importing/import_command.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/listed.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/assets/gltf_writer.h"
 #include "engine/files/put_file.h"
@@ -96,13 +97,12 @@ void print(const std::string& file, const fs::path& out, const fs::path& drawn, 
   if (imported.lights > 0)
     line(count_text(imported.lights, "light") + (imported.lights == 1 ? " is" : " are") +
          " left out: a scenario that names a .glb or .gltf itself has its lights.");
-  if (imported.format == "glTF" &&
-      std::ranges::any_of(imported.model.materials,
-                          [](const ModelMaterial& material) { return material.detail.has_value(); }))
-    line(
-        "Textures, transparency and layers of its materials are not written: a scenario can name this file "
-        "itself, "
-        "and has them.");
+  const std::vector<std::string>& left_out = imported.materials_left_out;
+  if (!left_out.empty())
+    line("Of its materials " + app::listed(left_out) + (left_out.size() == 1 ? " is" : " are") +
+         " left out: only colours, metallic and roughness are taken.");
+  if (imported.format == "glTF" && (imported.images > 0 || !left_out.empty()))
+    line("A scenario can name this file itself, and has what is left out of its materials.");
   if (!drawn.empty()) {
     char text[64];
     std::snprintf(text, sizeof text, "%.3g mm", 1e3 * imported.drawn_deviation);
@@ -134,6 +134,7 @@ nlohmann::ordered_json as_json(const std::string& file, const fs::path& out, con
           {"drawn_deviation_m", imported.drawn ? nlohmann::ordered_json(imported.drawn_deviation) : nullptr},
           {"images_left_out", imported.images},
           {"lights_left_out", imported.lights},
+          {"materials_left_out", imported.materials_left_out},
           {"can_be_touched", imported.why_not_solid.empty()},
           {"why_not", or_null(imported.why_not_solid)},
           {"mended", imported.mended},
@@ -145,6 +146,31 @@ fs::path out_path(const std::string& file, const Options& options) {
   fs::path out(options.out);
   if (out.extension() == ".glb") return out;
   return (out / fs::path(file).filename().replace_extension(".glb")).lexically_normal();
+}
+
+// Where the coarser one goes that is drawn.
+fs::path drawn_path(const fs::path& out) {
+  return out.parent_path() / (out.stem().string() + "_drawn.glb");
+}
+
+// No two files become one; false, where a sentence on stderr says which would.
+bool go_apart(const Options& options) {
+  std::map<fs::path, std::string> sources;  // of each file that would be written
+  const auto take = [&](const fs::path& path, const std::string& file) {
+    std::error_code fault, ignored;
+    fs::path whole = fs::weakly_canonical(path, fault);
+    if (fault) whole = fs::absolute(path, ignored);  // a folder that may not be looked into
+    const auto [known, is_new] = sources.try_emplace(whole, file);
+    if (!is_new)
+      complain(known->second + " and " + file + " would both become " + path.string() +
+               ": import one at a time, and name a .glb for each with --out.");
+    return is_new;
+  };
+  for (const std::string& file : options.files) {
+    const fs::path out = out_path(file, options);
+    if (!take(out, file) || (options.simplify_mm && !take(drawn_path(out), file))) return false;
+  }
+  return true;
 }
 
 bool may_write(const fs::path& path, const std::string& source, bool force) {
@@ -164,6 +190,7 @@ int import_command(const Options& options) {
              " files: name a folder.");
     return app::kError;
   }
+  if (!go_apart(options)) return app::kError;
   ImportOptions import;
   import.unit = named<LengthUnit>(options.unit);
   import.up = named<UpAxis>(options.up);
@@ -172,8 +199,7 @@ int import_command(const Options& options) {
   bool good = true;
   for (const std::string& file : options.files) {
     const fs::path out = out_path(file, options);
-    const fs::path drawn =
-        import.simplify ? out.parent_path() / (out.stem().string() + "_drawn.glb") : fs::path();
+    const fs::path drawn = import.simplify ? drawn_path(out) : fs::path();
     if (!may_write(out, file, options.force) || (!drawn.empty() && !may_write(drawn, file, options.force))) {
       good = false;
       continue;

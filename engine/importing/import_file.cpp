@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/importing/simplify.h"
 #include "haptics/bake/solid.h"
@@ -89,6 +90,7 @@ Result<Imported> import_file(const std::filesystem::path& file, const ImportOpti
   imported.format = read->format;
   imported.images = read->images;
   imported.lights = read->lights;
+  imported.materials_left_out = std::move(read->materials_left_out);
   const Box3 box = box_of(read->model);
   imported.unit_m =
       options.unit ? Guess<double>{metres(*options.unit), {}} : guess_unit(*read, box.diagonal().norm());

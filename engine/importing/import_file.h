@@ -27,9 +27,10 @@ struct Imported {
   Vec3 size = Vec3::Zero();  // (3) m, of its box
   std::size_t triangles = 0;
   std::size_t drawn_triangles = 0;
-  std::size_t images = 0;           // left out
-  std::size_t lights = 0;           // left out
-  std::size_t thin_triangles = 0;   // lower than kThin
+  std::size_t images = 0;                       // left out
+  std::size_t lights = 0;                       // left out
+  std::vector<std::string> materials_left_out;  // by name: "opacity", "emission"
+  std::size_t thin_triangles = 0;               // lower than kThin
   std::vector<std::string> mended;  // sentences: what a scenario mends of its surface when it loads it
   std::string why_not_solid;        // empty: it can be touched
   std::string question;             // a sentence about its size; empty: there is none

@@ -19,6 +19,7 @@
 
 #include "engine/assets/gltf.h"
 #include "engine/importing/ending_files.h"
+#include "engine/importing/left_out.h"
 
 namespace fulcrum::importing {
 namespace {
@@ -177,17 +178,32 @@ std::optional<double> unit_in_figures(const aiScene& scene) {
   return std::nullopt;
 }
 
+// Each name once, of the materials that a part is made of: a file may hold others. left_out: of each.
+std::vector<std::string> left_out_of_parts(const Model& model,
+                                           const std::vector<std::vector<std::string>>& left_out) {
+  std::vector<std::string> names;
+  for (const ModelPart& part : model.parts)
+    for (const std::string& name : left_out[part.material])
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  return names;
+}
+
 Result<ReadMesh> read_gltf(const fs::path& file) {
   auto model = load_gltf(fs::absolute(file).parent_path(), fs::absolute(file));
   if (!model) return model.error();
   const std::size_t images = model->images.size(), lights = model->lights.size();
+  std::vector<std::vector<std::string>> left_out;
+  for (const ModelMaterial& material : model->materials)
+    left_out.push_back(material.detail ? left_out_of(*material.detail) : std::vector<std::string>{});
+  std::vector<std::string> names = left_out_of_parts(*model, left_out);
   return ReadMesh{.model = std::move(*model),
                   .format = "glTF",
                   .said_of_unit = {},
                   .unit_m = 1.0,
                   .y_is_up = true,
                   .images = images,
-                  .lights = lights};
+                  .lights = lights,
+                  .materials_left_out = std::move(names)};
 }
 
 }  // namespace
@@ -224,10 +240,15 @@ Result<ReadMesh> read_mesh(const fs::path& file) {
   read.unit_m = unit_in_figures(*scene);
   read.lights = scene->mNumLights;
   read.y_is_up = extension == ".3ds" || extension == ".dae" || extension == ".fbx";
-  for (unsigned int i = 0; i < scene->mNumMaterials; ++i)
+  std::vector<std::vector<std::string>> left_out;
+  for (unsigned int i = 0; i < scene->mNumMaterials; ++i) {
     read.model.materials.push_back(material_from(*scene->mMaterials[i], read.images));
+    left_out.push_back(left_out_of(*scene->mMaterials[i]));
+  }
   if (read.model.materials.empty()) read.model.materials.push_back({});
+  left_out.resize(read.model.materials.size());
   if (const std::string why = take_nodes(*scene, read.model); !why.empty()) return refused(why);
+  read.materials_left_out = left_out_of_parts(read.model, left_out);
   return read;
 }
 

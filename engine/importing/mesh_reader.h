@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/assets/model.h"
 #include "haptics/math/result.h"
@@ -16,10 +17,11 @@ struct ReadMesh {
   std::string format;  // as people call it: "OBJ"
   // What the file's own text says of its unit, before its triangles begin: "File units = millimeters".
   std::string said_of_unit;
-  std::optional<double> unit_m;  // what its format, or its own figures, say one unit is
-  bool y_is_up = false;          // its format says so, or its reader has turned it
-  std::size_t images = 0;        // that its materials name, and that are left out
-  std::size_t lights = 0;        // of the file, left out too
+  std::optional<double> unit_m;                 // what its format, or its own figures, say one unit is
+  bool y_is_up = false;                         // its format says so, or its reader has turned it
+  std::size_t images = 0;                       // that its materials name, and that are left out
+  std::size_t lights = 0;                       // of the file, left out too
+  std::vector<std::string> materials_left_out;  // by name: what else the materials of its parts have
 };
 
 // Refused, with a sentence: no file, no such format, damaged, no triangles, numbers that are not finite, more

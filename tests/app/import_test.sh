@@ -33,6 +33,23 @@ expect 2 'unit' "$FULCRUM" import block.obj --unit furlong
 expect 1 'missing.obj: No such file' "$FULCRUM" import missing.obj
 expect 1 'is the file that is read' "$FULCRUM" import own/peg.glb --out own --force
 
+# --- two that would become one are both left as they are, whatever is replaced
+mkdir -p twin pair
+sed 's/^# a box/&, another/' block.obj >twin/block.obj
+expect 1 'block.obj and twin/block.obj would both become pair/block.glb: import one at a time' \
+  "$FULCRUM" import block.obj twin/block.obj --out pair --force
+cp peg.obj twin/block_drawn.obj
+expect 1 'would both become pair/block_drawn.glb' \
+  "$FULCRUM" import block.obj twin/block_drawn.obj --out pair --simplify 0.1
+[ -z "$(ls pair)" ] || fail "something was written: $(ls pair)"
+
+# --- what its materials have and the model has not
+printf 'newmtl lamp\nKd 1 1 1\nd 0.2\nKe 5 5 0\n' >lamp.mtl
+{ printf 'mtllib lamp.mtl\nusemtl lamp\n' && cat block.obj; } >lamp.obj
+expect 0 'Of its materials opacity and emission are left out' "$FULCRUM" import lamp.obj
+expect 0 '"materials_left_out": \[' "$FULCRUM" import lamp.obj --force --json
+expect 0 '"emission"' "$FULCRUM" import lamp.obj --force --json
+
 # --- a folder that cannot be written leaves nothing half done
 mkdir full && chmod 500 full
 [ "$(id -u)" = 0 ] || expect 1 'cannot be written' "$FULCRUM" import peg.obj --out full

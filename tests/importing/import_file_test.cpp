@@ -11,6 +11,7 @@
 #include "engine/assets/gltf.h"
 #include "engine/assets/gltf_writer.h"
 #include "haptics/bake/mass_properties.h"
+#include "tests/assets/glb_builder.h"
 #include "tests/importing/mesh_files.h"
 
 namespace fulcrum::importing::test {
@@ -122,6 +123,30 @@ TEST_F(ImportFile, NamesPartsAndColoursThem) {
   const Imported coloured = read("c.ply", ply(kBlock));
   ASSERT_EQ(coloured.model.parts.at(0).colours.size(), coloured.model.parts[0].positions.size());
   EXPECT_LT((coloured.model.parts[0].colours[0] - Vec3(1, 0.5029, 0)).norm(), 1e-3);
+}
+
+TEST_F(ImportFile, NamesWhatElseMaterialsHave) {
+  using Names = std::vector<std::string>;
+  folder_.write("paint.mtl",
+                "newmtl lamp\nKd 1 1 1\nd 0.2\nKe 5 5 0\nKs 1 1 1\nNs 900\n"
+                "newmtl plain\nKd 1 1 1\nKe 0 0 0\nd 1\n"
+                "newmtl leaf\nKd 1 1 1\nmap_d leaf.png\n");
+  const auto left_out = [&](const std::string& material) {
+    return read("a.obj", "mtllib paint.mtl\n" + obj(kBlock, "usemtl " + material + "\n")).materials_left_out;
+  };
+  EXPECT_EQ(left_out("lamp"), (Names{"opacity", "emission", "shininess"}));
+  EXPECT_EQ(left_out("plain"), Names{}) << "no part is made of the others";
+  EXPECT_EQ(left_out("leaf"), Names{"opacity"});
+  EXPECT_EQ(read("b.obj", obj(kBlock)).materials_left_out, Names{});
+  EXPECT_EQ(read("b.stl", stl(kBlock)).materials_left_out, Names{});
+  EXPECT_EQ(read("b.ply", ply(kBlock)).materials_left_out, Names{});
+  EXPECT_EQ(read("b.3ds", max_3ds(kBlock, "b")).materials_left_out, Names{});
+  glb::Tetrahedron file;
+  file.material = R"({"alphaMode":"BLEND","emissiveFactor":[1,0,0],"extensions":{"KHR_materials_clearcoat":)"
+                  R"({"clearcoatFactor":1}}})";
+  const auto bytes = file.bytes();
+  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  EXPECT_EQ(read("c.glb", text).materials_left_out, (Names{"opacity", "emission", "clearcoat"}));
 }
 
 TEST_F(ImportFile, SaysWhatCannotBeTouched) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/app/cli/listed.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/prepare/tape_header.h"
 #include "engine/record/run_folder.h"
@@ -26,9 +27,7 @@ std::string what_lies_in(const std::filesystem::path& folder) {
   add("trace", record::kTraceName);
   add("summary", record::kSummaryName);
   add("report", record::kReportName);
-  std::string text;
-  for (std::size_t i = 0; i < files.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == files.size() ? " and " : ", ") + files[i];
+  std::string text = listed(files);
   if (text.empty()) return text;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text + (files.size() == 1 ? " lies in" : " lie in");
