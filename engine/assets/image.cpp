@@ -29,7 +29,8 @@ Error damaged(const char* why) {
 }
 
 std::optional<Error> refuse(std::uint64_t width, std::uint64_t height) {
-  if (width > 0 && height > 0 && width <= kLargestSide && height <= kLargestSide) return std::nullopt;
+  if (width == 0 || height == 0) return damaged("it has no pixels");
+  if (width <= kLargestSide && height <= kLargestSide) return std::nullopt;
   return Error{"it is " + std::to_string(width) + " x " + std::to_string(height) +
                " pixels: make it smaller, at most " + std::to_string(kLargestSide) + " a side"};
 }

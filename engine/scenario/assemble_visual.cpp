@@ -37,7 +37,7 @@ render::Mesh mesh_of(const ModelPart& part, const Vec3& origin) {
 }
 
 // Every material of that name in any of the models; a name that none has is a slip.
-Result<std::monostate> apply(const MaterialOverride& override, std::vector<render::Material>& materials) {
+std::optional<Fault> apply(const MaterialOverride& override, std::vector<render::Material>& materials) {
   bool applied = false;
   for (render::Material& material : materials) {
     if (material.name != override.name) continue;
@@ -50,12 +50,12 @@ Result<std::monostate> apply(const MaterialOverride& override, std::vector<rende
       material.detail->scatter_distance = narrowed(override.scatter_distance);
     }
   }
-  if (applied) return std::monostate{};
+  if (applied) return std::nullopt;
   std::vector<std::string_view> names;
   for (const render::Material& material : materials)
     if (std::ranges::find(names, material.name) == names.end()) names.push_back(material.name);
-  return Error{override.where.text() + ": no model has a material " + in_quotes(override.name) +
-               did_you_mean(override.name, names, "there is: " + joined(names))};
+  return override.where.fault("no model has a material " + in_quotes(override.name) +
+                              did_you_mean(override.name, names, "there is: " + joined(names)));
 }
 
 constexpr glm::vec3 kExpertColour{0.45F, 0.95F, 0.10F};  // linear, of the expert's tool
@@ -68,15 +68,18 @@ std::uint32_t layers_of(const ModelEntry& entry, const std::vector<ModelEntry>& 
   return std::ranges::count(models, entry.name, &ModelEntry::cut_of) > 0 ? kWhole : kWhole | kCut;
 }
 
-// Appends the model's materials, parts and lights; those of the tool are moved to T and movable. Fails where
-// a texture cannot be decoded.
-std::optional<Error> add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model,
+// Appends the model's materials, parts and lights; those of the tool are moved to T and movable. A fault
+// where a texture cannot be used; the model's textures are then left out, so that those of the next models
+// are not told to be too many with them.
+std::optional<Fault> add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model,
                                const Vec3& p_MT, const Pose& X_WT_start, std::uint32_t layers, bool drawn) {
   const bool is_tool = entry.role == ModelRole::tool;
-  const std::size_t first_material = desc.materials.size();
-  if (const auto refused = add_materials(desc, model))
-    return Error{(entry.drawn.name.empty() ? entry.file : entry.drawn).path.string() + ": " +
-                 refused->sentence};
+  const std::size_t first_material = desc.materials.size(), first_texture = desc.textures.size();
+  if (const auto refused = add_materials(desc, model)) {
+    desc.textures.resize(first_texture);
+    const FileRef& file = entry.drawn.name.empty() ? entry.file : entry.drawn;
+    return file.where.fault("model '" + entry.name + "': " + in_quotes(file.name) + ": " + refused->sentence);
+  }
   if (!drawn) return std::nullopt;
   const std::size_t first_instance = desc.instances.size();
   for (const ModelPart& part : model.parts) {
@@ -132,24 +135,27 @@ bool draws_levels(const SceneDesc& scene) {
   return use && use->axis_W;
 }
 
-Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,
-                                       const SceneDesc& scene) {
+Checked<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,
+                                        const SceneDesc& scene) {
+  Faults faults;
   VisualAssembly result;
   render::VisualDesc& desc = result.desc;
   const Pose X_WT_start = scenario.tool.X_WM_start * Pose{Quat::Identity(), models.p_MT};
   for (std::size_t i = 0; i < scenario.models.size(); ++i) {
     const ModelEntry& entry = scenario.models[i];
-    if (const auto refused = add_model(desc, entry, models.drawn[i] ? *models.drawn[i] : models.models[i],
-                                       models.p_MT, X_WT_start, layers_of(entry, scenario.models),
-                                       !(scenario.left_handed && entry.lettering)))
-      return *refused;
+    if (const auto fault = add_model(desc, entry, models.drawn[i] ? *models.drawn[i] : models.models[i],
+                                     models.p_MT, X_WT_start, layers_of(entry, scenario.models),
+                                     !(scenario.left_handed && entry.lettering)))
+      faults.push_back(*fault);
   }
   for (const MaterialOverride& material : scenario.materials)
-    if (const auto applied = apply(material, desc.materials); !applied) return applied.error();
+    if (const auto fault = apply(material, desc.materials)) faults.push_back(*fault);
   if (scenario.light) let_decor_throw_shadows(desc, *scenario.light);
   if (draws_arms(scenario, scene)) {
-    if (const auto refused = Mechanism::refuse(scene.device.mechanism)) return *refused;
-    add_device_arms(desc, scene.device.mechanism, scene.mapping, scenario.device.floor, kWhole | kCut);
+    if (const auto refused = Mechanism::refuse(scene.device.mechanism))
+      faults.push_back({"devices/" + scenario.device.model + ".yaml", 0, 0, refused->sentence});
+    else
+      add_device_arms(desc, scene.device.mechanism, scene.mapping, scenario.device.floor, kWhole | kCut);
   }
   if (scenario.guide) add_guide(desc, *scenario.guide, kWhole | kCut);
   if (scene.holding_point) add_holding_axes(desc, kWhole | kCut);
@@ -165,9 +171,12 @@ Result<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedMod
   desc.ambient = scenario.ambient;
   if (scenario.surroundings) {
     Checked<render::Panorama> read = read_surroundings(scenario, *scenario.surroundings);
-    if (!read) return Error{to_text(read.faults())};
-    desc.ambient.picture = std::move(*read);
+    if (read)
+      desc.ambient.picture = std::move(*read);
+    else
+      faults.insert(faults.end(), read.faults().begin(), read.faults().end());
   }
+  if (!faults.empty()) return faults;
   desc.background = scenario.background;
   // The bridge gives their poses in this order.
   if (shows_ghost(scene, scene)) desc.ghosts.push_back({});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -105,6 +106,15 @@ TEST(DecodeImage, LargeOnesAreRefusedByTheirSize) {
   const auto refused = decode_image(test::jpeg_of(9000, 1, wide));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().sentence, "it is 9000 x 1 pixels: make it smaller, at most 8192 a side");
+}
+
+// A first marker, and then nothing that a decoder would call wrong.
+TEST(DecodeImage, OneWithoutPixelsIsDamagedAndNotTooLarge) {
+  Bytes jpeg(64, 0);
+  std::ranges::copy(Bytes{0xff, 0xd8, 0xff, 0xe0}, jpeg.begin());
+  const auto refused = decode_image(jpeg);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().sentence, "it is damaged (it has no pixels); export it again");
 }
 
 TEST(IsPicture, KnowsItsTwoKinds) {

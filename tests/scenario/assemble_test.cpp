@@ -83,7 +83,7 @@ TEST_F(Assemble, LetteringIsNotDrawnWhereItWouldBeMirrorWritten) {
     const auto haptic = assemble_haptic(*scenario, *models, cache_);
     ASSERT_TRUE(haptic) << haptic.error().sentence;
     const auto visual = assemble_visual(*scenario, *models, haptic->scene);
-    ASSERT_TRUE(visual) << visual.error().sentence;
+    ASSERT_TRUE(visual) << to_text(visual.faults());
     EXPECT_EQ(std::ranges::count(visual->desc.instances, "sign/box", &render::Instance::name), left ? 0 : 1);
     const auto said = std::ranges::count_if(models->notes, [](const std::string& note) {
       return note == "the model 'sign' is not drawn: it would be mirror-written";
@@ -256,7 +256,7 @@ TEST_F(Assemble, DrawsTheToolAboutItsCentreOfMass) {
   const auto models = load_models(scenario);
   ASSERT_TRUE(models) << to_text(models.faults());
   const auto visual = assemble_visual(scenario, *models, {});
-  ASSERT_TRUE(visual) << visual.error().sentence;
+  ASSERT_TRUE(visual) << to_text(visual.faults());
   const render::VisualDesc& desc = visual->desc;
   ASSERT_EQ(desc.instances.size(), 2u);
   EXPECT_FALSE(desc.instances[0].movable);
@@ -362,7 +362,7 @@ TEST_F(Assemble, LightsOfModelsAreCountedOverTheScene) {
       "shadows: the scene's 'light' alone does.");
   EXPECT_TRUE(models->warnings.empty()) << to_text(models->warnings);
   const auto visual = assemble_visual(*scenario, *models, {});
-  ASSERT_TRUE(visual) << visual.error().sentence;
+  ASSERT_TRUE(visual) << to_text(visual.faults());
   ASSERT_EQ(visual->desc.lights.size(), 8u);
   const render::PunctualLight &standing = visual->desc.lights[0], &carried = visual->desc.lights[7];
   EXPECT_EQ(standing.position, glm::vec3(0, 1, 0));
@@ -476,7 +476,7 @@ TEST_F(Assemble, DrawsAModelCutOpenWhereAViewSaysSo) {
   const auto models = load_models(*scenario);
   ASSERT_TRUE(models) << to_text(models.faults());
   const auto visual = assemble_visual(*scenario, *models, {});
-  ASSERT_TRUE(visual) << visual.error().sentence;
+  ASSERT_TRUE(visual) << to_text(visual.faults());
   const auto seen_in = [&](std::size_t view) {
     std::string seen;
     for (const render::Instance& instance : visual->desc.instances)
@@ -504,7 +504,7 @@ TEST_F(Assemble, NamesThePlaceOfWhatIsWrong) {
   const auto wrong_material = read({}, "materials: {stel: {roughness: 0.25}}\n");
   const auto models = load_models(wrong_material);
   ASSERT_TRUE(models) << to_text(models.faults());
-  EXPECT_EQ(assemble_visual(wrong_material, *models, {}).error().sentence,
+  EXPECT_EQ(to_text(assemble_visual(wrong_material, *models, {}).faults()),
             "scenario.yaml:20:19: no model has a material 'stel'; did you mean 'steel'?");
 
   const auto missing = load_models(read({"models.peg.file=none.glb"}));

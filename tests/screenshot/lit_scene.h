@@ -75,7 +75,7 @@ protected:
     const auto models = scenario::load_models(*scenario);
     if (!models) throw std::runtime_error(to_text(models.faults()));
     auto visual = scenario::assemble_visual(*scenario, *models, {});
-    if (!visual) throw std::runtime_error(visual.error().sentence);
+    if (!visual) throw std::runtime_error(to_text(visual.faults()));
     visual->desc.key_light.reset();
     visual->desc.ambient.intensity = 0.0F;
     return std::move(visual->desc);

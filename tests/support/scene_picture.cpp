@@ -77,9 +77,9 @@ void turn_on(const app::Prepared& prepared, const Vec3& axis_T, double angle_rad
 
 void expect_golden(const app::Prepared& prepared, app::FrameInput input, const std::string& view,
                    const std::string& golden) {
-  Result<scenario::VisualAssembly> visual =
+  scenario::Checked<scenario::VisualAssembly> visual =
       scenario::assemble_visual(prepared.scenario, prepared.models, prepared.haptic.scene);
-  ASSERT_TRUE(visual) << visual.error().sentence;
+  ASSERT_TRUE(visual) << to_text(visual.faults());
   const auto found = std::ranges::find(visual->views, view, &scenario::View::name);
   ASSERT_NE(found, visual->views.end()) << view;
   input.camera = found->camera;

@@ -96,7 +96,7 @@ void look_at_assembly(const scenario::Inspected& inspected, const scenario::Load
     checked.faults.push_back(at("", world.error().sentence));
   const auto visual = scenario::assemble_visual(scenario, models, haptic->scene);
   if (!visual) {
-    checked.faults.push_back(at("materials", visual.error().sentence));
+    checked.take(visual.faults(), &CheckedFile::faults);
     return;
   }
   if (const auto refused = render::validate(visual->desc))

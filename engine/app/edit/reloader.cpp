@@ -82,7 +82,7 @@ Reloader::Made Reloader::make() const {
     add_beside(*prepared, files);
     // What would end the session once it has taken over.
     const auto seen = assemble_visual(prepared->scenario, prepared->models, prepared->haptic.scene);
-    if (!seen) return {nullptr, seen.error().sentence, std::move(files)};
+    if (!seen) return {nullptr, scenario::to_text(seen.faults()), std::move(files)};
     const Result<World> ticks = World::build(prepared->haptic.scene);
     if (!ticks) return {nullptr, ticks.error().sentence, std::move(files)};
     return {std::make_unique<Prepared>(std::move(*prepared)), {}, std::move(files)};

@@ -20,16 +20,16 @@ std::optional<Error> refuse_view(const scenario::Scenario& scenario, const std::
 
 Result<scenario::VisualAssembly> assemble_view(const Prepared& prepared, const SceneDesc& scene,
                                                const std::string& name) {
-  Result<scenario::VisualAssembly> visual =
+  scenario::Checked<scenario::VisualAssembly> visual =
       scenario::assemble_visual(prepared.scenario, prepared.models, scene);
-  if (!visual) return visual;
+  if (!visual) return Error{scenario::to_text(visual.faults())};
   const std::vector<std::string>& told =
       prepared.haptic.warnings;  // a folder that keeps nothing, by the bakes
   for (const std::string& note : scenario::add_levels_of_detail(visual->desc, BakeCache()))
     if (std::ranges::find(told, note) == told.end()) complain(note);
   const auto named = std::ranges::find(visual->views, name, &scenario::View::name);
   if (named != visual->views.end()) visual->desc.camera = named->camera;
-  return visual;
+  return std::move(*visual);
 }
 
 }  // namespace fulcrum::app

@@ -32,7 +32,8 @@ Backdrop::Read Backdrop::read(const Wanted& wanted) {
   if (!loaded) return read;
   const scenario::Checked<scenario::LoadedModels> models = scenario::load_models(*loaded);
   if (!models) return read;
-  Result<scenario::VisualAssembly> visual = scenario::assemble_visual(*loaded, *models, SceneDesc());
+  scenario::Checked<scenario::VisualAssembly> visual =
+      scenario::assemble_visual(*loaded, *models, SceneDesc());
   if (!visual) return read;
   visual->desc.markers.clear();
   // A cache that is damaged or cannot be written is told of when the scene is begun.

@@ -32,7 +32,7 @@ TEST(Arm, IsClearOfPlatesStandAndTable) {
   const std::optional<app::Prepared> plate = app::prepare("plate", std::vector<std::string>());
   ASSERT_TRUE(plate);
   const auto visual = scenario::assemble_visual(plate->scenario, plate->models, plate->haptic.scene);
-  ASSERT_TRUE(visual) << visual.error().sentence;
+  ASSERT_TRUE(visual) << scenario::to_text(visual.faults());
   app::FrameBridge bridge(visual->desc, plate->scenario, plate->haptic.scene);
   const HandPath path(plate->haptic.hands.front().waypoints);
   ASSERT_EQ(plate->haptic.hands.front().name, "expert");

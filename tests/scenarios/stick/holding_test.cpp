@@ -139,7 +139,7 @@ TEST(Holding, AxesAreAtTheHoldingPointAndTurnWithTheStick) {
   ASSERT_TRUE(stick);
   const SceneDesc& scene = stick->haptic.scene;
   const auto visual = scenario::assemble_visual(stick->scenario, stick->models, scene);
-  ASSERT_TRUE(visual) << visual.error().sentence;
+  ASSERT_TRUE(visual) << scenario::to_text(visual.faults());
   app::FrameBridge bridge(visual->desc, stick->scenario, scene);
   const TickRecord record = held(0.084, HoldingState::measured);
   TickRecord posed = record;
