@@ -18,10 +18,9 @@ double now_s() {
 }  // namespace
 
 ScenePictures::ScenePictures(HeadsetStage& stage, const app::Prepared& prepared,
-                             const scenario::VisualAssembly& visual, const app::RunOptions& options,
-                             const app::Settings& settings, app::RunSession& attempt)
+                             const scenario::VisualAssembly& visual, const app::Settings& settings,
+                             app::RunSession& attempt)
     : stage_(stage),
-      options_(options),
       settings_(settings),
       attempt_(attempt),
       view_(visual.desc.camera),

@@ -21,7 +21,7 @@ class ScenePictures {
 public:
   // All must outlive it.
   ScenePictures(HeadsetStage& stage, const app::Prepared& prepared, const scenario::VisualAssembly& visual,
-                const app::RunOptions& options, const app::Settings& settings, app::RunSession& attempt);
+                const app::Settings& settings, app::RunSession& attempt);
 
   // From here on they are seen from there. The left eye's.
   const render::Camera& look_from(const std::array<xr::EyeView, 2>& eyes, const Placement& placement);
@@ -44,7 +44,6 @@ private:
   render::FrameState frame_of(const TickRecord& record);
 
   HeadsetStage& stage_;
-  const app::RunOptions& options_;
   const app::Settings& settings_;
   app::RunSession& attempt_;
   render::Camera view_;  // of the scene, that the headset's space is laid about

@@ -1,7 +1,7 @@
 #include "engine/analysis/picture/report.h"
 
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <string>
 
 #include "haptics/math/functions.h"
@@ -56,7 +56,7 @@ Plot plot_of(const std::vector<ViewFigures>& views) {
   plot.title = "Difference over cost";
   plot.x = {"time of a frame, of the best level's", "", Scale::logarithmic, {}, {}};
   plot.y = {"mean FLIP", "", Scale::linear, 0.0, {}};
-  constexpr report::Line kLines[] = {report::Line::solid, report::Line::dashed, report::Line::dotted};
+  constexpr std::array kLines = {report::Line::solid, report::Line::dashed, report::Line::dotted};
   int scene_index = 0;
   std::string scene;
   for (const ViewFigures& view : views) {
@@ -65,7 +65,7 @@ Plot plot_of(const std::vector<ViewFigures>& views) {
     scene_index += view.scene == scene || scene.empty() ? 0 : 1;
     scene = view.scene;
     // There are more scenes than hues.
-    series.line = kLines[(scene_index / report::kHues) % std::size(kLines)];
+    series.line = kLines[static_cast<std::size_t>(scene_index / report::kHues) % kLines.size()];
     series.faint = true;
     series.hue = scene_index % report::kHues;
     for (const LevelFigures& level : view.levels)
