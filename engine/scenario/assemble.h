@@ -81,7 +81,7 @@ bool draws_arms(const Scenario& scenario, const SceneDesc& scene);
 // A finger sweeps in the scene, and its device vibrates beside it: the levels are drawn.
 bool draws_levels(const SceneDesc& scene);
 
-// scene: what ticks; cues that it does not show are not drawn. Faults: each model with a texture that cannot
+// scene: what ticks; cues that it does not show are not drawn. Faults: each model with textures that cannot
 // be used, each material that no model has, surroundings that cannot be read.
 Checked<VisualAssembly> assemble_visual(const Scenario& scenario, const LoadedModels& models,
                                         const SceneDesc& scene);

@@ -69,7 +69,7 @@ std::uint32_t layers_of(const ModelEntry& entry, const std::vector<ModelEntry>& 
 }
 
 // Appends the model's materials, parts and lights; those of the tool are moved to T and movable. A fault
-// where a texture cannot be used; the model's textures are then left out, so that those of the next models
+// where one of its textures cannot be used; all of them are then left out, so that those of the next models
 // are not told to be too many with them.
 std::optional<Fault> add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model,
                                const Vec3& p_MT, const Pose& X_WT_start, std::uint32_t layers, bool drawn) {
