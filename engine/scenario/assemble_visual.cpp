@@ -69,14 +69,12 @@ std::uint32_t layers_of(const ModelEntry& entry, const std::vector<ModelEntry>& 
 }
 
 // Appends the model's materials, parts and lights; those of the tool are moved to T and movable. A fault
-// where one of its textures cannot be used; all of them are then left out, so that those of the next models
-// are not told to be too many with them.
+// where what is laid onto it cannot be used.
 std::optional<Fault> add_model(render::VisualDesc& desc, const ModelEntry& entry, const Model& model,
                                const Vec3& p_MT, const Pose& X_WT_start, std::uint32_t layers, bool drawn) {
   const bool is_tool = entry.role == ModelRole::tool;
-  const std::size_t first_material = desc.materials.size(), first_texture = desc.textures.size();
+  const std::size_t first_material = desc.materials.size();
   if (const auto refused = add_materials(desc, model)) {
-    desc.textures.resize(first_texture);
     const FileRef& file = entry.drawn.name.empty() ? entry.file : entry.drawn;
     return file.where.fault("model '" + entry.name + "': " + in_quotes(file.name) + ": " + refused->sentence);
   }

@@ -131,6 +131,7 @@ SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
 std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model) {
   std::vector<bool> is_shown(model.materials.size(), false);
   for (const ModelPart& part : model.parts) is_shown[part.material] = true;
+  const std::size_t first_texture = desc.textures.size();
   Textures textures(desc, model);
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     const ModelMaterial& from = model.materials[i];
@@ -138,6 +139,8 @@ std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model)
     if (from.detail && is_shown[i]) to.detail = detail_of(*from.detail, textures);
     desc.materials.push_back(std::move(to));
   }
+  // Else those of the next models were told to be too many with these.
+  if (textures.error()) desc.textures.resize(first_texture);
   return textures.error();
 }
 

@@ -9,7 +9,8 @@
 
 namespace fulcrum::scenario {
 
-// Appends them in their order. Fails with a clause about the texture that cannot be decoded.
+// Appends them in their order. Fails with a clause about the texture that cannot be decoded; the model's
+// textures are then left out.
 std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model);
 
 }  // namespace fulcrum::scenario
