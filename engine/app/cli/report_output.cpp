@@ -38,7 +38,7 @@ std::optional<ReportPlace> report_place(std::string_view report, const RunOption
 std::optional<std::filesystem::path> write_report(
     const ReportPlace& place, std::initializer_list<std::pair<std::string_view, std::string>> contents) {
   // Looked at once more: another program may have written there meanwhile.
-  const std::optional<std::filesystem::path> folder =
+  std::optional<std::filesystem::path> folder =
       told(place.out.empty()
                ? record::make_default_run_folder(place.report, std::chrono::system_clock::now(), kShelf)
                : record::take_run_folder(place.out, place.force, place.files));
