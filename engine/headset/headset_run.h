@@ -62,7 +62,7 @@ private:
   bool show();          // draws if it is time to; false: there is nothing to draw for
   bool draw();          // true: the headset shows a new picture
   void show_in_mirror();
-  void keep_pace();  // of the headset, by the quality of the next picture
+  void keep_pace();  // chooses the next picture's quality, so that the headset's pace is kept
   void show_nothing(const xr::Frame& frame);
   void place();  // the scene, where the device is seen where it is felt
   void follow_space(const xr::Frame& frame);

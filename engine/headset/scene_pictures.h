@@ -32,8 +32,8 @@ public:
                     const PanelPlace& panel, const TickRecord& record, LiveLoop& loop);
   // Nothing can be shown from now on, until something is again.
   void rest() { frame_rate_.rest(); }
-  // Where quality is automatic, the next picture's: another one's picture is none that a mirror could show
-  // yet.
+  // Where quality is automatic, chooses the next picture's. To be called once a mirror has shown this one:
+  // the renderer has no picture of another quality until it draws one.
   std::optional<Error> keep_pace();
 
   // The last moment, as both eyes saw it, into a PNG.

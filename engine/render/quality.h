@@ -70,7 +70,7 @@ private:
   Step judged_ = Step::none;             // the step that the next decision looks at
   std::size_t came_from_ = 0;            // the level before it
   double before_s_ = 0.0;                // the median there
-  double beyond_s_ = 0.0;  // what a frame took, or may, where the climb beyond the budget began; 0: none did
+  double beyond_s_ = 0.0;  // what a frame took where the climb beyond the budget began; 0: there was none
   std::size_t skip_ = kUncounted;
   std::array<double, kWindow> times_{};
   std::size_t count_ = 0;

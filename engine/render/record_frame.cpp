@@ -12,8 +12,9 @@ vulkan::ImageUse either(const vulkan::ImageUse& a, const vulkan::ImageUse& b) {
   return {a.stage | b.stage, a.access | b.access, VK_IMAGE_LAYOUT_UNDEFINED};
 }
 
-// Of the shadow map: half of one of its texels is seen no more than half a pixel is. A spot's are wider the
-// farther away, along its axis: the way there is no shorter than the cosine of half its cone has it.
+// Of the shadow map: half of one of its texels is seen no more than half a pixel is. A spot's texels widen
+// with the distance along its axis, which is at least the distance from the lamp times the cosine of half its
+// cone.
 Sight sight_of(const LightFit& light, const KeyLight& key, float coarseness, std::uint32_t layers) {
   constexpr float kTexels = 0.5F;
   const float may_be_off = coarseness > 0.0F ? kTexels * light.texel : 0.0F;

@@ -52,8 +52,9 @@ const float kPi = 3.14159265;
 
 // 0 in shadow .. 1 lit.
 float lit_by_key(vec3 position, vec3 n, float n_dot_l) {
-  // Moved off the surface by more where light grazes it: depth in the map is constant over a whole texel. And by what
-  // coarse triangles may be off, which in the map are others. w is a spot's way along its axis, else 1.
+  // Moved off the surface by more where light grazes it: depth in the map is constant over a whole texel. It is
+  // moved as well by what its coarse triangles may be off the surface that they stand for, since other triangles of it are
+  // in the map. w is the distance along a spot's axis, and 1 of directional light.
   vec4 axis = vec4(frame.shadow_from_world[0].w, frame.shadow_from_world[1].w, frame.shadow_from_world[2].w,
                    frame.shadow_from_world[3].w);
   float texel = frame.shadow.y * dot(axis, vec4(position, 1.0));

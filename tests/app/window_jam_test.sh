@@ -29,7 +29,7 @@ press_meanwhile Return
 press_meanwhile r
 jam
 until_seen jammed A || fail "the force stays on while the display does not answer: $(column "$work/A" fault | sort | uniq -c)"
-grep -q '^fulcrum: the display did not answer in time: the force is off' "$work/said" || fail "nothing is said of it: $(cat "$work/said")"
+until_seen grep -q '^fulcrum: the display did not answer in time: the force is off' "$work/said" || fail "nothing is said of it: $(cat "$work/said")"
 runs "$work/A"
 jammed A || fail "the force is back by itself"
 [ ! -e "$work/A/attempt-2" ] || fail "what was pressed meanwhile begins another attempt"
