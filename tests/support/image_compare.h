@@ -2,8 +2,10 @@
 // Compares a picture with a golden one, pixel by pixel.
 //
 // Goldens are drawn by the software rasteriser (llvmpipe), which gives the same picture on every run of a
-// machine. It takes reciprocals from instructions whose last bits are each processor maker's own: between an
-// AMD and an Intel processor 0.12 % of piping's pixels differ, by one. A graphics card rounds otherwise: draw
+// machine. Other machines differ by one in a few pixels: at edges of panels, since Dear ImGui, as Debian
+// compiles it, makes them with rsqrtss, whose last bits are each processor maker's own, and where textures of
+// normals bend what is mirrored, which derivatives make sensitive to the last bit of a number. Between two
+// machines 0.42 % of plate's pixels do, of which half are panels. A graphics card rounds otherwise: draw
 // goldens with llvmpipe.
 
 #include <cstddef>
@@ -17,7 +19,7 @@ namespace fulcrum::test {
 struct CompareOptions {
   int max_lsb = 2;                       // the largest difference of a channel that passes, of 255
   std::size_t max_pixels = 50;           // how many pixels may differ by more than one
-  double max_share_by_one = 0.003;       // of all pixels, how many may differ by one
+  double max_share_by_one = 0.01;        // of all pixels, how many may differ by one
   std::filesystem::path failure_folder;  // where pictures of a failure go; empty: nowhere
 };
 
