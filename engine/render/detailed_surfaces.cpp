@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
 
 #include "engine/render/look.h"
 #include "engine/render/mip_chain.h"
@@ -80,7 +79,7 @@ DetailedSurfaces::DetailedSurfaces(vulkan::Device& device, const VisualDesc& des
 }
 
 VkDescriptorSet DetailedSurfaces::set_of(const SceneGeometry::Piece& piece) const {
-  return materials_[piece.material]->sets[follows_slants_ ? 1 : 0].get();
+  return materials_[*piece.material]->sets[follows_slants_ ? 1 : 0].get();
 }
 
 VkSampler DetailedSurfaces::sampler(vulkan::Device& device, Wrap wrap_u, Wrap wrap_v, bool nearest,
@@ -126,28 +125,27 @@ DetailedSurfaces::OnDevice DetailedSurfaces::make(vulkan::Device& device, const 
   return made;
 }
 
-void DetailedSurfaces::record(VkCommandBuffer commands, const Pipelines& pipelines,
-                              const SceneGeometry& geometry, VkDescriptorSet scene_set, Which which,
-                              const Sight& sight) const {
-  const auto pieces =
-      which == Which::blended ? geometry.blended(sight.eye, sight.layers) : geometry.detailed(sight.layers);
-  if (pieces.empty()) return;
-  geometry.bind(commands);
+void DetailedSurfaces::bind(VkCommandBuffer commands, const Pipelines& pipelines,
+                            const SceneGeometry::Piece& piece, VkDescriptorSet scene_set) const {
   const VkPipelineLayout layout = pipelines.detailed_layout.get();
-  VkPipeline bound = VK_NULL_HANDLE;
-  for (const SceneGeometry::Piece& piece : pieces) {
-    const VkPipeline pipeline = pipelines.detailed.at(piece.look).get();
-    if (std::exchange(bound, pipeline) != pipeline) render::bind(commands, pipeline, layout, scene_set);
-    const VkDescriptorSet set = set_of(piece);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
-    // Through the near side of what is blended its far side is seen.
-    const bool two_sided = is_two_sided(piece.look);
-    if (which == Which::blended && two_sided) {
+  render::bind(commands, pipelines.detailed.at(piece.look).get(), layout, scene_set);
+  const VkDescriptorSet set = set_of(piece);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
+  vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+}
+
+void DetailedSurfaces::record_blended(VkCommandBuffer commands, const Pipelines& pipelines,
+                                      const SceneGeometry& geometry, VkDescriptorSet scene_set,
+                                      const Sight& sight) const {
+  geometry.bind(commands);
+  for (const SceneGeometry::Piece& piece : geometry.blended(sight.eye, sight.layers)) {
+    bind(commands, pipelines, piece, scene_set);
+    // Through the near side its far side is seen.
+    if (is_two_sided(piece.look)) {
       vkCmdSetCullMode(commands, VK_CULL_MODE_FRONT_BIT);
       geometry.draw(commands, piece, sight);
+      vkCmdSetCullMode(commands, VK_CULL_MODE_BACK_BIT);
     }
-    vkCmdSetCullMode(commands,
-                     two_sided && which == Which::opaque ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     geometry.draw(commands, piece, sight);
   }
 }

@@ -28,10 +28,12 @@ public:
   // drawn.
   void follow_slants(bool follow) { follows_slants_ = follow; }
 
-  enum class Which { opaque, blended };
-  // Draws them as they are seen: blended ones the farthest first.
-  void record(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
-              VkDescriptorSet scene_set, Which which, const Sight& sight) const;
+  // What a piece that is not blended is drawn with, and which of its sides are.
+  void bind(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry::Piece& piece,
+            VkDescriptorSet scene_set) const;
+  // Draws the blended ones, the farthest first.
+  void record_blended(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
+                      VkDescriptorSet scene_set, const Sight& sight) const;
   // In depth alone, with their holes, those that are not blended.
   void record_occluders(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
                         VkDescriptorSet scene_set, const Sight& sight) const;

@@ -1,6 +1,8 @@
 // How a frame is recorded: shadow map, then scene and ghosts of each view, tone mapping, overlay.
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "engine/render/recording.h"
 #include "engine/render/renderer.h"
@@ -163,20 +165,28 @@ void Renderer::record_scene(VkCommandBuffer commands, const View& view, bool gho
                  ghosts ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE);
   depth.clearValue.depthStencil.depth = 0.0F;  // reversed: infinitely far
   begin(commands, targets.scene.extent(), &colour, &depth);
-  const auto draw_detailed = [&](DetailedSurfaces::Which which) {
-    if (detailed_)
-      detailed_->record(commands, pipelines_, *geometry_, view.scene_set.get(), which, view.sight);
-  };
-  if (plan_.plain_surfaces) {
-    bind(commands, pipelines_.surfaces.get(), pipelines_.scene_layout.get(), view.scene_set.get());
-    geometry_->draw_plain(commands, view.sight);
-  }
-  draw_detailed(DetailedSurfaces::Which::opaque);
+  if (geometry_) record_opaque(commands, view);
   bind(commands, pipelines_.background.get(), pipelines_.scene_layout.get(), view.scene_set.get());
   vkCmdDraw(commands, 3, 1, 0, 0);
-  draw_detailed(DetailedSurfaces::Which::blended);
+  if (detailed_)
+    detailed_->record_blended(commands, pipelines_, *geometry_, view.scene_set.get(), view.sight);
   if (markers_shown_ > 0) record_markers(commands);
   vkCmdEndRendering(commands);
+}
+
+void Renderer::record_opaque(VkCommandBuffer commands, const View& view) {
+  geometry_->bind(commands);
+  const SceneGeometry::Piece* bound = nullptr;
+  const std::vector<SceneGeometry::Draw> draws = geometry_->opaque(view.sight);
+  for (const SceneGeometry::Draw& draw : draws) {
+    const SceneGeometry::Piece* before = std::exchange(bound, &draw.of);
+    const bool is_as_before = before != nullptr && before->material == bound->material;
+    if (!is_as_before && bound->material)
+      detailed_->bind(commands, pipelines_, *bound, view.scene_set.get());
+    else if (!is_as_before)
+      bind(commands, pipelines_.surfaces.get(), pipelines_.scene_layout.get(), view.scene_set.get());
+    geometry_->draw(commands, draw);
+  }
 }
 
 void Renderer::record_markers(VkCommandBuffer commands) {

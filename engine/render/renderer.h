@@ -102,6 +102,8 @@ private:
                     const View& view, const LightFit& light);
   void record_view(VkCommandBuffer commands, View& view);
   void record_scene(VkCommandBuffer commands, const View& view, bool ghosts);
+  // The nearest first, whatever it is made of.
+  void record_opaque(VkCommandBuffer commands, const View& view);
   void record_markers(VkCommandBuffer commands);
   void record_picture(VkCommandBuffer commands);
   void record_inset(VkCommandBuffer commands);

@@ -179,7 +179,9 @@ void SceneGeometry::draw_casters(VkCommandBuffer commands, Casters which, const 
     const Batch& batch = batches_[i];
     if ((batch.layers & light.layers) == 0 || !is_among(batch, which) || is_masked(batch.look)) continue;
     vkCmdSetCullMode(commands, is_two_sided(batch.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-    draw(commands, Piece{0, 0, i, batch.first_slot, batch.casters}, light);
+    Piece casting = piece_of(batch, i);
+    casting.count = batch.casters;
+    draw(commands, casting, light);
   }
 }
 
@@ -214,27 +216,35 @@ std::uint64_t SceneGeometry::triangles(const Sight& sight) const {
   std::vector<Draw> draws;
   for (std::size_t i = 0; i < batches_.size(); ++i)
     if (const Batch& batch = batches_[i]; (batch.layers & sight.layers) != 0)
-      add_draws({0, 0, i, batch.first_slot, batch.count}, sight, draws);
+      add_draws(piece_of(batch, i), sight, draws);
   std::uint64_t triangles = 0;
   for (const Draw& draw : draws) triangles += std::uint64_t{draw.level.count / 3} * draw.of.count;
   return triangles;
 }
 
-void SceneGeometry::record(VkCommandBuffer commands, const Draw& draw) const {
+SceneGeometry::Piece SceneGeometry::piece_of(const Batch& batch, std::size_t index) {
+  return {batch.material, batch.look, index, batch.first_slot, batch.count};
+}
+
+void SceneGeometry::draw(VkCommandBuffer commands, const Draw& draw) const {
   vkCmdDrawIndexed(commands, draw.level.count, draw.of.count, draw.level.first,
                    places_[batches_[draw.of.batch].mesh].first_vertex, draw.of.first_slot);
 }
 
-void SceneGeometry::draw_plain(VkCommandBuffer commands, const Sight& sight) const {
+std::vector<SceneGeometry::Draw> SceneGeometry::opaque(const Sight& sight) const {
   std::vector<Draw> draws;
-  for (std::size_t i = 0; i < batches_.size(); ++i) {
-    const Batch& batch = batches_[i];
-    if (!batch.material && (batch.layers & sight.layers) != 0)
-      add_draws({0, 0, i, batch.first_slot, batch.count}, sight, draws);
-  }
+  for (std::size_t i = 0; i < batches_.size(); ++i)
+    if (const Batch& batch = batches_[i]; !is_blended(batch.look) && (batch.layers & sight.layers) != 0)
+      add_draws(piece_of(batch, i), sight, draws);
   std::ranges::stable_sort(draws, {}, &Draw::distance);
+  return draws;
+}
+
+void SceneGeometry::draw_plain(VkCommandBuffer commands, const Sight& sight) const {
   bind(commands);
-  for (const Draw& draw : draws) record(commands, draw);
+  for (std::size_t i = 0; i < batches_.size(); ++i)
+    if (const Batch& batch = batches_[i]; !batch.material && (batch.layers & sight.layers) != 0)
+      draw(commands, piece_of(batch, i), sight);
 }
 
 void SceneGeometry::draw_tool(VkCommandBuffer commands, std::uint32_t layers) const {
@@ -242,14 +252,14 @@ void SceneGeometry::draw_tool(VkCommandBuffer commands, std::uint32_t layers) co
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const Batch& batch = batches_[i];
     if (batch.tool && (batch.layers & layers) != 0)
-      record(commands, {0.0F, places_[batch.mesh].whole, {0, 0, i, batch.first_slot, 1}});
+      draw(commands, {0.0F, places_[batch.mesh].whole, {batch.material, batch.look, i, batch.first_slot, 1}});
   }
 }
 
 void SceneGeometry::draw(VkCommandBuffer commands, const Piece& piece, const Sight& sight) const {
   std::vector<Draw> draws;
   add_draws(piece, sight, draws);
-  for (const Draw& draw : draws) record(commands, draw);
+  for (const Draw& each : draws) draw(commands, each);
 }
 
 std::vector<SceneGeometry::Piece> SceneGeometry::detailed(std::uint32_t layers) const {
@@ -257,7 +267,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::detailed(std::uint32_t layers) 
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const Batch& batch = batches_[i];
     if (batch.material && !is_blended(batch.look) && (batch.layers & layers) != 0)
-      pieces.push_back({*batch.material, batch.look, i, batch.first_slot, batch.count});
+      pieces.push_back(piece_of(batch, i));
   }
   std::ranges::stable_sort(pieces, {}, &Piece::look);
   return pieces;
@@ -270,7 +280,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::blended(const glm::vec3& eye, s
     if (!batch.material || !is_blended(batch.look) || (batch.layers & layers) == 0) continue;
     for (std::uint32_t slot = batch.first_slot; slot < batch.first_slot + batch.count; ++slot) {
       const float away = distance_to(slots_[slot].box, slots_[slot].X_WM, eye);
-      found.push_back({away, {*batch.material, batch.look, i, slot, 1}});
+      found.push_back({away, {batch.material, batch.look, i, slot, 1}});
     }
   }
   std::ranges::stable_sort(found, std::greater{}, &std::pair<float, Piece>::first);
@@ -284,7 +294,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::masked_casters(Casters which, s
   for (std::size_t i = 0; i < batches_.size(); ++i) {
     const Batch& batch = batches_[i];
     if (is_masked(batch.look) && is_among(batch, which) && (batch.layers & layers) != 0)
-      pieces.push_back({*batch.material, batch.look, i, batch.first_slot, batch.casters});
+      pieces.push_back({batch.material, batch.look, i, batch.first_slot, batch.casters});
   }
   return pieces;
 }

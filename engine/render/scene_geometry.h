@@ -35,7 +35,7 @@ public:
   VkBuffer instances() const { return instances_.get(); }
 
   // Both bind the buffers; pipeline and descriptor sets are bound by the caller. What has no detailed
-  // material, the nearest first: what it hides need not be shaded.
+  // material.
   void draw_plain(VkCommandBuffer commands, const Sight& sight) const;
   // Each mesh that follows the tool, once and whole: for a pipeline that brings its own pose.
   void draw_tool(VkCommandBuffer commands, std::uint32_t layers) const;
@@ -45,21 +45,31 @@ public:
   // Without those that have holes. light: which sees all that it throws the shadows of, of its layers.
   void draw_casters(VkCommandBuffer commands, Casters which, const Sight& light) const;
 
-  // Instances of one mesh and one detailed material.
+  // Instances of one mesh that are plain, or of one detailed material.
   struct Piece {
-    std::size_t material = 0;  // of the description
-    std::uint32_t look = 0;    // of that (look.h)
+    std::optional<std::size_t> material;  // of the description; none: plain ones, each with its own
+    std::uint32_t look = 0;               // of that (look.h)
     std::size_t batch = 0;
     std::uint32_t first_slot = 0;
     std::uint32_t count = 0;
   };
-  // Those that are not blended, by their looks; those that are, one by one, the farthest from the eye first;
-  // those that throw a shadow with holes in it.
+  // Triangles of all instances of a piece, or of a part of its mesh.
+  struct Draw {
+    float distance = 0.0F;  // m, to the nearest instance
+    LevelsOfDetail::Level level;
+    Piece of;
+  };
+  // What is seen and not blended, the nearest first, whatever it is made of: what it hides need not be
+  // shaded.
+  std::vector<Draw> opaque(const Sight& sight) const;
+  // Detailed ones: those that are not blended, by their looks; those that are, one by one, the farthest from
+  // the eye first; those that throw a shadow with holes in it.
   std::vector<Piece> detailed(std::uint32_t layers) const;
   std::vector<Piece> blended(const glm::vec3& eye, std::uint32_t layers) const;
   std::vector<Piece> masked_casters(Casters which, std::uint32_t layers) const;
   void bind(VkCommandBuffer commands) const;
   void draw(VkCommandBuffer commands, const Piece& piece, const Sight& sight) const;
+  void draw(VkCommandBuffer commands, const Draw& draw) const;
 
 private:
   // All instances of one mesh that are plain, or of one detailed material, and that all stand or may all
@@ -92,20 +102,13 @@ private:
     std::int32_t first_vertex = 0;
   };
 
-  // Triangles of all instances of a batch's part.
-  struct Draw {
-    float distance = 0.0F;  // m, to the nearest instance
-    LevelsOfDetail::Level level;
-    Piece of;
-  };
-
   static Place place_of(const Mesh& mesh, std::size_t first_index, std::size_t first_vertex);
   static bool is_among(const Batch& batch, Casters which);
   void upload_meshes(vulkan::Device& device, const VisualDesc& desc);
   void sort_instances(const VisualDesc& desc);
   // What is seen of it, each part as coarse as may be.
   void add_draws(const Piece& piece, const Sight& sight, std::vector<Draw>& draws) const;
-  void record(VkCommandBuffer commands, const Draw& draw) const;
+  static Piece piece_of(const Batch& batch, std::size_t index);
   gpu::InstanceData* data() { return reinterpret_cast<gpu::InstanceData*>(instances_.mapped()); }
 
   vulkan::Buffer vertices_;

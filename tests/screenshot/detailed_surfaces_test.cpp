@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <glm/ext/matrix_transform.hpp>
 
+#include "engine/render/frame_data.h"
 #include "engine/render/look.h"
+#include "engine/render/scene_geometry.h"
 #include "image_compare.h"
 #include "pane_scene.h"
 #include "surface_balls.h"
@@ -317,6 +319,30 @@ TEST_F(DetailedSurfacesTest, WrongTexturesAreRefusedWithASentence) {
   refused = plan(desc, RenderOptions{});
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence.find("The texture 0 (torn)"), std::string::npos);
+}
+
+// What it hides need not be shaded. Blended surfaces come afterwards.
+TEST_F(DetailedSurfacesTest, TheNearestIsDrawnFirstWhateverItIsMadeOf) {
+  VisualDesc desc = test::pane_scene();
+  desc.meshes.assign(4, test::pane());
+  SurfaceDetail lacquer, felt, glass;
+  lacquer.clearcoat = 1.0F;
+  felt.sheen = glm::vec3(1.0F);
+  glass.alpha = Alpha::blend;
+  desc.materials = {{"lacquer", glm::vec3(1.0F), 0.0F, 0.6F, lacquer},
+                    {"plain", glm::vec3(1.0F), 0.0F, 0.6F, {}},
+                    {"felt", glm::vec3(1.0F), 0.0F, 0.6F, felt},
+                    {"glass", glm::vec3(1.0F), 0.0F, 0.6F, glass}};
+  desc.instances.clear();
+  for (std::size_t i = 0; i < 4; ++i)
+    desc.instances.push_back({i, i, desc.materials[i].name,
+                              glm::translate(glm::mat4(1.0F), {0, 0, 0.01F * static_cast<float>(i)})});
+  const SceneGeometry geometry(*gpu_.device, desc);
+  std::vector<std::optional<std::size_t>> order;
+  for (const SceneGeometry::Draw& draw :
+       geometry.opaque({clip_from_world(desc.camera, {180, 180}), desc.camera.eye}))
+    order.push_back(draw.of.material);
+  EXPECT_EQ(order, (std::vector<std::optional<std::size_t>>{2, std::nullopt, 0}));
 }
 
 }  // namespace
