@@ -7,9 +7,6 @@
 #include "include/dither.glsl"
 #include "include/range.glsl"
 
-// Not where it is enlarged afterwards: that does it.
-layout(constant_id = 0) const uint kDithers = 1;
-
 layout(set = 0, binding = 0) uniform sampler2D scene;
 
 layout(location = 0) in vec2 uv;
@@ -41,5 +38,5 @@ void main() {
   vec3 radiance = from_target(texture(scene, uv).rgb);
   vec3 ev = clamp(log2(max(kInset * radiance, 1e-10)), kMinEv, kMaxEv);
   vec3 encoded = kOutset * look(curve((ev - kMinEv) / (kMaxEv - kMinEv)));  // encoded for the screen already
-  colour = vec4(kDithers == 1 ? encoded + dither(gl_FragCoord.xy) : encoded, 1.0);
+  colour = vec4(encoded + dither(gl_FragCoord.xy), 1.0);
 }

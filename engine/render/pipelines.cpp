@@ -243,18 +243,15 @@ void add_stereo(Pipelines& made, vulkan::Device& device, const RenderPlan& plan,
   made.stereo = make_pipeline(device, stereo);
 }
 
-// tone: what maps a scene that need not be enlarged.
-void add_enlargement(Pipelines& made, vulkan::Device& device, PipelineDesc tone,
-                     const ShaderLibrary& shaders) {
-  tone.colour = kFinishedFormat;
-  tone.stages.back().constant = 0;
-  made.finish = make_pipeline(device, tone);
-  tone.stages = stages(shaders, "screen.vert", "enlarge.frag");
-  tone.stages.back().constant = 0;
-  made.widen = make_pipeline(device, tone);
-  tone.colour = kPictureFormat;
-  tone.stages.back().constant = 1;
-  made.heighten = make_pipeline(device, tone);
+void add_enlargement(Pipelines& made, vulkan::Device& device, const ShaderLibrary& shaders) {
+  PipelineDesc desc;
+  desc.layout = made.tone_layout.get();
+  desc.stages = stages(shaders, "screen.vert", "enlarge.frag");
+  desc.colour = kPictureFormat;
+  desc.stages.back().constant = 0;
+  made.widen = make_pipeline(device, desc);
+  desc.stages.back().constant = 1;
+  made.heighten = make_pipeline(device, desc);
 }
 
 }  // namespace
@@ -288,7 +285,7 @@ Pipelines make_pipelines(vulkan::Device& device, const RenderPlan& plan, const S
   tone.stages = stages(shaders, "screen.vert", "tone.frag");
   tone.colour = kPictureFormat;
   made.tone = make_pipeline(device, tone);
-  if (plan.enlarged()) add_enlargement(made, device, tone, shaders);
+  if (plan.enlarged()) add_enlargement(made, device, shaders);
   return made;
 }
 

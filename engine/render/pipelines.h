@@ -39,7 +39,7 @@ struct Pipelines {
   vulkan::PipelineLayoutHandle tone_layout;
   vulkan::PipelineHandle background;
   vulkan::PipelineHandle tone;
-  vulkan::PipelineHandle finish, widen, heighten;  // this and what follows: empty unless planned
+  vulkan::PipelineHandle widen, heighten;  // this and what follows: empty unless planned
   vulkan::PipelineHandle surfaces;
   vulkan::PipelineLayoutHandle detailed_layout;
   std::map<std::uint32_t, vulkan::PipelineHandle> detailed;  // by look (look.h)

@@ -365,7 +365,7 @@ void add_targets(RenderPlan& plan) {
       {"picture", "image", texels(plan.picture) * kPictureTexel, size_of(plan.picture) + ", sRGB"});
   if (plan.enlarged()) {
     plan.built.push_back({"finished scene", "image", finished_bytes(plan),
-                          size + ", sRGB in ten bits, before it is enlarged to " + size_of(plan.eye)});
+                          size + ", sRGB, before it is enlarged to " + size_of(plan.eye)});
     plan.built.push_back({"enlargement", "pipeline", 0, "Catmull-Rom along rows, without ringing"});
     plan.built.push_back({"enlargement", "pipeline", 0, "the same along columns"});
   } else {

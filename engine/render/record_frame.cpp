@@ -78,7 +78,7 @@ void Renderer::record_finished(VkCommandBuffer commands, const View& view) {
     vkCmdEndRendering(commands);
     vulkan::barrier(commands, to.get(), kColour, use::kColourTarget, use::kSampled);
   };
-  draw(view.targets.finished, pipelines_.finish.get(), view.tone_set.get());
+  draw(view.targets.finished, pipelines_.tone.get(), view.tone_set.get());
   draw(view.targets.widened, pipelines_.widen.get(), view.widen_set.get());
 }
 

@@ -15,8 +15,8 @@ Targets make_targets(vulkan::Device& device, const RenderPlan& plan) {
       device, {kDepthFormat, scene, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | read_by_ghost, samples});
   if (plan.enlarged()) {
     constexpr VkImageUsageFlags use = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-    made.finished = vulkan::Image(device, {kFinishedFormat, scene, use});
-    made.widened = vulkan::Image(device, {kFinishedFormat, {plan.eye.width, scene.height}, use});
+    made.finished = vulkan::Image(device, {kPictureFormat, scene, use});
+    made.widened = vulkan::Image(device, {kPictureFormat, {plan.eye.width, scene.height}, use});
   }
   return made;
 }

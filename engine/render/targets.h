@@ -12,7 +12,6 @@ constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 constexpr VkFormat kOcclusionFormat = VK_FORMAT_R16G16_SFLOAT;
 constexpr VkFormat kEnteringFormat = VK_FORMAT_R32G32B32A32_UINT;  // shaders/include/scatter_tag.glsl
 constexpr VkFormat kSpreadFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-constexpr VkFormat kFinishedFormat = VK_FORMAT_A2B10G10R10_UNORM_PACK32;
 constexpr VkFormat kGhostLineFormat = VK_FORMAT_R8G8_UNORM;
 
 struct Targets {
