@@ -34,8 +34,8 @@ public:
 
   VkBuffer instances() const { return instances_.get(); }
 
-  // Both bind the buffers; pipeline and descriptor sets are bound by the caller. What has no detailed
-  // material.
+  // Both bind the buffers; pipeline and descriptor sets are bound by the caller. Draws all that has no
+  // detailed material.
   void draw_plain(VkCommandBuffer commands, const Sight& sight) const;
   // Each mesh that follows the tool, once and whole: for a pipeline that brings its own pose.
   void draw_tool(VkCommandBuffer commands, std::uint32_t layers) const;

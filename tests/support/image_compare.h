@@ -2,11 +2,10 @@
 // Compares a picture with a golden one, pixel by pixel.
 //
 // Goldens are drawn by the software rasteriser (llvmpipe), which gives the same picture on every run of a
-// machine. Other machines differ by one in a few pixels: at edges of panels, since Dear ImGui, as Debian
-// compiles it, makes them with rsqrtss, whose last bits are each processor maker's own, and where textures of
-// normals bend what is mirrored, which derivatives make sensitive to the last bit of a number. Between two
-// machines 0.42 % of plate's pixels do, of which half are panels. A graphics card rounds otherwise: draw
-// goldens with llvmpipe.
+// machine. Pictures of two machines differ by one in a few pixels, 0.42 % of those of plate. About half of
+// these are edges of panels, which Dear ImGui, as Debian compiles it, makes with rsqrtss: the last bits of
+// that are each processor maker's own. The others lie on surfaces with textures of normals, and why is not
+// known. A graphics card rounds otherwise: draw goldens with llvmpipe.
 
 #include <cstddef>
 #include <filesystem>
