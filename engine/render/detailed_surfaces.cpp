@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "engine/render/look.h"
 #include "engine/render/mip_chain.h"
@@ -126,11 +127,16 @@ DetailedSurfaces::OnDevice DetailedSurfaces::make(vulkan::Device& device, const 
 }
 
 void DetailedSurfaces::bind(VkCommandBuffer commands, const Pipelines& pipelines,
-                            const SceneGeometry::Piece& piece, VkDescriptorSet scene_set) const {
+                            const SceneGeometry::Piece& piece, const SceneGeometry::Piece* before,
+                            VkDescriptorSet scene_set) const {
   const VkPipelineLayout layout = pipelines.detailed_layout.get();
-  render::bind(commands, pipelines.detailed.at(piece.look).get(), layout, scene_set);
-  const VkDescriptorSet set = set_of(piece);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
+  const bool is_after_detailed = before != nullptr && before->material;
+  if (!is_after_detailed || before->look != piece.look)
+    render::bind(commands, pipelines.detailed.at(piece.look).get(), layout, scene_set);
+  if (!is_after_detailed || before->material != piece.material) {
+    const VkDescriptorSet set = set_of(piece);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 1, 1, &set, 0, nullptr);
+  }
   vkCmdSetCullMode(commands, is_two_sided(piece.look) ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
 }
 
@@ -138,8 +144,10 @@ void DetailedSurfaces::record_blended(VkCommandBuffer commands, const Pipelines&
                                       const SceneGeometry& geometry, VkDescriptorSet scene_set,
                                       const Sight& sight) const {
   geometry.bind(commands);
-  for (const SceneGeometry::Piece& piece : geometry.blended(sight.eye, sight.layers)) {
-    bind(commands, pipelines, piece, scene_set);
+  const SceneGeometry::Piece* before = nullptr;
+  const std::vector<SceneGeometry::Piece> pieces = geometry.blended(sight.eye, sight.layers);
+  for (const SceneGeometry::Piece& piece : pieces) {
+    bind(commands, pipelines, piece, std::exchange(before, &piece), scene_set);
     // Through the near side its far side is seen.
     if (is_two_sided(piece.look)) {
       vkCmdSetCullMode(commands, VK_CULL_MODE_FRONT_BIT);

@@ -28,9 +28,10 @@ public:
   // drawn.
   void follow_slants(bool follow) { follows_slants_ = follow; }
 
-  // What a piece that is not blended is drawn with, and which of its sides are.
+  // Binds what a detailed piece is drawn with, and both of its sides where it has two; the geometry is bound
+  // by the caller. before: the piece that was drawn last, plain or detailed; null: none.
   void bind(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry::Piece& piece,
-            VkDescriptorSet scene_set) const;
+            const SceneGeometry::Piece* before, VkDescriptorSet scene_set) const;
   // Draws the blended ones, the farthest first.
   void record_blended(VkCommandBuffer commands, const Pipelines& pipelines, const SceneGeometry& geometry,
                       VkDescriptorSet scene_set, const Sight& sight) const;

@@ -180,10 +180,9 @@ void Renderer::record_opaque(VkCommandBuffer commands, const View& view) {
   const std::vector<SceneGeometry::Draw> draws = geometry_->opaque(view.sight);
   for (const SceneGeometry::Draw& draw : draws) {
     const SceneGeometry::Piece* before = std::exchange(bound, &draw.of);
-    const bool is_as_before = before != nullptr && before->material == bound->material;
-    if (!is_as_before && bound->material)
-      detailed_->bind(commands, pipelines_, *bound, view.scene_set.get());
-    else if (!is_as_before)
+    if (bound->material)
+      detailed_->bind(commands, pipelines_, *bound, before, view.scene_set.get());
+    else if (before == nullptr || before->material)
       bind(commands, pipelines_.surfaces.get(), pipelines_.scene_layout.get(), view.scene_set.get());
     geometry_->draw(commands, draw);
   }

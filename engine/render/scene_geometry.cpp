@@ -269,7 +269,6 @@ std::vector<SceneGeometry::Piece> SceneGeometry::detailed(std::uint32_t layers) 
     if (batch.material && !is_blended(batch.look) && (batch.layers & layers) != 0)
       pieces.push_back(piece_of(batch, i));
   }
-  std::ranges::stable_sort(pieces, {}, &Piece::look);
   return pieces;
 }
 

@@ -34,8 +34,8 @@ public:
 
   VkBuffer instances() const { return instances_.get(); }
 
-  // Both bind the buffers; pipeline and descriptor sets are bound by the caller. Draws all that has no
-  // detailed material.
+  // Both bind the buffers; pipeline and descriptor sets are bound by the caller. Draws what is
+  // seen of all that has no detailed material.
   void draw_plain(VkCommandBuffer commands, const Sight& sight) const;
   // Each mesh that follows the tool, once and whole: for a pipeline that brings its own pose.
   void draw_tool(VkCommandBuffer commands, std::uint32_t layers) const;
@@ -60,10 +60,10 @@ public:
     Piece of;
   };
   // What is seen and not blended, the nearest first, whatever it is made of: what it hides need not be
-  // shaded.
+  // shaded. Of two surfaces at the same depth the first drawn is seen: which one may change with the eye.
   std::vector<Draw> opaque(const Sight& sight) const;
-  // Detailed ones: those that are not blended, by their looks; those that are, one by one, the farthest from
-  // the eye first; those that throw a shadow with holes in it.
+  // Detailed ones: those that are not blended; those that are, one by one, the farthest from the eye first;
+  // those that throw a shadow with holes in it.
   std::vector<Piece> detailed(std::uint32_t layers) const;
   std::vector<Piece> blended(const glm::vec3& eye, std::uint32_t layers) const;
   std::vector<Piece> masked_casters(Casters which, std::uint32_t layers) const;
