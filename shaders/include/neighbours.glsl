@@ -41,6 +41,7 @@ vec4 neighbours(vec3 n, vec3 d, float roughness) {
   vec3 outs = middle + 0.5 * slope;
   float way = max(max(ins.x, ins.y), max(ins.z, 0.5 * voxel));
   float end = min(outs.x, min(outs.y, outs.z));
+  float coarsest = voxel * exp2(frame.mirror_low.w);
   // Half of what GGX mirrors is within twice the angle whose tangent is alpha; voxels are as wide again as their edges.
   float spread = 2.0 * roughness * roughness;
   float climb = max(dot(n, d), 0.0);
@@ -50,12 +51,13 @@ vec4 neighbours(vec3 n, vec3 d, float roughness) {
   vec4 colour = vec4(0.0);  // a: what those before it weigh together, as in `place`
   vec2 place = vec2(0.0);   // how far away that is and at which level
   vec4 before = vec4(0.0);
-  for (int i = 0; i < kMostSteps && way < end && hidden < 0.98; ++i) {
+  float before_way = -1.0;
+  for (int i = 0; i < kMostSteps && way > before_way && way < end && hidden < 0.98; ++i) {
     // No wider than it is high above the surface, or it met that.
     float widest = (kOff * voxel + climb * way) / 1.5;
     float crossing = i < kFineSteps ? 0.0 : (end - way) / float(kMostSteps - i);
-    float width = max(min(max(max(spread * way, voxel + growth * way), crossing / kStep), widest), voxel);
-    float level = min(log2(width / voxel), frame.mirror_low.w);
+    float width = clamp(max(max(spread * way, voxel + growth * way), crossing / kStep), voxel, max(min(widest, coarsest), voxel));
+    float level = log2(width / voxel);
     vec4 here = textureLod(standing_mirrored, from + along * way, level);
     vec4 both = before + here;
     // What is behind something is mostly hidden by the same of it: of both, the more counts. And its back is behind its
@@ -66,7 +68,8 @@ vec4 neighbours(vec3 n, vec3 d, float roughness) {
     place += vec2(way, level) * first;
     hidden += more;
     before = here;
-    way += max(kStep * width, crossing);
+    before_way = way;
+    way = min(way + max(kStep * width, crossing), end - 0.5 * width);  // the last: a wall may stand where the ray goes out
   }
   if (hidden <= 0.0) {
     return vec4(0.0);
