@@ -103,17 +103,30 @@ Level halved(const From& from) {
   return to;
 }
 
+// The colour of a pixel of a texture with holes. Where nothing is there, it is that of what is there around
+// it: between the two, a sampler mixes both.
+glm::vec3 colour_there(const Level& level, std::uint32_t x, std::uint32_t y) {
+  const auto pixel = [&](std::uint32_t column, std::uint32_t row) {
+    return level.pixels[std::size_t{row % level.height} * level.width + column % level.width];
+  };
+  const glm::vec4 middle = pixel(x, y);
+  if (middle.a > 0.0F) return glm::vec3(middle) / (middle.a + kNothing);
+  glm::vec4 sum(0.0F);
+  for (const std::uint32_t row : {y + level.height - 1, y, y + 1})
+    for (const std::uint32_t column : {x + level.width - 1, x, x + 1}) sum += pixel(column, row);
+  return glm::vec3(sum) / (sum.a + 9.0F * kNothing);
+}
+
 std::vector<std::uint8_t> bytes_of(const Level& level, const Texture& texture) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(4 * level.pixels.size());
-  for (const glm::vec4& pixel : level.pixels) {
-    const float weight = texture.holes ? 1.0F / (pixel.a + kNothing) : 1.0F;
-    for (int i = 0; i < 3; ++i) {
-      const float x = weight * pixel[i];
-      bytes.push_back(to_byte(texture.srgb ? encoded_of(x) : x));
+  for (std::uint32_t y = 0; y < level.height; ++y)
+    for (std::uint32_t x = 0; x < level.width; ++x) {
+      const glm::vec4& pixel = level.pixels[std::size_t{y} * level.width + x];
+      const glm::vec3 colour = texture.holes ? colour_there(level, x, y) : glm::vec3(pixel);
+      for (int i = 0; i < 3; ++i) bytes.push_back(to_byte(texture.srgb ? encoded_of(colour[i]) : colour[i]));
+      bytes.push_back(to_byte(pixel.a));
     }
-    bytes.push_back(to_byte(pixel.a));
-  }
   return bytes;
 }
 

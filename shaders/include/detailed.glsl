@@ -107,7 +107,7 @@ float sent_by_coat(float alpha, vec3 geometric, vec3 v, float g_dot_v, vec3 h, f
 // A texture cuts the surface out at this pixel. It is discarded only at the end, since derivatives in the pixels beside it
 // need its values until then.
 bool is_cut_out = false;
-float part_of_pixel = 1.0;  // of one that has several samples, and holes
+float alpha_of_pixel = 1.0;  // of one that has several samples, and holes
 
 void find_colour() {
   vec4 base = vec4(base_colour.rgb * (1.0 - absorbed), material.amounts.z);
@@ -118,8 +118,8 @@ void find_colour() {
     base *= texel;
     if (has(FULCRUM_LOOK_MASK)) {
       vec2 part = part_there(base_map, at, texel.a, material.emission.w / max(material.amounts.z, 1e-6));
-      part_of_pixel = part.x;
-      is_cut_out = has(FULCRUM_LOOK_SAMPLES) ? part.x <= 0.0 : !is_there(part);
+      alpha_of_pixel = alpha_of_samples(part);
+      is_cut_out = has(FULCRUM_LOOK_SAMPLES) ? alpha_of_pixel <= 0.0 : !is_there(part);
     }
   }
   float cover = has(FULCRUM_LOOK_COVER) ? base.a : 1.0;
@@ -286,7 +286,7 @@ void main() {
   }
 #ifndef FULCRUM_ENTERING
   if (has(FULCRUM_LOOK_SAMPLES)) {
-    colour.a = part_of_pixel;
+    colour.a = alpha_of_pixel;
   }
 #endif
 }

@@ -11,8 +11,16 @@ vec2 part_there(sampler2D picture, vec2 at, float alpha, float cut_off) {
   return vec2(mix(edge, alpha, smaller), smaller);
 }
 
-// Whether a pixel with one sample is: on one side of an edge, and of many pixels as many as there is of the surface.
-bool is_there(vec2 part) {
-  float least = clamp(0.5 + 255.0 * dither(gl_FragCoord.xy), 0.01, 0.99);
-  return part.x >= mix(0.5, least, part.y);
+// How much of the whole is needed here for one of so many samples more: half of one at an edge; of what is seen from afar as
+// many pixels need little as need much, so that of many as many samples are there as there is of the surface.
+float least_there(vec2 part) { return mix(0.5, clamp(0.5 + 255.0 * dither(gl_FragCoord.xy), 0.01, 0.99), part.y); }
+
+// Whether a pixel with one sample is there.
+bool is_there(vec2 part) { return part.x >= least_there(part); }
+
+// The alpha for which a device covers as many of four samples as there are. Devices round as they like, lavapipe up, others to
+// the nearest: a little less than whole samples is the same to both.
+float alpha_of_samples(vec2 part) {
+  float samples = floor(4.0 * part.x + 1.0 - least_there(part));
+  return max(samples - 0.25, 0.0) / 4.0;
 }

@@ -34,6 +34,15 @@ TEST(MipChain, WhatIsNotThereHasNoColour) {
   EXPECT_EQ(mip_chain({"none", 2, 1, none, true, true})[1], (Bytes{200, 100, 50, 0}));
 }
 
+// A sampler mixes it with what is there, and must not bring a colour that nobody sees.
+TEST(MipChain, BesideWhatIsThereNothingHasItsColour) {
+  Bytes dots;
+  for (int i = 0; i < 8; ++i) dots.insert(dots.end(), {0, 255, 0, 0});
+  dots[8] = 200, dots[9] = 10, dots[10] = 10, dots[11] = 255;  // the third
+  EXPECT_EQ(mip_chain({"dots", 8, 1, dots, false, true})[1],
+            (Bytes{200, 10, 10, 0, 200, 10, 10, 128, 200, 10, 10, 0, 0, 255, 0, 0}));
+}
+
 // Where alpha is cut off at 0.5, half of this is there, however little alpha there is in the mean.
 TEST(MipChain, OfHolesAlphaIsThePartThatIsThere) {
   const Bytes wires{200, 10, 10, 130, 0, 255, 0, 0};
