@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/assets/image.h"
+#include "engine/render/mip_chain.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum::scenario {
@@ -39,11 +40,9 @@ render::TextureLayer layer_of(const TextureUse& use, std::size_t texture) {
   return layer;
 }
 
-constexpr std::uint64_t kMostBytes = 1U << 30U;  // of all textures, decoded
-
 std::uint64_t bytes_of(const std::vector<render::Texture>& textures) {
   std::uint64_t bytes = 0;
-  for (const render::Texture& texture : textures) bytes += texture.rgba.size();
+  for (const render::Texture& texture : textures) bytes += render::mip_bytes(texture);
   return bytes;
 }
 
@@ -51,7 +50,8 @@ std::uint64_t bytes_of(const std::vector<render::Texture>& textures) {
 // at two values of alpha, is there twice.
 class Textures {
 public:
-  Textures(render::VisualDesc& desc, const Model& model) : desc_(desc), model_(model) {}
+  Textures(render::VisualDesc& desc, const Model& model, std::uint64_t most_bytes)
+      : desc_(desc), model_(model), most_bytes_(most_bytes) {}
 
   enum class Meaning {
     numbers,
@@ -74,7 +74,7 @@ public:
       desc_.textures.push_back({image.name, decoded->width, decoded->height, std::move(decoded->rgba),
                                 meaning != Meaning::numbers, meaning == Meaning::colours_with_holes,
                                 cut_off});
-      if (bytes_of(desc_.textures) > kMostBytes) {
+      if (bytes_of(desc_.textures) > most_bytes_) {
         error_ = Error{"the textures of the scene take more than 1 GB with this one, " + image.name +
                        ": make them smaller."};
         return std::nullopt;
@@ -88,6 +88,7 @@ public:
 private:
   render::VisualDesc& desc_;
   const Model& model_;
+  std::uint64_t most_bytes_ = 0;  // of all textures, in all their sizes
   std::map<std::tuple<std::size_t, Meaning, std::optional<float>>, std::size_t> made_;
   std::optional<Error> error_;
 };
@@ -128,11 +129,11 @@ SurfaceDetail detail_of(const MaterialDetail& from, Textures& textures) {
 
 }  // namespace
 
-std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model) {
+std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model, std::uint64_t most) {
   std::vector<bool> is_shown(model.materials.size(), false);
   for (const ModelPart& part : model.parts) is_shown[part.material] = true;
   const std::size_t first_texture = desc.textures.size();
-  Textures textures(desc, model);
+  Textures textures(desc, model, most);
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     const ModelMaterial& from = model.materials[i];
     render::Material to{from.name, colour_of(from.base_colour), from.metallic, from.roughness};

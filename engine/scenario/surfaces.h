@@ -1,6 +1,7 @@
 #pragma once
 // Materials and textures of a model -> those that are drawn.
 
+#include <cstdint>
 #include <optional>
 
 #include "engine/assets/model.h"
@@ -9,8 +10,12 @@
 
 namespace fulcrum::scenario {
 
-// Appends them in their order. Fails with a clause about the texture that cannot be decoded; the model's
-// textures are then left out.
-std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model);
+// Of the textures of a scene, decoded, in all their sizes.
+inline constexpr std::uint64_t kMostTextureBytes = 1U << 30U;
+
+// Appends them in their order. Fails with a clause about the texture that cannot be decoded, or with which
+// all of them take more than `most` bytes; the model's textures are then left out.
+std::optional<Error> add_materials(render::VisualDesc& desc, const Model& model,
+                                   std::uint64_t most = kMostTextureBytes);
 
 }  // namespace fulcrum::scenario

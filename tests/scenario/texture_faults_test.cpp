@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/scenario/assemble.h"
+#include "engine/scenario/surfaces.h"
 #include "tests/assets/textured.h"
 #include "tests/scenario/box_glb.h"
 #include "tests/scenario/example.h"
@@ -37,6 +38,28 @@ TEST(AssembleVisual, NamesEveryModelWhoseTexturesCannotBeUsed) {
       "--set models.peg.drawn=coarse.glb: model 'peg': 'coarse.glb': the texture grain cannot be used: "))
       << to_text(visual.faults());
   EXPECT_EQ(visual.faults()[2].line, 20);
+}
+
+// Smaller sizes are a third more.
+TEST(Textures, AreCountedInAllTheirSizes) {
+  const std::uint32_t side = 64;
+  const std::uint64_t largest = std::uint64_t{4} * side * side;
+  Model model;
+  model.images.push_back({"grain", fulcrum::test::png_of(side, side, PNG_FORMAT_RGB,
+                                                         std::vector<std::uint8_t>(3 * side * side, 9))});
+  model.materials.emplace_back().detail.emplace().base_colour.emplace();
+  model.parts.emplace_back();
+  const auto refused = [&](std::uint64_t most) {
+    render::VisualDesc desc;
+    return add_materials(desc, model, most);
+  };
+  const auto too_many = refused(largest);
+  ASSERT_TRUE(too_many);
+  EXPECT_TRUE(
+      too_many->sentence.starts_with("the textures of the scene take more than 1 GB with this one, grain"))
+      << too_many->sentence;
+  EXPECT_TRUE(refused(largest / 3 * 4 - 1));
+  EXPECT_FALSE(refused(largest / 3 * 4));
 }
 
 }  // namespace
