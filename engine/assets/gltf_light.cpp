@@ -11,7 +11,6 @@ namespace fulcrum {
 namespace {
 
 constexpr const char* kExtension = "KHR_lights_punctual";
-constexpr double kBrightest = 1e9;        // cd or lx: the sun is 1e5 lx
 constexpr double kFarthestLight_m = 1e5;  // as vertices are held to
 constexpr float kLargestColour = 1e4F;
 
@@ -26,8 +25,8 @@ public:
     light.name = name_;
     light.kind = kind();
     read_colour(light);
+    // However bright: what it is in candela, the file's unit says, which the scenario knows.
     light.intensity = number("intensity", source_.intensity);
-    if (light.intensity > kBrightest) refuse("an intensity of more than a billion");
     if (light.kind != ModelLight::Kind::directional && written_.Has("range")) {
       light.range = number("range", source_.range);
       if (*light.range == 0.0) refuse("a range of zero");

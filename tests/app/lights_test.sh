@@ -47,6 +47,11 @@ lamp '{"type":"point","intensity":3e8}' 1 >lit/lamp.gltf
 sed 's/lamp.gltf,/& scale: 100,/' lit/scenario.yaml >lit/scaled.yaml
 expect 1 "scaled.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' brings a light '0' of more than a billion candela, .*'scale' are counted in" \
   "$FULCRUM" check lit/scaled.yaml
+# A lamp of 60 cd in a file of millimetres, which is brighter than any in one of metres.
+lamp '{"type":"point","intensity":6e10,"range":1e6}' 1 >lit/lamp.gltf
+sed 's/lamp.gltf,/& unit: mm,/' lit/scenario.yaml >lit/millimetres.yaml
+expect 1 "scenario.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' brings a light '0' of more than a billion candela" "$FULCRUM" check lit/scenario.yaml
+expect_each 0 "millimetres.yaml: good" "'lamp.gltf' brings a light" -- "$FULCRUM" check lit/millimetres.yaml
 
 # What is not drawn is named.
 lamp '{"type":"point","intensity":60}' 1 | sed 's/"extensionsUsed":\[/&"KHR_materials_iridescence",/' >lit/lamp.gltf
