@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -153,6 +154,21 @@ void count_lights(const ModelEntry& entry, const FileRef& file, const Model& mod
                                         ": the scene's 'light' alone does."));
 }
 
+// Lights of a model in whose place another file is drawn, which has none that is called so.
+std::optional<Fault> lights_of_undrawn(const ModelEntry& entry, const Model& model, const Model& drawn) {
+  std::vector<std::string_view> names;
+  for (const ModelLight& light : model.lights)
+    if (std::ranges::find(drawn.lights, light.name, &ModelLight::name) == drawn.lights.end())
+      names.push_back(light.name);
+  if (names.empty()) return std::nullopt;
+  const bool one = names.size() == 1;
+  return at(entry, in_quotes(entry.file.name) + " has " +
+                       (one ? "a light " + in_quotes(names.front()) + " that lights nothing"
+                            : std::to_string(names.size()) + " lights that light nothing") +
+                       ", since 'drawn' takes its place: put " + (one ? "it" : "them") + " into " +
+                       in_quotes(entry.drawn.name) + ".");
+}
+
 // Objects that are marked, and that no model takes; and lights, which go with objects.
 void tell_of_left_out(const Scenario& scenario, const std::filesystem::path& file, const MarksOfFile& there,
                       Faults& warnings) {
@@ -231,6 +247,9 @@ Checked<LoadedModels> load_models(const Scenario& scenario) {
     if (auto warning =
             drawn ? plainer(entry, entry.drawn, *drawn) : plainer(entry, entry.file, loaded.models.back()))
       loaded.warnings.push_back(std::move(*warning));
+    if (is_drawn && drawn)
+      if (auto warning = lights_of_undrawn(entry, loaded.models.back(), *drawn))
+        loaded.warnings.push_back(std::move(*warning));
     if (is_drawn)
       count_lights(entry, drawn ? entry.drawn : entry.file, drawn ? *drawn : loaded.models.back(), lights,
                    loaded, faults);

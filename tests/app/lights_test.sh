@@ -70,6 +70,15 @@ expect 0 "marked.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' has a light 'bulb'
 sed -i 's/"translation"/"extras":{"fulcrum_role":"decor"},&/' lit/lamp.gltf
 "$FULCRUM" check lit/marked.yaml | grep 'lights nothing' && fail "a light that is taken is told of as left out"
 
+# Of a model that another file is drawn for, that one has the lights.
+lamp '{"name":"bulb","type":"point","intensity":60}' 1 >lit/lamp.gltf
+lamp '{"name":"flash","type":"point","intensity":60}' 2 >lit/other.gltf
+sed 's/lamp.gltf, role: decor,/lamp.gltf, drawn: other.gltf, role: scene,/' lit/scenario.yaml >lit/drawn.yaml
+expect_each 0 "drawn.yaml:$line:[0-9]+: model 'lamp': 'lamp.gltf' has a light 'bulb' that lights nothing, since 'drawn' takes its place: put it into 'other.gltf'\." \
+  "'other.gltf' brings 2 lights" -- "$FULCRUM" check lit/drawn.yaml
+sed -i 's/flash/bulb/' lit/other.gltf
+"$FULCRUM" check lit/drawn.yaml | grep 'lights nothing' && fail "a light that the drawn file has is told of as left out"
+
 # An import takes none, and says so.
 lamp '{"type":"point","intensity":60}' 2 >lit/lamp.gltf
 expect 0 '2 lights are left out: a scenario that names a .glb or .gltf itself has its lights' "$FULCRUM" import lit/lamp.gltf --out imported
