@@ -1,5 +1,6 @@
 #pragma once
-// glTF 2.0 -> Model, through tinygltf. Animation, skins and morph targets are left out; which extensions of
+// glTF 2.0 -> Model, through tinygltf. Animation, skins and morph targets are left out, and points and lines,
+// which Model::left_out tells; names are on one line, without what a terminal would obey. Which extensions of
 // materials are drawn, model_material.h says, and of lights model_light.h.
 
 #include <cstddef>

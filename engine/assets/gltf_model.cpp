@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <string>
 
 #include "engine/assets/gltf_accessor.h"
@@ -200,6 +201,24 @@ std::string property(const tinygltf::Node& node, const std::string& name) {
   return value.IsString() ? value.Get<std::string>() : std::string();
 }
 
+// What nodes hold or what moves them, and no part has.
+enum class NotDrawn { points, lines, targets, skins, animations };
+
+const char* clause_about(NotDrawn kind) {
+  switch (kind) {
+    case NotDrawn::points:
+      return "points, which are no surface";
+    case NotDrawn::lines:
+      return "lines, which are no surface";
+    case NotDrawn::targets:
+      return "morph targets: the mesh is seen and felt as it is without them";
+    case NotDrawn::skins:
+      return "skins: the mesh is seen and felt where its node puts it, undeformed";
+    default:
+      return "animations: all is seen and felt at rest";
+  }
+}
+
 class Walk {
 public:
   explicit Walk(const tinygltf::Model& file) : file_(file), seen_(file.nodes.size(), false) {}
@@ -225,6 +244,8 @@ public:
       add(node.children, X_MN);
     }
     model.parts = std::move(parts_);
+    if (!file_.animations.empty()) told_.insert(NotDrawn::animations);
+    for (const NotDrawn kind : told_) model.left_out.emplace_back(clause_about(kind));
   }
 
   // Of each part; how large it is, is the mean of three directions.
@@ -248,7 +269,10 @@ private:
     const tinygltf::Mesh& mesh = file_.meshes[static_cast<std::size_t>(node.mesh)];
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-      if (mode < TINYGLTF_MODE_TRIANGLES) continue;  // points and lines are no surface
+      if (mode < TINYGLTF_MODE_TRIANGLES) {
+        told_.insert(mode == TINYGLTF_MODE_POINTS ? NotDrawn::points : NotDrawn::lines);
+        continue;
+      }
       if (mode != TINYGLTF_MODE_TRIANGLES)
         throw GltfFault("a mesh is made of triangle strips or fans; export it as plain triangles");
       ModelPart part = part_from(file_, primitive);
@@ -261,6 +285,8 @@ private:
       indices_ += part.indices.size();
       if (indices_ > kMaxIndices)
         throw GltfFault("it shows more than 50 million triangles; simplify it before export");
+      if (!primitive.targets.empty()) told_.insert(NotDrawn::targets);
+      if (node.skin >= 0) told_.insert(NotDrawn::skins);
       place(part, X_MN);
       parts_.push_back(std::move(part));
       facts_.push_back(
@@ -278,6 +304,7 @@ private:
   std::vector<bool> seen_;
   std::vector<ModelPart> parts_;
   std::vector<PartFacts> facts_;
+  std::set<NotDrawn> told_;
   std::size_t indices_ = 0, vertices_ = 0;
 };
 

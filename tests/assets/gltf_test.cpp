@@ -146,6 +146,39 @@ TEST(Gltf, WhatIsNotSupportedSaysSo) {
   EXPECT_MENTIONS(refusal(file), "sparse accessors");
 }
 
+// What moves a mesh is left out with a clause, each kind once; what is not there is not told.
+TEST(Gltf, WhatDeformsOrIsNoSurfaceIsToldOf) {
+  const auto told = [](const Tetrahedron& file) {
+    const auto model = parse_glb(file.bytes(), "part.glb");
+    if (!model) ADD_FAILURE() << model.error().sentence;
+    std::string all;
+    if (model)
+      for (const std::string& clause : model->left_out) all += clause + "|";
+    return all;
+  };
+  Tetrahedron file;
+  EXPECT_EQ(told(file), "");
+  const std::string plain = file.primitive;
+  const auto moded = [](int mode) {
+    return R"({"attributes":{"POSITION":0},"mode":)" + std::to_string(mode) + "}";
+  };
+  file.primitive = plain + "," + moded(0) + "," + moded(0);
+  EXPECT_EQ(told(file), "points, which are no surface|");
+  file.primitive = plain + "," + moded(0) + "," + moded(1) + "," + moded(2) + "," + moded(3);
+  EXPECT_EQ(told(file), "points, which are no surface|lines, which are no surface|");
+  file.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0,"targets":[{"POSITION":0}]})";
+  EXPECT_EQ(told(file), "morph targets: the mesh is seen and felt as it is without them|");
+  file = {};
+  file.nodes = R"([{"mesh":0,"skin":0},{"mesh":0,"skin":0}])";
+  file.scene = "";
+  file.more = R"("skins":[{"joints":[0]}],)";
+  EXPECT_EQ(told(file), "skins: the mesh is seen and felt where its node puts it, undeformed|");
+  file = {};
+  file.more = R"("animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],)"
+              R"("samplers":[{"input":0,"output":0}]}],)";
+  EXPECT_EQ(told(file), "animations: all is seen and felt at rest|");
+}
+
 TEST(Gltf, NestingCannotExhaustTheStack) {
   Tetrahedron file;
   file.more = R"("extras":)" + std::string(200000, '[') + std::string(200000, ']') + ",";
