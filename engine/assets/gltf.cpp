@@ -12,6 +12,7 @@
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_model.h"
 #include "engine/assets/importable.h"
+#include "engine/files/plain_text.h"
 #include "engine/files/regular_file.h"
 
 namespace fulcrum {
@@ -107,15 +108,18 @@ bool keep_image(tinygltf::Image* image, int, std::string*, std::string*, int, in
 
 // The files that a .gltf names. Without a folder it may name none.
 struct Beside {
+  struct Unread {
+    std::string path, why;
+  };
   std::optional<std::filesystem::path> folder;  // all of them lie in it
-  std::string refused;                          // a clause about the last one that could not be read
+  std::vector<Unread> unread;                   // those that could not be read, in their order
   std::vector<std::string> named;               // all of them
 };
 
 bool read_beside(std::vector<unsigned char>* bytes, std::string*, const std::string& path, void* beside) {
   Beside& files = *static_cast<Beside*>(beside);
   const auto refuse = [&](const std::string& why) {
-    files.refused = "it names the file " + path + ", which cannot be read: " + why;
+    files.unread.push_back({path, why});
     return false;
   };
   files.named.push_back(path);
@@ -125,6 +129,7 @@ bool read_beside(std::vector<unsigned char>* bytes, std::string*, const std::str
   const Result<std::string> content = file->first_bytes(kLargest + 1);
   if (!content) return refuse(content.error().sentence);
   if (content->size() > kLargest) return refuse("it is larger than 4 GB");
+  if (content->empty()) return refuse("it is empty");
   bytes->assign(content->begin(), content->end());
   return true;
 }
@@ -141,11 +146,27 @@ tinygltf::FsCallbacks callbacks_for(Beside& beside) {
   return callbacks;
 }
 
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+constexpr std::size_t kLongestClause = 300;  // bytes, of what others say
+
+std::string one_line(std::string_view said) {
+  std::string text = plain_text(said);
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
-  return text.substr(0, 300);
+  return short_text(text, kLongestClause);
+}
+
+// Why the file of each image could not be read; empty: it was, or the image is in a buffer or a URI. tinygltf
+// asks for each such file once, in the order of the images, and goes on where there is none; where there is
+// none for a buffer it does not go on.
+std::vector<std::string> why_unread(const tinygltf::Model& file, const Beside& beside) {
+  std::vector<std::string> why(file.images.size());
+  auto unread = beside.unread.begin();
+  for (std::size_t i = 0; i < why.size(); ++i) {
+    const tinygltf::Image& image = file.images[i];
+    if (image.bufferView >= 0 || !image.image.empty()) continue;
+    why[i] =
+        image.uri.empty() || unread == beside.unread.end() ? "it names no file" : plain_text((unread++)->why);
+  }
+  return why;
 }
 
 // `place`: the folder of the file, where the names begin that it holds.
@@ -169,11 +190,15 @@ Model parse(std::string_view text, bool binary, Beside beside, const std::filesy
   check_extensions(file);
   // A picture that is not there stops nothing, and is no reason.
   const bool picture = warning.find("for image[") != std::string::npos;
-  if (!read && !beside.refused.empty() && !picture) throw GltfFault(beside.refused);
+  if (!read && !beside.unread.empty() && !picture) {
+    const Beside::Unread& last = beside.unread.back();
+    throw GltfFault("it names the file " + short_text(last.path, kLongestClause) +
+                    ", which cannot be read: " + last.why);
+  }
   if (!read)
     throw GltfFault("it cannot be read as glTF (" + one_line(fault) +
                     "); export it again as glTF 2.0 (.glb)");
-  Model model = model_from_gltf(file);
+  Model model = model_from_gltf(file, why_unread(file, beside));
   model.beside = std::move(beside.named);
   return model;
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <type_traits>
 
+#include "engine/files/plain_text.h"
+
 namespace fulcrum {
 namespace {
 
@@ -103,6 +105,11 @@ std::vector<Vec3> read_fractions(const Elements& elements) {
 }
 
 }  // namespace
+
+std::string name_in_quotes(const std::string& name) {
+  constexpr std::size_t kLongest = 80;  // bytes, so that a sentence can be read
+  return "'" + short_text(name, kLongest) + "'";
+}
 
 std::vector<std::uint8_t> read_bytes(const tinygltf::Model& file, int view) {
   const std::span<const unsigned char> bytes = bytes_of(file, view);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "haptics/math/linear.h"
@@ -16,6 +17,9 @@ namespace fulcrum {
 struct GltfFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// A name that a file gives, as a sentence may have it.
+std::string name_in_quotes(const std::string& name);
 
 std::vector<std::uint8_t> read_bytes(const tinygltf::Model& file, int buffer_view);
 std::vector<Vec3> read_vectors(const tinygltf::Model& file, int accessor);  // (n x 3) finite

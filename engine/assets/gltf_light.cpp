@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/assets/gltf_accessor.h"
+#include "engine/files/plain_text.h"
 
 namespace fulcrum {
 namespace {
@@ -37,14 +38,15 @@ public:
 
 private:
   [[noreturn]] void refuse(const std::string& what) const {
-    throw GltfFault("its light '" + name_ + "' has " + what + "; correct it and export it again");
+    throw GltfFault("its light " + name_in_quotes(name_) + " has " + what +
+                    "; correct it and export it again");
   }
 
   ModelLight::Kind kind() const {
     if (source_.type == "directional") return ModelLight::Kind::directional;
     if (source_.type == "point") return ModelLight::Kind::point;
     if (source_.type == "spot") return ModelLight::Kind::spot;
-    throw GltfFault("its light '" + name_ + "' is of a type that " + kExtension +
+    throw GltfFault("its light " + name_in_quotes(name_) + " is of a type that " + kExtension +
                     " does not have; export it as directional, point or spot");
   }
 
@@ -96,9 +98,10 @@ std::optional<std::size_t> index_of(const tinygltf::Model& file, const tinygltf:
                         ? value.Get("light").Get<int>()
                         : -1;
   if (index < 0 || static_cast<std::size_t>(index) >= file.lights.size())
-    throw GltfFault("node " +
-                    (node.name.empty() ? std::to_string(&node - file.nodes.data()) : "'" + node.name + "'") +
-                    " refers to a light that the file does not hold; export it again");
+    throw GltfFault(
+        "node " +
+        (node.name.empty() ? std::to_string(&node - file.nodes.data()) : name_in_quotes(node.name)) +
+        " refers to a light that the file does not hold; export it again");
   return static_cast<std::size_t>(index);
 }
 
@@ -107,13 +110,14 @@ std::optional<std::size_t> index_of(const tinygltf::Model& file, const tinygltf:
 void place(ModelLight& light, const Eigen::Affine3d& X_MN) {
   light.position_M = X_MN.translation();
   if (!(light.position_M.cwiseAbs().maxCoeff() <= kFarthestLight_m))
-    throw GltfFault("its light '" + light.name +
-                    "' is moved out of all bounds, farther than 100 km; check its node's transform");
+    throw GltfFault("its light " + name_in_quotes(light.name) +
+                    " is moved out of all bounds, farther than 100 km; check its node's transform");
   if (light.kind == ModelLight::Kind::point) return;
   const Vec3 along = X_MN.linear() * light.direction_M;
   const double length = along.stableNorm();
   if (!(length > 0.0 && std::isfinite(length)))
-    throw GltfFault("its light '" + light.name + "' has no direction; give its node a scale other than zero");
+    throw GltfFault("its light " + name_in_quotes(light.name) +
+                    " has no direction; give its node a scale other than zero");
   light.direction_M = along / length;
 }
 
@@ -129,7 +133,7 @@ std::optional<ModelLight> light_of(const tinygltf::Model& file, const tinygltf::
   const std::string name = !source.name.empty() ? source.name
                            : !node.name.empty() ? node.name
                                                 : std::to_string(*index);
-  ModelLight light = LightReader(source, written, name).read();
+  ModelLight light = LightReader(source, written, plain_text(name)).read();
   place(light, X_MN);
   return light;
 }

@@ -9,6 +9,7 @@
 
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/image.h"
+#include "engine/files/plain_text.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum {
@@ -53,7 +54,8 @@ TextureWrap wrap_of(int gltf) {
   }
 }
 
-constexpr std::size_t kMostTold = 12;  // of what is left out, so that a sentence can be read
+constexpr std::size_t kMostTold = 12;     // of what is left out, so that a sentence can be read
+constexpr std::size_t kLongestName = 80;  // bytes, of what a file calls something, for the same reason
 
 // What this program draws of extensions; the pictures that some of a material's may have are not drawn.
 const std::set<std::string>& drawn_extensions() {
@@ -67,15 +69,24 @@ const std::set<std::string>& drawn_extensions() {
 
 class MaterialReader {
 public:
-  MaterialReader(const tinygltf::Model& file, Model& model) : file_(file), model_(model) {}
+  MaterialReader(const tinygltf::Model& file, const std::vector<std::string>& why_unread, Model& model)
+      : file_(file), why_unread_(why_unread), model_(model) {}
 
   // facts: of each part.
   void read(const std::vector<PartFacts>& facts) {
-    for (const tinygltf::Material& material : file_.materials)
-      model_.materials.push_back(material_from(material));
+    std::vector<bool> is_shown(file_.materials.size() + 1, false);
+    for (const ModelPart& part : model_.parts) is_shown[part.material] = true;
+    std::set<std::string> of_no_part;
+    for (std::size_t i = 0; i < file_.materials.size(); ++i) {
+      const tinygltf::Material& material = file_.materials[i];
+      model_.materials.push_back(is_shown[i] ? material_from(material) : plain_from(material));
+      if (!is_shown[i])
+        for (const auto& [extension, value] : material.extensions) of_no_part.insert(extension);
+    }
     model_.materials.push_back({});
     for (const std::string& extension : file_.extensionsUsed)
-      if (!drawn_extensions().contains(extension)) leave_out(printable(extension));
+      if (!drawn_extensions().contains(extension) && !of_no_part.contains(extension))
+        leave_out(short_text(extension, kLongestName));
     for (const tinygltf::Mesh& mesh : file_.meshes)
       for (const tinygltf::Primitive& primitive : mesh.primitives) tell_of_faint_vertices(primitive);
     size_volumes(facts);
@@ -89,12 +100,6 @@ private:
       return;
     if (model_.left_out.size() == kMostTold) clause = "more of that kind";
     model_.left_out.push_back(std::move(clause));
-  }
-
-  // A name that a file gives, as it may go to a terminal.
-  static std::string printable(std::string name) {
-    std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7f; });
-    return name.substr(0, 80);
   }
 
   void tell_of_faint_vertices(const tinygltf::Primitive& primitive) {
@@ -122,14 +127,17 @@ private:
       throw GltfFault("a texture refers to an image that the file does not hold; export it again");
     if (const auto known = kept_.find(source); known != kept_.end()) return known->second;
     const tinygltf::Image& image = file_.images[static_cast<std::size_t>(source)];
-    std::string name = printable(!image.name.empty()  ? image.name
-                                 : !image.uri.empty() ? image.uri
-                                                      : "number " + std::to_string(source));
+    const std::string number = "number " + std::to_string(source);
+    std::string name = short_text(!image.name.empty()  ? image.name
+                                  : !image.uri.empty() ? image.uri
+                                                       : number,
+                                  kLongestName);
     std::optional<std::size_t>& index = kept_[source];
     std::vector<std::uint8_t> encoded =
         image.bufferView >= 0 ? read_bytes(file_, image.bufferView) : image.image;
-    if (encoded.empty()) {
-      leave_out("the texture " + name + ", which cannot be read");
+    if (const std::string& why = why_unread_[static_cast<std::size_t>(source)]; !why.empty()) {
+      leave_out("the texture " + (image.uri.empty() ? name : short_text(image.uri, kLongestName)) +
+                ", which cannot be read (" + why + "): export the model as .glb, which holds its textures");
     } else if (!is_picture(encoded)) {
       leave_out("the texture " + name + ", which is neither PNG nor JPEG");
     } else {
@@ -174,14 +182,21 @@ private:
       use.uv_set = extension.Get("texCoord").Get<int>();
   }
 
-  ModelMaterial material_from(const tinygltf::Material& source) {
+  // Without what has to be found elsewhere in the file.
+  static ModelMaterial plain_from(const tinygltf::Material& source) {
     const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
     ModelMaterial material;
-    material.name = source.name;
+    material.name = plain_text(source.name);
     for (std::size_t i = 0; i < 3; ++i)
       material.base_colour[i] = i < pbr.baseColorFactor.size() ? fraction(pbr.baseColorFactor[i]) : 1.0F;
     material.metallic = fraction(pbr.metallicFactor);
     material.roughness = fraction(pbr.roughnessFactor);
+    return material;
+  }
+
+  ModelMaterial material_from(const tinygltf::Material& source) {
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    ModelMaterial material = plain_from(source);
     MaterialDetail detail;
     read_textures(source, detail);
     detail.alpha = pbr.baseColorFactor.size() > 3 ? fraction(pbr.baseColorFactor[3]) : 1.0F;
@@ -213,7 +228,7 @@ private:
   void read_extensions(const tinygltf::Material& source, MaterialDetail& detail) {
     static const tinygltf::Value nothing;
     for (const auto& [name, value] : source.extensions)
-      if (!drawn_extensions().contains(name)) leave_out(printable(name));
+      if (!drawn_extensions().contains(name)) leave_out(short_text(name, kLongestName));
     const auto get = [&](const char* name) -> const tinygltf::Value& {
       const auto found = source.extensions.find(name);
       if (found == source.extensions.end()) return nothing;
@@ -326,6 +341,7 @@ private:
   }
 
   const tinygltf::Model& file_;
+  const std::vector<std::string>& why_unread_;  // of each image
   Model& model_;
   std::map<int, std::optional<std::size_t>> kept_;  // by the file's image
 };
@@ -340,8 +356,9 @@ bool names_pictures(const tinygltf::Model& file, int material) {
          of.normalTexture.index >= 0 || of.occlusionTexture.index >= 0 || of.emissiveTexture.index >= 0;
 }
 
-void read_materials(const tinygltf::Model& file, const std::vector<PartFacts>& facts, Model& model) {
-  MaterialReader(file, model).read(facts);
+void read_materials(const tinygltf::Model& file, const std::vector<PartFacts>& facts,
+                    const std::vector<std::string>& why_unread, Model& model) {
+  MaterialReader(file, why_unread, model).read(facts);
 }
 
 }  // namespace fulcrum

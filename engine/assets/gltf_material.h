@@ -4,6 +4,7 @@
 #include <tiny_gltf.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "engine/assets/model.h"
@@ -16,9 +17,11 @@ struct PartFacts {
   std::array<bool, 2> has_uv = {false, false};  // TEXCOORD_0, TEXCOORD_1
 };
 
-// Fills the model's materials and images: those that a material names and no other. What a material asks for
-// and is not drawn is told in Model::left_out. facts: of each part. Throws GltfFault.
-void read_materials(const tinygltf::Model& file, const std::vector<PartFacts>& facts, Model& model);
+// Fills the model's materials and images: those that a material names of which a part is made, and no other.
+// What such a material asks for and is not drawn is told in Model::left_out. facts: of each part; why_unread:
+// of each image, as model_from_gltf() has it. Throws GltfFault.
+void read_materials(const tinygltf::Model& file, const std::vector<PartFacts>& facts,
+                    const std::vector<std::string>& why_unread, Model& model);
 
 // Some texture is laid onto what is made of it; what no picture is laid onto need not know where it would
 // lie. Any number may be asked for.

@@ -10,6 +10,7 @@
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_light.h"
 #include "engine/assets/gltf_material.h"
+#include "engine/files/plain_text.h"
 #include "haptics/math/functions.h"
 
 namespace fulcrum {
@@ -31,16 +32,16 @@ Eigen::Affine3d local_transform(const tinygltf::Node& node) {
   const auto has = [&node](const std::vector<double>& numbers, std::size_t wanted) {
     if (numbers.empty()) return false;
     if (numbers.size() != wanted || !all_finite(numbers))
-      throw GltfFault("node '" + node.name +
-                      "' has a transform that is not made of finite numbers; export it again");
+      throw GltfFault("node " + name_in_quotes(node.name) +
+                      " has a transform that is not made of finite numbers; export it again");
     return true;
   };
   Eigen::Affine3d local = Eigen::Affine3d::Identity();
   if (has(node.matrix, 16)) {
     local.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
     if (local.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-      throw GltfFault("node '" + node.name +
-                      "' has a matrix whose last row is not 0, 0, 0, 1; export it again");
+      throw GltfFault("node " + name_in_quotes(node.name) +
+                      " has a matrix whose last row is not 0, 0, 0, 1; export it again");
     return local;
   }
   if (has(node.translation, 3)) local.translate(Vec3(node.translation.data()));
@@ -48,7 +49,7 @@ Eigen::Affine3d local_transform(const tinygltf::Node& node) {
     const Quat q(node.rotation[3], node.rotation[0], node.rotation[1],
                  node.rotation[2]);  // the file says x, y, z, w
     if (!(q.norm() > 0.0))
-      throw GltfFault("node '" + node.name + "' has no rotation but zero; export it again");
+      throw GltfFault("node " + name_in_quotes(node.name) + " has no rotation but zero; export it again");
     local.rotate(q.normalized());
   }
   if (has(node.scale, 3)) local.scale(Vec3(node.scale.data()));
@@ -183,13 +184,14 @@ ModelPart part_from(const tinygltf::Model& file, const tinygltf::Primitive& prim
 
 void place(ModelPart& part, const Eigen::Affine3d& X_MN) {
   if (X_MN.linear().determinant() == 0.0)
-    throw GltfFault("part '" + part.name + "' is scaled to nothing; give its node a scale other than zero");
+    throw GltfFault("part " + name_in_quotes(part.name) +
+                    " is scaled to nothing; give its node a scale other than zero");
   transform(part, X_MN);
   for (const Vec3& p : part.positions) {
     if (!(p.cwiseAbs().maxCoeff() <= kFarthest_m)) {
       throw GltfFault(
-          "part '" + part.name +
-          "' is moved or scaled out of all bounds, farther than 100 km; check its node's transform");
+          "part " + name_in_quotes(part.name) +
+          " is moved or scaled out of all bounds, farther than 100 km; check its node's transform");
     }
   }
 }
@@ -263,8 +265,8 @@ private:
 
   void add_mesh(const tinygltf::Node& node, const Eigen::Affine3d& X_MN) {
     if (static_cast<std::size_t>(node.mesh) >= file_.meshes.size()) {
-      throw GltfFault("node '" + node.name +
-                      "' refers to a mesh that the file does not hold; export it again");
+      throw GltfFault("node " + name_in_quotes(node.name) +
+                      " refers to a mesh that the file does not hold; export it again");
     }
     const tinygltf::Mesh& mesh = file_.meshes[static_cast<std::size_t>(node.mesh)];
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
@@ -279,7 +281,7 @@ private:
       vertices_ += vertex_count(primitive);
       if (vertices_ > kMaxVertices)
         throw GltfFault("its nodes show more than 150 million vertices; simplify it before export");
-      part.name = node.name.empty() ? mesh.name : node.name;
+      part.name = plain_text(node.name.empty() ? mesh.name : node.name);
       part.marked_role = property(node, "fulcrum_role");
       part.marked_material = property(node, "fulcrum_material");
       indices_ += part.indices.size();
@@ -310,12 +312,12 @@ private:
 
 }  // namespace
 
-Model model_from_gltf(const tinygltf::Model& file) {
+Model model_from_gltf(const tinygltf::Model& file, const std::vector<std::string>& why_unread) {
   Model model;
   Walk walk(file);
   walk.read(model);
   if (model.parts.empty()) throw GltfFault("it holds no triangles; export it with its meshes, as triangles");
-  read_materials(file, walk.facts(), model);
+  read_materials(file, walk.facts(), why_unread, model);
   return model;
 }
 

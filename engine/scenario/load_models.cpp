@@ -188,9 +188,10 @@ void tell_of_left_out(const Scenario& scenario, const std::filesystem::path& fil
     if (is_taken(mark)) continue;
     const std::string role(names_of<ModelRole>[static_cast<std::size_t>(mark.role)]);
     std::string sentence = in_quotes(of_file.file.name) + " has objects that are marked '" + role + "'";
-    if (!mark.material.empty()) sentence.append(" with the material '").append(mark.material).append("'");
+    if (!mark.material.empty()) sentence.append(" with the material ").append(in_quotes(mark.material));
     sentence.append(", which no model takes: add one with 'role: ").append(role).append("'");
-    if (!mark.material.empty()) sentence.append(", 'material: ").append(mark.material).append("'");
+    if (!mark.material.empty())
+      sentence.append(", 'material: ").append(on_one_line(mark.material)).append("'");
     warnings.push_back(at(of_file, sentence.append(" and 'marked: true'.")));
   }
 }

@@ -33,4 +33,13 @@ sed -i 's/"materials"/"skins":[{"joints":[0]}],&/' looks/part.gltf
 expect_each 0 "$told.* points, which are no surface" "$told.* lines, which are no surface" "$told.* morph targets: the mesh is seen and felt" \
   "$told.* skins: the mesh is seen and felt" "$told.* animations: all is seen and felt at rest" -- check
 
+# A picture that is not there, outside the folder, or a link out of it.
+touch secret.png
+ln -s ../secret.png looks/link.png
+for why in 'none.png .No such file or directory' '../secret.png .it leads out of the folder' 'link.png .it leads out of the folder'; do
+  picture=${why%% *}
+  part ',"normalTexture":{"index":0}' "\"images\":[{\"uri\":\"$picture\"}],\"textures\":[{\"source\":0}]," '' '' ''
+  expect 0 "$told the texture $picture, which cannot be read ${why#* }.*: export the model as .glb" check
+done
+
 exit $((failures > 0))

@@ -131,6 +131,17 @@ TEST(GltfLight, HowBrightItMayBeDependsOnTheUnit) {
   EXPECT_EQ(lights[0].range, 1e9);
 }
 
+TEST(GltfLight, ItsNameStaysOnOneLine) {
+  const std::string holder = R"({"name":"hol\nder","extensions":{"KHR_lights_punctual":{"light":0}}})";
+  EXPECT_EQ(lights_of(lit(R"({"type":"point","name":"a\nb\u001b[31m\u202e"})", node(0)))[0].name,
+            "a b [31m ");
+  EXPECT_EQ(lights_of(lit(R"({"type":"point"})", holder))[0].name, "hol der");
+  EXPECT_NE(refusal(R"({"type":"point","name":"a\nb","intensity":-1})").find("its light 'a b' has"),
+            std::string::npos);
+  const std::string lost = R"({"name":"hol\nder","extensions":{"KHR_lights_punctual":{"light":7}}})";
+  EXPECT_NE(refusal(R"({"type":"point"})", lost).find("node 'hol der' refers"), std::string::npos);
+}
+
 TEST(GltfLight, NodesThatNameNoLightAreRefused) {
   for (const int index : {1, -1, 2147483647})
     EXPECT_NE(refusal(R"({"type":"point"})", node(index)).find("a light that the file does not hold"),

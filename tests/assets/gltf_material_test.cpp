@@ -239,6 +239,24 @@ TEST(GltfMaterial, SaysWhatIsNotDrawn) {
   EXPECT_FALSE(webp.read().materials[0].detail);
 }
 
+// Nobody sees what no mesh is made of: its textures are not kept, and nothing is told of it.
+TEST(GltfMaterial, WhatNoMeshIsMadeOfIsNotToldOf) {
+  Textured file(
+      R"({"name":"plain"},{"name":"spare","pbrMetallicRoughness":{"baseColorTexture":{"index":0},)"
+      R"("metallicFactor":0.5},"extensions":{"KHR_materials_iridescence":{"iridescenceFactor":1}}})",
+      R"("textures":[{"source":0}],"extensionsUsed":["KHR_materials_iridescence"],)");
+  Model model = file.read();
+  EXPECT_TRUE(model.left_out.empty()) << model.left_out[0];
+  EXPECT_TRUE(model.images.empty());
+  ASSERT_EQ(model.materials.size(), 3U);
+  EXPECT_EQ(model.materials[1].name, "spare");
+  EXPECT_EQ(model.materials[1].metallic, 0.5F);
+  file.file.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":1})";
+  model = file.read();
+  EXPECT_EQ(model.left_out, std::vector<std::string>{"KHR_materials_iridescence"});
+  EXPECT_EQ(model.images.size(), 1U);
+}
+
 // What would be read out of bounds is refused: tinygltf checks no image's place in its buffer.
 TEST(GltfMaterial, PicturesBeyondTheirBufferAreRefused) {
   Textured file(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})");

@@ -179,6 +179,24 @@ TEST(Gltf, WhatDeformsOrIsNoSurfaceIsToldOf) {
   EXPECT_EQ(told(file), "animations: all is seen and felt at rest|");
 }
 
+// What a file calls its parts gets into sentences, and to a terminal.
+TEST(Gltf, NamesStayOnOneLine) {
+  Tetrahedron file;
+  file.nodes = R"([{"name":"bo\ndy\u001b","mesh":0}])";
+  file.material = R"({"name":"ste\nel"})";
+  const auto model = parse_glb(file.bytes(), "part.glb");
+  ASSERT_TRUE(model) << model.error().sentence;
+  EXPECT_EQ(model->parts[0].name, "bo dy ");
+  EXPECT_EQ(model->materials[0].name, "ste el");
+  for (const char* rest : {R"(,"scale":[1,0,1])", R"(,"translation":[0,2e5,0])", R"(,"rotation":[0,0,0,0])",
+                           R"(,"translation":[1])", R"(,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2])"}) {
+    file.nodes = R"([{"name":"bo\ndy","mesh":0)" + std::string(rest) + "}]";
+    EXPECT_MENTIONS(refusal(file), "'bo dy'") << rest;
+  }
+  file.nodes = R"([{"name":"bo\ndy","mesh":7}])";
+  EXPECT_MENTIONS(refusal(file), "node 'bo dy' refers");
+}
+
 TEST(Gltf, NestingCannotExhaustTheStack) {
   Tetrahedron file;
   file.more = R"("extras":)" + std::string(200000, '[') + std::string(200000, ']') + ",";
@@ -253,6 +271,8 @@ TEST_F(GltfText, FindsItsBufferInItsFolder) {
   std::filesystem::create_symlink("../near.bin", folder_ / "models" / "link.bin");
   EXPECT_EQ(refusal_of("link.bin"), "");
   EXPECT_MENTIONS(refusal_of("none.bin"), "it names the file " + (folder_ / "models/none.bin").string());
+  EXPECT_MENTIONS(refusal_of("no%0Ane.bin"),
+                  (folder_ / "models/no ne.bin").string() + ", which cannot be read");
   EXPECT_MENTIONS(refusal_of("near.bin"), "No such file");  // not where the scenario or the program is
 }
 
@@ -266,6 +286,39 @@ TEST_F(GltfText, ReadsNothingOutsideItsFolder) {
   std::filesystem::rename(file_, top_ / "part.gltf");
   std::filesystem::create_symlink("../../part.gltf", file_);
   EXPECT_MENTIONS(load_gltf(folder_, file_).error().sentence, "leads out of the folder");
+}
+
+// As of a buffer, the reason is told, and of each image its own; the model is read without them.
+TEST_F(GltfText, SaysWhyAnImageCannotBeRead) {
+  std::filesystem::create_symlink(top_ / "secret.bin", folder_ / "models" / "out.png");
+  std::ofstream(folder_ / "models" / "empty.png");
+  std::ofstream(folder_ / "models" / "there.png", std::ios::binary) << buffer_;
+  const std::string more =
+      R"("images":[{"uri":"none.png","name":"grain"},{"uri":"there.png"},{"uri":"data:image/png;base64,AAAA"},)"
+      R"({"uri":"out.png"},{"uri":"em%70ty.png"}],"textures":[{"source":0},{"source":1},{"source":2},)"
+      R"({"source":3},{"source":4}],)";
+  std::string json = json_;
+  const std::string material = R"("pbrMetallicRoughness":{)";
+  json.insert(json.find(material),
+              R"("normalTexture":{"index":1},"occlusionTexture":{"index":3},"emissiveFactor":[1,1,1],)"
+              R"("emissiveTexture":{"index":4},)");
+  json.insert(json.find(material) + material.size(),
+              R"("baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":2},)");
+  const std::string embedded = R"("buffers":[{)";
+  json.insert(json.find(embedded) + embedded.size(), R"("uri":"part.bin",)");
+  json.insert(1, more);
+  std::ofstream(file_) << json;
+  const auto model = load_gltf(folder_, file_);
+  ASSERT_TRUE(model) << model.error().sentence;
+  const std::string cure = "): export the model as .glb, which holds its textures";
+  const std::vector<std::string> told{
+      "the texture none.png, which cannot be read (No such file or directory" + cure,
+      "the texture number 2, which is neither PNG nor JPEG",
+      "the texture there.png, which is neither PNG nor JPEG",
+      "the texture out.png, which cannot be read (it leads out of the folder " + folder_.string() +
+          "; copy the file there" + cure,
+      "the texture em%70ty.png, which cannot be read (it is empty" + cure};
+  EXPECT_EQ(model->left_out, told);
 }
 
 // A pipe without a writer would be waited for.
