@@ -19,7 +19,7 @@ std::optional<std::uint32_t> look_of(const Material& material) {
   has(detail.alpha == Alpha::mask &&
           (detail.layers[SurfaceDetail::base_colour] || detail.opacity < detail.alpha_cutoff),
       FULCRUM_LOOK_MASK);
-  // glTF: what is unlit has no other layers, and nothing passes through metal.
+  // glTF: what is unlit has no other layers, and no light enters metal.
   const bool all_metal = material.metallic >= 1.0F && !detail.layers[SurfaceDetail::metal_rough];
   const bool passes = detail.transmission > 0.0F && !detail.unlit && !all_metal;
   has(detail.alpha == Alpha::blend || passes, FULCRUM_LOOK_BLEND);
@@ -29,7 +29,7 @@ std::optional<std::uint32_t> look_of(const Material& material) {
   has(detail.clearcoat > 0.0F, FULCRUM_LOOK_COAT);
   has(detail.sheen != glm::vec3(0.0F), FULCRUM_LOOK_SHEEN);
   has(passes, FULCRUM_LOOK_TRANSMISSION);
-  has(detail.scatter_distance != glm::vec3(0.0F) && !detail.unlit && !is_blended(look),
+  has(detail.scatter_distance != glm::vec3(0.0F) && !detail.unlit && !all_metal && !is_blended(look),
       FULCRUM_LOOK_SCATTERING);
   return look;
 }

@@ -19,7 +19,7 @@ bool throws_shadow(const Instance& instance,
 bool lets_light_through(std::uint32_t look);
 bool is_all_cut_out(std::uint32_t look);  // nothing of it is there
 bool is_masked(std::uint32_t look);       // and not blended: it is there, or it is not
-bool is_scattering(std::uint32_t look);   // light spreads below it: what is seen through is none of these
+bool is_scattering(std::uint32_t look);   // light spreads below it: neither metal nor what is seen through
 std::uint32_t without_scattering(std::uint32_t look);
 bool is_two_sided(std::uint32_t look);
 bool reads_places(std::uint32_t look);  // in textures: it has one, or is cut out

@@ -246,7 +246,7 @@ void add_scattering(const SceneFacts& facts, const Quality& quality, RenderPlan&
     const std::string why =
         facts.scattering > 0
             ? "the quality setting switches it off"
-            : "no material that is lit and not seen through says how far light spreads below it";
+            : "no material that is lit, no metal and not seen through says how far light spreads below it";
     for (const char* kind : {"image", "buffer", "pipeline"})
       plan.left_out.push_back({"subsurface scattering", kind, 0, why});
     return;

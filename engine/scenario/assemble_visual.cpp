@@ -45,7 +45,8 @@ std::optional<Fault> apply(const MaterialOverride& override, std::vector<render:
     if (override.base_colour) material.base_colour = narrowed(*override.base_colour);
     if (override.metallic) material.metallic = static_cast<float>(*override.metallic);
     if (override.roughness) material.roughness = static_cast<float>(*override.roughness);
-    if (override.scatter_distance != Vec3::Zero()) {
+    const bool is_metal = !material.detail && material.metallic >= 1.0F;  // which no light enters
+    if (override.scatter_distance != Vec3::Zero() && !is_metal) {
       if (!material.detail) material.detail.emplace();
       material.detail->scatter_distance = narrowed(override.scatter_distance);
     }

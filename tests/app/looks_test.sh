@@ -42,4 +42,15 @@ for why in 'none.png .No such file or directory' '../secret.png .it leads out of
   expect 0 "$told the texture $picture, which cannot be read ${why#* }.*: export the model as .glb" check
 done
 
+# Light spreads below no metal.
+spread() {
+  part ",\"pbrMetallicRoughness\":{\"metallicFactor\":$1}" '' '' '' ''
+  { cat looks/scenario.yaml && echo "materials: {shell: {scatter_distance: 0.001}}"; } >looks/spread.yaml
+}
+spread 0.5
+check spread.yaml | grep 'does nothing' && fail "what light spreads below is told of as if it were not"
+expect 0 'the light that enters surfaces, and spreads' "$FULCRUM" explain looks/spread.yaml
+spread 1
+expect 0 "'scatter_distance' does nothing where the material 'shell' is metal" check spread.yaml
+expect 0 'no material that is lit, no metal and not seen through says how far light spreads below it' "$FULCRUM" explain looks/spread.yaml
 exit $((failures > 0))

@@ -285,9 +285,10 @@ TEST_F(Assemble, LightSpreadsBelowAMaterialThatSaysSo) {
     const auto& detail = desc.materials[desc.instances[1].material].detail;
     return detail ? std::optional(detail->scatter_distance) : std::nullopt;
   };
-  EXPECT_EQ(distance_of("materials: {steel: {scatter_distance: [0.001, 0.0005, 0]}}\n"),
+  EXPECT_EQ(distance_of("materials: {steel: {metallic: 0, scatter_distance: [0.001, 0.0005, 0]}}\n"),
             glm::vec3(0.001F, 0.0005F, 0));
-  EXPECT_EQ(distance_of("materials: {steel: {scatter_distance: 0.002}}\n"), glm::vec3(0.002F));
+  EXPECT_EQ(distance_of("materials: {steel: {metallic: 0, scatter_distance: 0.002}}\n"), glm::vec3(0.002F));
+  EXPECT_FALSE(distance_of("materials: {steel: {scatter_distance: 0.002}}\n")) << "it is metal";
   EXPECT_FALSE(distance_of("materials: {steel: {scatter_distance: 0}}\n"));
   EXPECT_FALSE(distance_of(""));
 }

@@ -173,6 +173,11 @@ TEST_F(ScatteringWithinTest, IsOfTheBestLevelsAndOfScenesThatNameIt) {
   desc.materials[1].detail->transmission = 1.0F;  // what is seen through is none of these
   EXPECT_EQ(of(kQualityLevels[0])->scattering, 0);
   desc.materials[1].detail->transmission = 0.0F;
+  desc.materials[1].metallic = 1.0F;  // metal has no colour below
+  EXPECT_EQ(of(kQualityLevels[0])->scattering, 0);
+  EXPECT_EQ(names_it(of(kQualityLevels[0])->left_out), 3);
+  desc.materials[1].metallic = 0.99F;
+  EXPECT_GT(of(kQualityLevels[0])->scattering, 0);
   Quality odd;
   odd.scattering = 65;
   EXPECT_EQ(of(odd).error().sentence,

@@ -55,14 +55,15 @@ void look_for_light_below(const scenario::Scenario& scenario, const render::Visu
                           CheckedFile& checked) {
   for (const scenario::MaterialOverride& override : scenario.materials) {
     if (override.scatter_distance == Vec3::Zero()) continue;
-    const bool all_do = std::ranges::all_of(desc.materials, [&](const render::Material& material) {
+    const bool all_do = std::ranges::all_of(desc.instances, [&](const render::Instance& instance) {
+      const render::Material& material = desc.materials[instance.material];
       return material.name != override.name || render::is_scattering(render::look_of(material).value_or(0));
     });
     if (!all_do)
       checked.warnings.push_back(override.where.fault(
           "'scatter_distance' does nothing where the material " + scenario::in_quotes(override.name) +
-          " is unlit, or is seen through by its alpha or its transmission: export it opaque, or leave the "
-          "key out."));
+          " is metal, is unlit, or is seen through by its alpha or its transmission: export it opaque, say "
+          "'metallic: 0' if it is no metal, or leave the key out."));
   }
 }
 
