@@ -134,6 +134,7 @@ expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --j
 
 # --- reports: of one device, since the study takes ten seconds of a processor for each
 expect 1 "no device 'phantom_lik'; did you mean 'phantom_like'" "$FULCRUM" stability --device phantom_lik --out S
+expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --set time_limit=60 --json --out H --force "${small[@]}"
 expect 0 'stiffest walls' "$FULCRUM" stability --device phantom_like --out S
 [ "$(head -1 S/stability.csv)" = device,delay_ticks,B,K_simulated,K_exact,K_passive ] || fail "stability.csv has other columns"
 grep -q '^phantom_like,2,' S/stability.csv || fail "stability.csv knows no phantom_like"

@@ -218,9 +218,10 @@ int run_command(const RunOptions& given, const std::function<int()>& elsewhere, 
 
 void add_run_command(Program& program, RunInHeadset in_headset) {
   const auto options = std::make_shared<RunOptions>();
+  const auto seed = std::make_shared<std::optional<std::int64_t>>();
   program.add(
       "run", "Run a scenario, in a window or headless",
-      [options](Arguments& arguments) {
+      [options, seed](Arguments& arguments) {
         arguments.required({"scenario", "NAME|FILE", "Its name (fulcrum list) or file"}, options->scenario);
         arguments.flag("--headless", "No window: as fast as it goes, one picture at the end",
                        options->headless);
@@ -241,9 +242,8 @@ void add_run_command(Program& program, RunInHeadset in_headset) {
         arguments.flag("--wav", "With --headless: what would be heard, as sound.wav", options->wav);
         arguments.flag("--realtime", "Headless, but by the clock, in the haptic thread", options->realtime);
         arguments.positive({"--seconds", "S", "End after this much simulated time"}, options->seconds);
-        arguments.integer(
-            {"--seed", "N", "Seed of what is random, such as the hand's tremor"},
-            [options](std::int64_t seed) { options->overrides.push_back("seed=" + std::to_string(seed)); });
+        arguments.integer({"--seed", "N", "Seed of what is random, such as the hand's tremor"},
+                          [seed](std::int64_t given) { *seed = given; });
         arguments.overrides(options->overrides);
         arguments.size(options->size);
         arguments.text(
@@ -275,7 +275,9 @@ void add_run_command(Program& program, RunInHeadset in_headset) {
         arguments.out(*options);
         arguments.json("Print the summary as JSON", options->json);
       },
-      [options, &program, in_headset] {
+      [options, seed, &program, in_headset] {
+        // Now that all are read: --set has written its own list over what was there before.
+        if (*seed) options->overrides.insert(options->overrides.begin(), "seed=" + std::to_string(**seed));
         const auto elsewhere = [&program] {
           return become({"fulcrum-xr", "a headset is shown its pictures"}, program.arguments());
         };
