@@ -8,6 +8,7 @@
 #include <ctime>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "engine/files/file_error.h"
@@ -114,13 +115,15 @@ Result<fs::path> take_run_folder(const fs::path& folder, bool force,
   return writable(folder);
 }
 
-Result<fs::path> prepare_run_folder(const fs::path& folder, bool force,
-                                    std::span<const std::string_view> files) {
+Result<RunFolder> prepare_run_folder(const fs::path& folder, bool force,
+                                     std::span<const std::string_view> files) {
   Result<fs::path> taken = take_run_folder(folder, force, files);
-  if (!taken) return taken;
+  if (!taken) return taken.error();
+  Result<FolderLock> lock = FolderLock::take(folder);
+  if (!lock) return lock.error();
   const Result<std::size_t> removed = remove_results(folder, files);
   if (!removed) return removed.error();
-  return taken;
+  return RunFolder{std::move(*taken), std::move(*lock)};
 }
 
 Result<std::size_t> remove_results(const fs::path& folder, std::span<const std::string_view> files) {

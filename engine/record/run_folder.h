@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/files/folder_lock.h"
 #include "haptics/math/result.h"
 
 namespace fulcrum::record {
@@ -38,10 +39,16 @@ Result<std::filesystem::path> default_shelf(std::string_view shelf);
 Result<std::filesystem::path> take_run_folder(const std::filesystem::path& folder, bool force,
                                               std::span<const std::string_view> files);
 
-// The same, and with force those files that are there are removed, and nothing else.
-Result<std::filesystem::path> prepare_run_folder(
-    const std::filesystem::path& folder, bool force,
-    std::span<const std::string_view> files = result_file_names());
+// One that a run writes into, and that no other does meanwhile.
+struct RunFolder {
+  std::filesystem::path path;
+  FolderLock lock;
+};
+
+// The same, and with force those files that are there are removed, and nothing else. Where another run writes
+// into it, nothing is.
+Result<RunFolder> prepare_run_folder(const std::filesystem::path& folder, bool force,
+                                     std::span<const std::string_view> files = result_file_names());
 
 // Removes those files of a run's folder, the summary last, and nothing else; how many there were.
 Result<std::size_t> remove_results(const std::filesystem::path& folder,

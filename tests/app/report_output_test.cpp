@@ -86,6 +86,21 @@ TEST(ReportOutput, AnOldFileStaysWhereTheNewOneDoesNotFit) {
   std::signal(SIGXFSZ, handler);
   EXPECT_FALSE(written);
   EXPECT_NE(said.find("study.html: the file would grow beyond the allowed size"), said.npos) << said;
+TEST(ReportOutput, OneProgramAtATimeWorksForAPlace) {
+  const TemporaryFolder folder;
+  write_old_report(folder);
+  {
+    const auto place = report_place("study", into(folder / "", true), kFiles);
+    ASSERT_TRUE(place);
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(report_place("study", into(folder / "", true), kFiles));
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("another run is writing into "), said.npos) << said;
+    EXPECT_TRUE(write_report(*place, {{"study.csv", "new"}}));
+  }
+  EXPECT_TRUE(report_place("study", into(folder / "", true), kFiles)) << "the first has ended";
+}
+
   EXPECT_EQ(text_of(folder / "study.html"), "old");
   EXPECT_EQ(files_in(folder / ""), 3U) << "nothing half done is left";
 }

@@ -50,8 +50,7 @@ TEST(RunFolder, FallsBackToHomeAndThenToASentence) {
 
 TEST(RunFolder, IsMadeWithItsParents) {
   const TemporaryFolder folder;
-  const auto out = prepare_run_folder(folder / "a/b", false);
-  ASSERT_TRUE(out);
+  ASSERT_TRUE(prepare_run_folder(folder / "a/b", false));
   EXPECT_TRUE(fs::is_directory(folder / "a/b"));
   EXPECT_TRUE(prepare_run_folder(folder / "a/b", false)) << "an empty folder is as good as a new one";
 }
@@ -69,11 +68,27 @@ TEST(RunFolder, ResultsAreKeptUnlessForced) {
   EXPECT_EQ(contents(folder / "notes.txt"), "mine");
 }
 
+TEST(RunFolder, NobodyElseWritesIntoOneThatIsTaken) {
+  const TemporaryFolder folder;
+  {
+    const auto first = prepare_run_folder(folder.path(), true);
+    ASSERT_TRUE(first);
+    write(folder / "trace.csv", "of the first");
+    const auto second = prepare_run_folder(folder.path(), true);
+    ASSERT_FALSE(second);
+    EXPECT_EQ(second.error().sentence, "another run is writing into " + folder.path().string() +
+                                           ": wait for its end, or choose another folder with --out.");
+    EXPECT_EQ(contents(folder / "trace.csv"), "of the first");
+    EXPECT_TRUE(prepare_run_folder(folder / "attempt-2", true)) << "a folder below is another one";
+  }
+  EXPECT_TRUE(prepare_run_folder(folder.path(), true)) << "the first has ended";
+}
+
 TEST(RunFolder, AReportsFilesAreItsOwn) {
   const TemporaryFolder folder;
   constexpr std::string_view files[] = {"stability.csv", "stability.html"};
   write(folder / "trace.csv", "a run's");
-  EXPECT_TRUE(prepare_run_folder(folder.path(), false, files));
+  ASSERT_TRUE(prepare_run_folder(folder.path(), false, files));
   write(folder / "stability.html", "old");
   EXPECT_FALSE(prepare_run_folder(folder.path(), false, files));
   ASSERT_TRUE(prepare_run_folder(folder.path(), true, files));

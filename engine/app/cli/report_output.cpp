@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "engine/app/cli/terminal.h"
@@ -32,7 +33,16 @@ std::optional<ReportPlace> report_place(std::string_view report, const RunOption
   if (!told(options.out.empty() ? record::default_shelf(kShelf)
                                 : record::take_run_folder(options.out, options.force, files)))
     return std::nullopt;
-  return ReportPlace{report, options.out, options.force, files};
+  FolderLock lock;
+  if (!options.out.empty()) {
+    Result<FolderLock> taken = FolderLock::take(options.out);
+    if (!taken) {
+      complain(taken.error().sentence);
+      return std::nullopt;
+    }
+    lock = std::move(*taken);
+  }
+  return ReportPlace{report, options.out, options.force, files, std::move(lock)};
 }
 
 std::optional<std::filesystem::path> write_report(

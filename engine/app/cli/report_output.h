@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/app/cli/run_options.h"
+#include "engine/files/folder_lock.h"
 #include "engine/report/page.h"
 
 namespace fulcrum::app {
@@ -20,10 +21,11 @@ struct ReportPlace {
   std::filesystem::path out;  // empty: a new folder under the data directory, which is made with the report
   bool force = false;
   std::span<const std::string_view> files;  // what may be written, and is replaced under force alone
+  FolderLock lock;                          // of out, for as long as the work takes
 };
 
-// Looks at it before the work, and removes nothing. Nothing if it cannot be written, which is said on stderr.
-// files: must outlive the place.
+// Looks at it before the work, and removes nothing. Nothing if it cannot be written, or another program is
+// about to write there, which is said on stderr. files: must outlive the place.
 std::optional<ReportPlace> report_place(std::string_view report, const RunOptions& options,
                                         std::span<const std::string_view> files);
 

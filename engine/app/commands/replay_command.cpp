@@ -76,10 +76,14 @@ int replay_command(const std::filesystem::path& file, const RunOptions& options)
   outcome.summary.left_handed = prepared->scenario.left_handed;
   Inventory list = inventory(*world, *prepared, nullptr);
   add_scene_sound(*prepared, world->desc(), false, list);
-  const FinishedTrial trial{
-      *prepared, sink, sink.metrics(), outcome.summary, results->folder, std::chrono::system_clock::now()};
-  const bool written = write_results(results->folder, outcome, list) && write_trial_page(trial, "");
-  std::printf("%s\n", results->folder.string().c_str());
+  const FinishedTrial trial{*prepared,
+                            sink,
+                            sink.metrics(),
+                            outcome.summary,
+                            results->folder.path,
+                            std::chrono::system_clock::now()};
+  const bool written = write_results(results->folder.path, outcome, list) && write_trial_page(trial, "");
+  std::printf("%s\n", results->folder.path.string().c_str());
   if (!check.same()) {
     complain(check.divergence(columns, file.parent_path() / record::kTraceName));
     return kError;

@@ -16,6 +16,13 @@
 namespace fulcrum::app {
 namespace {
 
+Result<record::RunFolder> new_run_folder(const std::string& scenario) {
+  Result<std::filesystem::path> made = record::make_default_run_folder(
+      std::filesystem::path(scenario).stem().string(), std::chrono::system_clock::now());
+  if (!made) return made.error();
+  return record::prepare_run_folder(*made, false);
+}
+
 // "Picture, trace and summary lie in", of those that were written; empty: none was.
 std::string what_lies_in(const std::filesystem::path& folder) {
   std::vector<std::string> files;
@@ -38,13 +45,11 @@ std::string what_lies_in(const std::filesystem::path& folder) {
 Result<OpenResults> open_results(const std::string& scenario, const RunOptions& options,
                                  const record::TapeHeader& header, const World& world,
                                  const scenario::TaskDesc& task) {
-  Result<std::filesystem::path> folder =
-      options.out.empty() ? record::make_default_run_folder(std::filesystem::path(scenario).stem().string(),
-                                                            std::chrono::system_clock::now())
-                          : record::prepare_run_folder(options.out, options.force);
+  Result<record::RunFolder> folder =
+      options.out.empty() ? new_run_folder(scenario) : record::prepare_run_folder(options.out, options.force);
   if (!folder) return folder.error();
-  Result<record::Recorder> recorder =
-      record::Recorder::begin(*folder, header, trace_columns(world, task), channel_recording(world.desc()));
+  Result<record::Recorder> recorder = record::Recorder::begin(
+      folder->path, header, trace_columns(world, task), channel_recording(world.desc()));
   if (!recorder) return recorder.error();
   return OpenResults{std::move(*folder), std::move(*recorder)};
 }

@@ -7,11 +7,12 @@
 #include "engine/app/prepare/inventory.h"
 #include "engine/app/run/run_sink.h"
 #include "engine/record/recorder.h"
+#include "engine/record/run_folder.h"
 
 namespace fulcrum::app {
 
 struct OpenResults {
-  std::filesystem::path folder;
+  record::RunFolder folder;  // for as long as anything is written into it
   record::Recorder recorder;
 };
 

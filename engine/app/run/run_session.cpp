@@ -85,8 +85,8 @@ RunSession::RunSession(const Prepared& prepared, const RunOptions& options, cons
       trainee_(trainee),
       device_(std::move(device)),
       world_(std::move(world)),
-      folder_(results ? std::move(results->folder) : std::filesystem::path()),
-      faults_(options.faults, folder_),
+      folder_(results ? std::move(results->folder) : record::RunFolder()),
+      faults_(options.faults, folder_.path),
       sink_(prepared, results ? std::optional(std::move(results->recorder)) : std::nullopt, limit, &faults_) {
   if (!options.faults.empty() || pushes_back(options.device)) sink_.watch_handle();
 }
@@ -125,9 +125,9 @@ int RunSession::finish(const render::RenderPlan* plan, bool person, const Pictur
       inventory(world_, prepared_, plan, {options_.circle, options_.overlay != kNoOverlay, options_.device});
   add_scene_sound(prepared_, world_.desc(), player_ != nullptr || sink_.writes_sound(), list);
   add_headset(options_.headset, options_.device, list);
-  bool written = write_results(folder_, outcome, list) && outcome.recorded;
-  const FinishedTrial trial{prepared_, sink_,  sink_.metrics(), outcome.summary,
-                            folder_,   began_, trainee_.expert, outcome.recorded};
+  bool written = write_results(folder_.path, outcome, list) && outcome.recorded;
+  const FinishedTrial trial{prepared_,    sink_,  sink_.metrics(), outcome.summary,
+                            folder_.path, began_, trainee_.expert, outcome.recorded};
   // The row first: a page that names somebody is one that a deletion finds.
   const bool kept = trainee_.participation != nullptr && keep_trial(trial, *trainee_.participation);
   if (trainee_.participation != nullptr && !kept) written = false;
@@ -135,7 +135,7 @@ int RunSession::finish(const render::RenderPlan* plan, bool person, const Pictur
   if (options_.json)
     std::printf("%s\n", record::summary_json(outcome.summary).c_str());
   else
-    print_outcome(folder_, outcome, score_of(trial).total);
+    print_outcome(folder_.path, outcome, score_of(trial).total);
   if (!written) return kError;
   if (sink_.end() == RunSink::End::completed) return kCompleted;
   return sink_.stopped_by_fault() && !person ? kEndedByFault : kNotCompleted;

@@ -43,7 +43,7 @@ public:
   void play_sound(bool says_why_not);
   audio::Player* player() { return player_.get(); }  // null: silence
   const ProgramFaults& faults() const { return faults_; }
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path; }
 
   // The program's exit code. Not of a run that is not recorded. plan: what was drawn with, if anything was.
   // person: one may acknowledge a stop, or leave; then no fault ended the run. figures: of what a window or
@@ -60,7 +60,7 @@ private:
   std::chrono::system_clock::time_point began_ = std::chrono::system_clock::now();
   OpenDevice device_;
   World world_;
-  std::filesystem::path folder_;
+  record::RunFolder folder_;  // until all is written
   ProgramFaults faults_;
   RunSink sink_;
   std::unique_ptr<audio::Player> player_;
