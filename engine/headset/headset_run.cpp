@@ -75,7 +75,13 @@ void HeadsetRun::run(std::function<void()> ended) {
   loop_.stop();
   worn_.reset();
   if (stage_.window() != nullptr) stage_.window()->set_events({});
-  if (!error_.empty()) app::complain(error_);
+  if (stage_.window() != nullptr && stage_.window()->lost())
+    app::complain(
+        "the mirror's window is gone, for its X server ended or another program closed it: the run ends "
+        "here, "
+        "and what it recorded is kept.");
+  else if (!error_.empty())
+    app::complain(error_);
   app::report_grant(loop_);
 }
 

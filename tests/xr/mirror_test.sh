@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A headset's mirror under a display without a screen: it shows what the left eye sees, Esc stops and Enter goes on, it can
-# be resized, and closing it ends the run in order. $FULCRUM is the program, $RUNTIME the manifest of the tests' runtime.
+# be resized, and closing it ends the run in order, and so does a display that is lost. $FULCRUM is the program, $RUNTIME the manifest of the tests' runtime.
 set -uo pipefail
 . "$(dirname "$(readlink -f "$0")")/../support/display.sh"
 start_display
@@ -63,6 +63,17 @@ wait_for_end
 [ -z "${XR_ENABLE_API_LAYERS-}" ] || grep -q 'Core Validation output' "$work/said" || fail "the validation layer was not there"
 grep -q '^xrDestroyInstance' "$work/log" || fail "the instance is not destroyed"
 [ "$(identify -format '%wx%h' "$work/W/frame.png")" = 480x320 ] || fail "frame.png is the mirror's, and not both eyes'"
+
+# The display is lost: the run ends in order, and says why.
+printf '%s\n' 'size 64 64' 'pace 10' >"$work/script"
+open_window piping --xr --mute --device simulated --set dwell=600 --set time_limit=3600 --out "$work/L"
+runs "$work/L" 100 || fail "it does not run before its display is lost"
+kill -9 $xvfb
+wait_for_end
+[ $code = 3 ] || fail "exit $code, not 3, once the display is lost: $(cat "$work/said")"
+grep -q "^fulcrum: the mirror's window is gone, for its X server ended or another program closed it: the run ends here" "$work/said" ||
+  fail "it does not say why it ends: $(cat "$work/said")"
+[ -s "$work/L/summary.json" ] || fail "what was recorded is not kept"
 
 [ $failures = 0 ] && echo "all good"
 exit $((failures > 0))
