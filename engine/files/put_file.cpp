@@ -89,14 +89,18 @@ bool put_file(const fs::path& path, Pieces pieces) {
 }
 
 bool put_file_by_part(const fs::path& path, Pieces pieces) {
-  std::error_code fault;
-  fs::create_directories(path.parent_path(), fault);
+  std::error_code fault, fault_of_folder;
+  fs::create_directories(path.parent_path(), fault_of_folder);
   remove_abandoned(path.parent_path());
   fs::path part = path;
   part += "." + std::to_string(::getpid());
   part += kPart;
   const Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (!file) return false;
+  if (!file) {
+    // A folder that could not be made is why, and not that it is missing.
+    if (errno == ENOENT && fault_of_folder) errno = fault_of_folder.value();
+    return false;
+  }
   const bool written = ::flock(file.number(), LOCK_EX | LOCK_NB) == 0 && write_all(file.number(), pieces) &&
                        ::rename(part.c_str(), path.c_str()) == 0;
   const int why_not = errno;

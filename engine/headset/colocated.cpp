@@ -1,11 +1,13 @@
 #include "engine/headset/colocated.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <span>
 #include <system_error>
 #include <utility>
 
 #include "engine/app/cli/terminal.h"
+#include "engine/files/file_error.h"
 #include "engine/files/put_file.h"
 #include "haptics/math/number_text.h"
 #include "haptics/safety/faults.h"
@@ -44,14 +46,16 @@ void Colocated::keep() {
   kept_ = {device_, space_, points_->fit()->X_LD, points_->fit()->residuals};
   const std::filesystem::path file = scenario::colocation_file(device_, space_);
   const std::string text = scenario::colocation_text(*kept_);
-  if (!file.empty() && put_file_by_part(file, {std::as_bytes(std::span(text))})) {
+  const bool is_kept = !file.empty() && put_file_by_part(file, {std::as_bytes(std::span(text))});
+  const int why_not = errno;
+  if (is_kept) {
     std::fprintf(stderr, "The device stands in %s space as %s has it: residual %s mm.\n", space_.c_str(),
                  file.c_str(), number_text(1e3 * kept_->rms(), 3).c_str());
     return;
   }
-  app::complain("where the device stands is known for this run alone: " +
-                (file.empty() ? "set XDG_CONFIG_HOME or HOME to keep it."
-                              : file.string() + " cannot be written; see that its folder is yours."));
+  app::complain("where the device stands is known for this run alone" +
+                (file.empty() ? ": set XDG_CONFIG_HOME or HOME to keep it."
+                              : ". " + kept_file_error("write", file, why_not).sentence));
 }
 
 void Colocated::touch_anew() {

@@ -3,14 +3,13 @@
 #include "engine/app/cli/report_output.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#include "tests/files/size_limit.h"
 #include "tests/files/temporary_folder.h"
 
 namespace fulcrum::app {
@@ -73,19 +72,20 @@ TEST(ReportOutput, AnOldFileStaysWhereTheNewOneDoesNotFit) {
   write_old_report(folder);
   const auto place = report_place("study", into(folder / "", true), kFiles);
   ASSERT_TRUE(place);
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{1000, before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   testing::internal::CaptureStderr();
-  const bool written =
-      write_report(*place, {{"study.csv", "new"}, {"study.html", std::string(5000, 'x')}}).has_value();
+  bool written = true;
+  {
+    const test::SizeLimit small(1000);
+    written =
+        write_report(*place, {{"study.csv", "new"}, {"study.html", std::string(5000, 'x')}}).has_value();
+  }
   const std::string said = testing::internal::GetCapturedStderr();
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
   EXPECT_FALSE(written);
   EXPECT_NE(said.find("study.html: the file would grow beyond the allowed size"), said.npos) << said;
+  EXPECT_EQ(text_of(folder / "study.html"), "old");
+  EXPECT_EQ(files_in(folder / ""), 3U) << "nothing half done is left";
+}
+
 TEST(ReportOutput, OneProgramAtATimeWorksForAPlace) {
   const TemporaryFolder folder;
   write_old_report(folder);
@@ -99,10 +99,6 @@ TEST(ReportOutput, OneProgramAtATimeWorksForAPlace) {
     EXPECT_TRUE(write_report(*place, {{"study.csv", "new"}}));
   }
   EXPECT_TRUE(report_place("study", into(folder / "", true), kFiles)) << "the first has ended";
-}
-
-  EXPECT_EQ(text_of(folder / "study.html"), "old");
-  EXPECT_EQ(files_in(folder / ""), 3U) << "nothing half done is left";
 }
 
 TEST(ReportOutput, AFolderOfAFilesNameIsRefusedBeforeTheWork) {

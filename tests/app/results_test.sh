@@ -106,7 +106,7 @@ if [ "$(id -u)" != 0 ]; then
   mkdir -p shut/fulcrum
   echo '{"participant": "P4"}' >shut/fulcrum/start.json
   chmod a-w shut/fulcrum
-  XDG_CONFIG_HOME=$work/shut expect 1 'nothing was deleted' "$FULCRUM" results --delete-participant P4 --yes
+  XDG_CONFIG_HOME=$work/shut expect 1 'nothing was deleted, since .*start.json names P4. Cannot write .*start.json: permission is refused' "$FULCRUM" results --delete-participant P4 --yes
   chmod u+w shut/fulcrum
   XDG_CONFIG_HOME=$work/shut expect 0 'Deleted: P4' "$FULCRUM" results --delete-participant P4 --yes
   grep -q P4 shut/fulcrum/start.json && fail "the start page remembers who was deleted"

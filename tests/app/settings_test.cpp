@@ -11,6 +11,7 @@
 
 #include "engine/app/cli/terminal.h"
 #include "engine/app/settings/settings_menu.h"
+#include "tests/files/size_limit.h"
 
 namespace fulcrum::app {
 namespace {
@@ -119,7 +120,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
         Settings settings{{palette, size}, std::nullopt};
         if (level > 0) settings.picture = level - 1;
         settings.volume = kVolumes[level % kVolumes.size()];
-        ASSERT_TRUE(write_settings(settings));
+        ASSERT_FALSE(write_settings(settings));
         const Settings back = read_settings();
         EXPECT_EQ(back.look.text, size);
         EXPECT_EQ(back.look.palette, palette);
@@ -175,23 +176,34 @@ TEST_F(SettingsFile, WhatCannotBeReadIsKeptBesideWhatReplacesIt) {
   EXPECT_NE(said.find("line 3 is no JSON"), std::string::npos) << said;
   EXPECT_NE(said.find("mend it"), std::string::npos) << said;
   KeptComplaints kept;
-  ASSERT_TRUE(write_settings({{PaletteName::colour_blind, 1.25F}, 2}));
+  ASSERT_FALSE(write_settings({{PaletteName::colour_blind, 1.25F}, 2}));
   EXPECT_NE(kept.take().find("settings.json.unread"), std::string::npos);
   EXPECT_EQ(text(".unread"), torn);
   EXPECT_EQ(read_settings().look.text, 1.25F);
   EXPECT_EQ(kept.take(), "");
 
   write("torn again");
-  ASSERT_TRUE(write_settings({{PaletteName::colour_blind, 1.25F}, 2}));
+  ASSERT_FALSE(write_settings({{PaletteName::colour_blind, 1.25F}, 2}));
   EXPECT_NE(kept.take().find("settings.json.unread-2"), std::string::npos);
   EXPECT_EQ(text(".unread"), torn);
   EXPECT_EQ(text(".unread-2"), "torn again");
 }
 
+TEST_F(SettingsFile, WhyItIsNotWrittenIsSaid) {
+  const test::SizeLimit none(0);
+  const std::optional<Error> failure = write_settings({{PaletteName::standard, 1.25F}, 2});
+  ASSERT_TRUE(failure);
+  EXPECT_NE(failure->sentence.find("settings.json: the file would grow beyond the allowed size. Raise the "
+                                   "limit (ulimit -f)."),
+            std::string::npos)
+      << failure->sentence;
+  EXPECT_EQ(failure->sentence.find("--out"), std::string::npos) << failure->sentence;
+}
+
 TEST_F(SettingsFile, WhatOthersWroteIntoItStays) {
   const std::string nested = std::string(1900, '[') + '7' + std::string(1900, ']');
   write(R"({"someone": )" + nested + R"(, "palette": "colour_blind"})");
-  ASSERT_TRUE(write_settings({{PaletteName::standard, 1.25F}, 2}));
+  ASSERT_FALSE(write_settings({{PaletteName::standard, 1.25F}, 2}));
   EXPECT_NE(text().find("\"someone\""), std::string::npos);
   EXPECT_NE(text().find("\"text_size\": 1.25"), std::string::npos);
 }

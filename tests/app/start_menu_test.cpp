@@ -10,6 +10,7 @@
 
 #include "engine/app/cli/terminal.h"
 #include "engine/app/start/start_settings.h"
+#include "tests/files/size_limit.h"
 
 namespace fulcrum::app {
 namespace {
@@ -208,12 +209,22 @@ TEST(StartSettings, AreReadBackAndNothingElseIsTaken) {
   const std::string kept = before == nullptr ? "" : before;
   ::setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
   EXPECT_EQ(read_start_choice().scenario, "");
-  ASSERT_TRUE(write_start_choice({"Jü", "spacemouse+dualsense", true, "piping"}));
+  ASSERT_FALSE(write_start_choice({"Jü", "spacemouse+dualsense", true, "piping"}));
   const StartChoice choice = read_start_choice();
   EXPECT_EQ(choice.participant, "Jü");
   EXPECT_EQ(choice.device, "spacemouse+dualsense");
   EXPECT_TRUE(choice.left_handed);
   EXPECT_EQ(choice.scenario, "piping");
+  {
+    const test::SizeLimit none(0);
+    EXPECT_FALSE(forget_start_participant("nobody")) << "there is nothing to forget";
+    const std::optional<Error> failure = forget_start_participant("Jü");
+    ASSERT_TRUE(failure);
+    EXPECT_NE(failure->sentence.find("start.json: the file would grow beyond the allowed size. "),
+              std::string::npos)
+        << failure->sentence;
+  }
+  EXPECT_EQ(read_start_choice().participant, "Jü");
   for (const char* text :
        {"", "{", "[]", "7", "{\"participant\": 7, \"left_handed\": \"yes\"}",
         "{\"participant\": \"=1\", \"scenario\": null}", "\xff\xfe", "{\"participant\": \"\\u0000\"}"}) {

@@ -8,11 +8,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <set>
 #include <vector>
 
 #include "engine/files/descriptor.h"
 #include "engine/files/regular_file.h"
+#include "tests/files/size_limit.h"
 #include "tests/files/temporary_folder.h"
 
 namespace fulcrum {
@@ -74,6 +76,22 @@ TEST(PutFile, SaysWhatItCannot) {
     fs::create_directories(folder / "full/below");
     EXPECT_FALSE(put(folder / "full", {bytes(text)}));
     EXPECT_EQ(names(folder / ""), (std::set<std::string>{"file", "full"}));
+  }
+}
+
+TEST(PutFile, SaysWhyItCannot) {
+  for (const Put put : kBothWays) {
+    const TemporaryFolder folder;
+    const std::string text = "text";
+    folder.write("file", "kept");
+    EXPECT_FALSE(put(folder / "file/below", {bytes(text)}));
+    EXPECT_EQ(errno, ENOTDIR);
+    EXPECT_FALSE(put("/proc/self/below/file", {bytes(text)}));
+    EXPECT_EQ(errno, ENOENT);
+    const test::SizeLimit none(0);
+    EXPECT_FALSE(put(folder / "new", {bytes(text)}));
+    EXPECT_EQ(errno, EFBIG);
+    EXPECT_EQ(names(folder / ""), std::set<std::string>{"file"});
   }
 }
 

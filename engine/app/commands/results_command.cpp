@@ -93,9 +93,9 @@ int delete_participant(session::Store& store, const std::string& participant, bo
     complain("nothing was deleted. Without a terminal, --yes says that it is meant.");
     return kUsage;
   }
-  if (!forget_start_participant(participant)) {
-    complain("nothing was deleted, since " + start_file().string() + " names " + participant +
-             " and cannot be written: make it and its folder yours, and give this command again.");
+  if (const std::optional<Error> failure = forget_start_participant(participant)) {
+    complain("nothing was deleted, since " + start_file().string() + " names " + participant + ". " +
+             failure->sentence + " Then give this command again.");
     return kError;
   }
   const Result<Erased> erased = erase_participant(store, participant);

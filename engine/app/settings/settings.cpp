@@ -1,6 +1,7 @@
 #include "engine/app/settings/settings.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <system_error>
 
 #include "engine/app/cli/terminal.h"
+#include "engine/files/file_error.h"
 #include "engine/files/put_file.h"
 #include "engine/files/regular_file.h"
 #include "engine/files/user_folders.h"
@@ -57,18 +59,18 @@ Result<SettingsJson> read_settings_document(const std::filesystem::path& path) {
 }
 
 // What cannot be read is somebody's all the same: it is kept beside what replaces it, and so is what was kept
-// before. False: it cannot be.
-bool set_aside(const std::filesystem::path& path) {
+// before. Absent: it is; else why it cannot be.
+std::optional<Error> set_aside(const std::filesystem::path& path) {
   const std::string name = path.string() + ".unread";
   std::filesystem::path kept = name;
   std::error_code failed;
   for (int count = 2; std::filesystem::exists(std::filesystem::symlink_status(kept, failed)); ++count)
     kept = name + "-" + std::to_string(count);
   std::filesystem::rename(path, kept, failed);
-  if (failed) return false;
+  if (failed) return kept_file_error("move away", path, failed.value());
   complain(path.string() + " could not be read: it is kept as " + kept.string() +
            ", and a new one is written.");
-  return true;
+  return std::nullopt;
 }
 
 // Reads fields of a document, and says what it cannot use.
@@ -147,18 +149,20 @@ Settings read_settings() {
   return settings;
 }
 
-bool write_settings(const Settings& settings) {
+std::optional<Error> write_settings(const Settings& settings) {
   const std::filesystem::path path = settings_file();
-  if (path.empty()) return false;
+  if (path.empty()) return Error{"Neither XDG_CONFIG_HOME nor HOME names a folder for them: set one."};
   const Result<SettingsJson> before = read_settings_document(path);
-  if (!before && !set_aside(path)) return false;
+  if (!before)
+    if (std::optional<Error> failure = set_aside(path)) return failure;
   SettingsJson document = before ? *before : SettingsJson::object();
   document[std::string(kTextKey)] = settings.look.text;
   document[std::string(kPaletteKey)] = kPaletteWords[static_cast<std::size_t>(settings.look.palette)];
   document[std::string(kPictureKey)] = kPictureNames[settings.picture ? *settings.picture + 1 : 0];
   document[std::string(kVolumeKey)] = settings.volume;
   const std::string text = document.dump(1, ' ', false, SettingsJson::error_handler_t::replace) + '\n';
-  return put_file(path, {std::as_bytes(std::span(text))});
+  if (put_file(path, {std::as_bytes(std::span(text))})) return std::nullopt;
+  return kept_file_error("write", path, errno);
 }
 
 }  // namespace fulcrum::app

@@ -9,6 +9,7 @@
 
 #include "engine/render/quality.h"
 #include "engine/ui/look.h"
+#include "haptics/math/result.h"
 
 namespace fulcrum::app {
 
@@ -30,7 +31,7 @@ struct Settings {
 Settings read_settings();
 // Empty: neither XDG_CONFIG_HOME nor HOME names a folder.
 std::filesystem::path settings_file();
-// What the file says beyond these is kept. False: they are not remembered, which hinders nothing.
-bool write_settings(const Settings& settings);
+// What the file says beyond these is kept. Absent: they are remembered; else why not, which hinders nothing.
+std::optional<Error> write_settings(const Settings& settings);
 
 }  // namespace fulcrum::app

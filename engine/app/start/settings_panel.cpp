@@ -5,7 +5,7 @@
 namespace fulcrum::app {
 
 void SettingsPanel::press_at(double x, double y) {
-  const auto hit = ui::settings_hit(menu_->page(), stage_.window().pixels(), stage_.settings().look, x, y);
+  const auto hit = ui::settings_hit(page(), stage_.window().pixels(), stage_.settings().look, x, y);
   if (hit) follow(menu_->click(*hit));
 }
 
@@ -13,9 +13,15 @@ void SettingsPanel::follow(SettingsMenu::Wish wish) {
   if (wish == SettingsMenu::Wish::back) menu_.reset();
   if (wish != SettingsMenu::Wish::changed) return;
   stage_.set_settings(menu_->settings());
-  if (!write_settings(menu_->settings()))
-    complain("the settings hold until Fulcrum ends, since " + settings_file().string() +
-             " cannot be written: make it and its folder yours.");
+  const std::optional<Error> failure = write_settings(menu_->settings());
+  not_kept_ = failure ? failure->sentence : std::string();
+  if (failure) complain("the settings hold until Fulcrum ends. " + not_kept_);
+}
+
+ui::SettingsPage SettingsPanel::page() const {
+  ui::SettingsPage page = menu_->page();
+  if (!not_kept_.empty()) page.note = "Until Fulcrum ends. " + not_kept_;
+  return page;
 }
 
 }  // namespace fulcrum::app

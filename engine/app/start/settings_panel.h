@@ -3,6 +3,7 @@
 // changed is seen at once and remembered.
 
 #include <optional>
+#include <string>
 
 #include "engine/app/settings/settings_menu.h"
 #include "engine/app/window/window_stage.h"
@@ -20,13 +21,15 @@ public:
   void press(StartMenu::Key key) { follow(menu_->press(key)); }
   // x, y: fractions of the picture's height, from its top left.
   void press_at(double x, double y);
-  ui::SettingsPage page() const { return menu_->page(); }
+  // Its note is why what was changed is not remembered, where it is not.
+  ui::SettingsPage page() const;
 
 private:
   void follow(SettingsMenu::Wish wish);
 
   WindowStage& stage_;
   std::optional<SettingsMenu> menu_;
+  std::string not_kept_;  // why the newest change is not remembered; empty: it is
 };
 
 }  // namespace fulcrum::app

@@ -1,8 +1,10 @@
 #include "engine/app/start/start_settings.h"
 
+#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "engine/files/file_error.h"
 #include "engine/files/put_file.h"
 #include "engine/files/regular_file.h"
 #include "engine/files/user_folders.h"
@@ -42,22 +44,23 @@ StartChoice read_start_choice() {
   return choice;
 }
 
-bool forget_start_participant(const std::string& participant) {
+std::optional<Error> forget_start_participant(const std::string& participant) {
   StartChoice choice = read_start_choice();
-  if (choice.participant != participant) return true;
+  if (choice.participant != participant) return std::nullopt;
   choice.participant.clear();
   return write_start_choice(choice);
 }
 
-bool write_start_choice(const StartChoice& choice) {
+std::optional<Error> write_start_choice(const StartChoice& choice) {
   const std::filesystem::path path = start_file();
-  if (path.empty()) return false;
+  if (path.empty()) return Error{"Neither XDG_CONFIG_HOME nor HOME names a folder for it: set one."};
   const nlohmann::ordered_json document = {{"participant", choice.participant},
                                            {"device", choice.device},
                                            {"left_handed", choice.left_handed},
                                            {"scenario", choice.scenario}};
   const std::string text = document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-  return put_file(path, {std::as_bytes(std::span(text))});
+  if (put_file(path, {std::as_bytes(std::span(text))})) return std::nullopt;
+  return kept_file_error("write", path, errno);
 }
 
 }  // namespace fulcrum::app
