@@ -32,6 +32,7 @@ for number in nan -nan inf 1e999; do
   expect 2 "'$number' is no finite number" "$FULCRUM" run piping --headless --stereo anaglyph --eye-distance "$number"
   expect 2 "'$number' is no finite number" "$FULCRUM" run piping --headless "--seconds=$number"
 done
+for number in 0 -1 -0 0.0; do expect 2 "^--seconds: '$number' has to be above 0$" "$FULCRUM" run piping --headless "--seconds=$number"; done
 expect 0 '^piping ' "$FULCRUM" list
 expect 0 '"name": "piping"' "$FULCRUM" list --json
 expect 0 'simulated' "$FULCRUM" devices
@@ -131,10 +132,10 @@ expect 2 "no view 'slott'" env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping
 expect 1 'no hand' env XDG_CACHE_HOME="$work/cold" "$FULCRUM" run piping --headless --hand nobody --out W
 [ -e cold ] && fail "an unknown view or hand was refused after a bake"
 expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --json --out H "${small[@]}"
+expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --set time_limit=60 --json --out H --force "${small[@]}"
 
 # --- reports: of one device, since the study takes ten seconds of a processor for each
 expect 1 "no device 'phantom_lik'; did you mean 'phantom_like'" "$FULCRUM" stability --device phantom_lik --out S
-expect 3 '"seed": 7' "$FULCRUM" run piping --headless --seconds 0.1 --seed 7 --set time_limit=60 --json --out H --force "${small[@]}"
 expect 0 'stiffest walls' "$FULCRUM" stability --device phantom_like --out S
 [ "$(head -1 S/stability.csv)" = device,delay_ticks,B,K_simulated,K_exact,K_passive ] || fail "stability.csv has other columns"
 grep -q '^phantom_like,2,' S/stability.csv || fail "stability.csv knows no phantom_like"

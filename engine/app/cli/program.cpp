@@ -64,6 +64,11 @@ std::string refuse_no_number(const std::string& given) {
   return std::isfinite(std::strtod(given.c_str(), nullptr)) ? "" : "'" + given + "' is no finite number";
 }
 
+// CLI11's own names the largest number there is.
+std::string refuse_no_positive(const std::string& given) {
+  return std::strtod(given.c_str(), nullptr) > 0 ? "" : "'" + given + "' has to be above 0";
+}
+
 }  // namespace
 
 void Arguments::required(const Argument& argument, std::string& value) {
@@ -116,7 +121,7 @@ void Arguments::positive(const Argument& argument, std::optional<double>& value)
   command_.add_option(argument.name, value, argument.help)
       ->type_name(argument.type)
       ->check(refuse_no_number)
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(refuse_no_positive, "ABOVE 0"));
 }
 
 void Arguments::integer(const Argument& argument, const std::function<void(std::int64_t)>& take) {
