@@ -30,6 +30,7 @@ struct Driver {
   std::uint32_t stop_buttons = 0, go_buttons = 0;
   DeviceWords words{};
   bool in_hand = false;       // a person holds it
+  bool in_window = false;     // a window has it alone
   bool table = false;         // content/devices has its figures
   bool vibrates = false;      // beside another device, too
   bool senses = false;        // where another device is held, beside that one alone

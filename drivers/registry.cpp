@@ -124,7 +124,16 @@ Result<DeviceName> read_device_name(const std::string& name) {
   return parts;
 }
 
+std::optional<Error> refuse_without_window(const std::string& name, const std::string& no_window_reason) {
+  const Result<DeviceName> parts = read_device_name(name);
+  if (!parts) return parts.error();
+  if (!no_window_reason.empty() && driver_of(parts->moves)->in_window)
+    return cannot_be_had(parts->moves, no_window_reason);
+  return std::nullopt;
+}
+
 std::optional<Error> refuse_device(const std::string& name, const RunsIn& runs) {
+  if (auto refused = refuse_without_window(name, runs.no_window_reason)) return refused;
   const Result<DeviceName> parts = read_device_name(name);
   if (!parts) return parts.error();
   for (const std::string& part : {parts->moves, parts->beside}) {

@@ -109,6 +109,9 @@ struct RunsIn {
   bool headset = false;            // a headset shows it
 };
 
+// Why nothing that has no window can have this device, whatever is plugged in.
+std::optional<Error> refuse_without_window(const std::string& name, const std::string& no_window_reason);
+
 // Why a run cannot have this device now, known before anything is baked.
 std::optional<Error> refuse_device(const std::string& name, const RunsIn& runs);
 

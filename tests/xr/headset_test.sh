@@ -18,6 +18,10 @@ no_headset() {
   expect 2 '^fulcrum: --xr has a picture for each eye already: leave out --stereo' "$FULCRUM" run piping --xr --stereo anaglyph
   expect 2 '^fulcrum: --xr draws with the card' "$FULCRUM" run piping --xr --gpu 0
   expect 1 "'mouse' cannot be had: it needs a window: leave out --xr" "$FULCRUM" run piping --xr --device mouse
+  for device in mouse keyboard gamepad mouse+audio; do
+    expect 1 "^fulcrum: The device '${device%+*}' cannot be had: it needs a window: leave out --xr, or --device\.$" "$FULCRUM" explain piping --xr --device $device
+  done
+  expect 0 '^  headset ' "$FULCRUM" explain piping --xr --device touch
   expect 1 "'controller' cannot be had: it is there while a headset shows a scene" "$FULCRUM" run piping --headless --realtime --device controller
   mkdir apart && cp "$FULCRUM" apart/fulcrum
   expect 1 'apart/fulcrum-xr, which could not be started .*tools/run --build' apart/fulcrum run piping --xr

@@ -12,6 +12,9 @@ class Arguments;
 inline constexpr const char* kLocalSpace = "local";
 inline constexpr const char* kStageSpace = "stage";
 
+// Why a device of a window's is not there in a headset.
+inline constexpr const char* kNoWindowInHeadset = "it needs a window: leave out --xr, or --device.";
+
 struct HeadsetOptions {
   bool asked = false;               // --xr
   std::string space = kLocalSpace;  // --xr-space

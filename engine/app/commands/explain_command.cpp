@@ -133,6 +133,12 @@ int explain_command(const ExplainOptions& options) {
     complain(*refused);
     return kUsage;
   }
+  if (options.headset.asked) {
+    if (const auto refused_device = refuse_without_window(options.device, kNoWindowInHeadset)) {
+      complain(refused_device->sentence);
+      return kError;
+    }
+  }
   const std::optional<Prepared> prepared = prepare_on(options);
   if (!prepared) return kError;
   const Result<World> world = World::build(prepared->haptic.scene);

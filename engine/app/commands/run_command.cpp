@@ -180,7 +180,7 @@ int run_command(const RunOptions& given, const std::function<int()>& elsewhere, 
   }
   if (!options.faults.empty()) complain("faults are injected: " + faults_text(options.faults) + ".");
   const std::string no_window =
-      options.headset.asked ? "it needs a window: leave out --xr, or --device."
+      options.headset.asked ? kNoWindowInHeadset
       : options.headless
           ? "it needs a window: leave out --headless, or use --device simulated or replay:FILE."
           : ui::why_no_window();
