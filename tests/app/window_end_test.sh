@@ -37,6 +37,18 @@ xdotool windowkill "$window"
 ended_in_order killed
 grep -q 'the window is gone' "$work/said" || fail "killed: does not say so: $(cat "$work/said")"
 
+# While the scenario is read or baked, for a cache of the test's own.
+before_it_is_ready() { # SENTENCE COMMAND...
+  XDG_CACHE_HOME=$work/cache open_window piping --size 320x180 --set field.voxel=0.0003 --out "$work/none"
+  "${@:2}"
+  wait_for_end
+  [ $code = 3 ] || fail "while it bakes: exit $code: $(cat "$work/said")"
+  grep -q "^fulcrum: $1" "$work/said" || fail "while it bakes: says $(cat "$work/said")"
+  [ ! -e "$work/none" ] || fail "while it bakes: something was run"
+}
+before_it_is_ready 'interrupted before the trial began: nothing was run\.$' eval 'kill -INT $program'
+before_it_is_ready 'the window was closed before the scenario was ready: nothing was run\.$' eval 'xdotool windowclose "$window"'
+
 run_one no_server
 kill $xvfb
 ended_in_order no_server

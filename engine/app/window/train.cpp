@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/app/cli/exit_code.h"
+#include "engine/app/cli/interrupt.h"
 #include "engine/app/cli/terminal.h"
 #include "engine/app/picture/picture.h"
 #include "engine/app/run/run_session.h"
@@ -18,7 +19,8 @@ Trained train(WindowStage& stage, const scenario::Scenario& scenario, const RunO
   using Leave = TrainingWindow::Leave;
   const PreparedInWindow ready = prepare_in_window(stage, options.scenario, scenario);
   if (ready.closed) {
-    complain("the window was closed before the scenario was ready: nothing was run.");
+    complain(interrupted() ? "interrupted before the trial began: nothing was run."
+                           : "the window was closed before the scenario was ready: nothing was run.");
     return {kNotCompleted, Leave::closed};
   }
   if (ready.cancelled) {
