@@ -9,8 +9,9 @@
 namespace fulcrum::headset {
 namespace {
 
+// Digits alone, however far apart a space and a device say that two places are.
 std::string in_mm(double m) {
-  return number_text(std::round(1e4 * m) / 10);
+  return number_text(std::round(1e4 * m) / 10, 9);
 }
 
 // Whether all stayed as near to their mean as a touch has to, and the mean.

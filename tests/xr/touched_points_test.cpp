@@ -76,6 +76,14 @@ TEST(TouchedPoints, ThreeAndMoreFindTheBase) {
   EXPECT_LT(off.p.norm() + angle_of(off.q), 1e-7);
 }
 
+TEST(TouchedPoints, AFarPlaceIsToldInPlainDigits) {
+  Toucher person;
+  for (int i = 0; i < 3; ++i) person.touch(kPlaces[i], i == 0 ? Vec3(99, 0, 0) : Vec3(0, 0, 0));
+  ASSERT_TRUE(person.points.fit()) << person.points.text();
+  ASSERT_GT(person.points.fit()->rms, 10);
+  EXPECT_FALSE(person.says("e+")) << person.points.text();
+}
+
 TEST(TouchedPoints, WhatIsNoTouchIsSaidAndNotTaken) {
   Toucher person;
   person.touch(kPlaces[0], Vec3::Zero(), 0.01);
