@@ -33,6 +33,7 @@ for number in nan -nan inf 1e999; do
   expect 2 "'$number' is no finite number" "$FULCRUM" run piping --headless "--seconds=$number"
 done
 for number in 0 -1 -0 0.0; do expect 2 "^--seconds: '$number' has to be above 0$" "$FULCRUM" run piping --headless "--seconds=$number"; done
+expect 2 "^--seed: '-1' has to be a whole number, 0 or above$" "$FULCRUM" run piping --headless --seed -1
 expect 0 '^piping ' "$FULCRUM" list
 expect 0 '"name": "piping"' "$FULCRUM" list --json
 expect 0 'simulated' "$FULCRUM" devices

@@ -69,6 +69,10 @@ std::string refuse_no_positive(const std::string& given) {
   return std::strtod(given.c_str(), nullptr) > 0 ? "" : "'" + given + "' has to be above 0";
 }
 
+std::string refuse_no_count(const std::string& given) {
+  return given.starts_with('-') ? "'" + given + "' has to be a whole number, 0 or above" : "";
+}
+
 }  // namespace
 
 void Arguments::required(const Argument& argument, std::string& value) {
@@ -125,7 +129,9 @@ void Arguments::positive(const Argument& argument, std::optional<double>& value)
 }
 
 void Arguments::integer(const Argument& argument, const std::function<void(std::int64_t)>& take) {
-  command_.add_option_function<std::int64_t>(argument.name, take, argument.help)->type_name(argument.type);
+  command_.add_option_function<std::int64_t>(argument.name, take, argument.help)
+      ->type_name(argument.type)
+      ->check(refuse_no_count);
 }
 
 void Arguments::text(const Argument& argument, const std::function<std::string(const std::string&)>& read) {
