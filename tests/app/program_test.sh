@@ -123,6 +123,7 @@ expect 3 'Not completed' "$FULCRUM" "${stereo[@]}" interlaced --view slot --eye-
 expect 3 'Not completed' "$FULCRUM" "${stereo[@]}" anaglyph --screen-height 300 --head=-100,0,600 --convergence 300 --out S/window
 expect 2 "no stereo mode 'anaglif'; did you mean 'anaglyph'" "$FULCRUM" "${stereo[@]}" anaglif
 expect 2 "no stereo mode 'nonsense'; use side-by-side, top-bottom, interlaced, anaglyph" "$FULCRUM" "${stereo[@]}" nonsense
+expect 2 "'1e9,0,600' is no place of a head: .*each within 100000" "$FULCRUM" "${stereo[@]}" anaglyph --screen-height 300 --head=1e9,0,600
 expect 2 'head: give RIGHT,UP,BEFORE in mm' "$FULCRUM" "${stereo[@]}" anaglyph --screen-height 300 --head=1,2,-3
 expect 2 'add --screen-height' "$FULCRUM" "${stereo[@]}" anaglyph --head=0,0,500
 expect 2 '--convergence is of pictures for two eyes: add --stereo' "$FULCRUM" run piping --headless --convergence 400

@@ -34,7 +34,7 @@ std::string read_head(const std::string& text, std::optional<glm::vec3>& head_mm
   if (!whole || !fits)
     return scenario::in_quotes(text) +
            " is no place of a head: give RIGHT,UP,BEFORE in mm from the picture's middle, such as 0,0,600, "
-           "before it by 1 at least";
+           "each within 100000, and before it by 1 at least";
   head_mm = read;
   return {};
 }
