@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/xr/pose.h"
@@ -12,6 +13,8 @@ namespace {
 
 // s: cameras may see a hand no more often, and a runtime may repeat what they saw.
 constexpr double kSeldomSeen = 1.0 / 30;
+
+constexpr double kRightAngle = 0.5 * std::numbers::pi;
 
 }  // namespace
 
@@ -28,6 +31,15 @@ std::optional<Pose> credible(const XrPosef& pose) {
                                    std::hypot(static_cast<double>(q.z), static_cast<double>(q.w)));
   if (!(std::abs(length - 1) <= kTurnError) || !credible(pose.position)) return std::nullopt;
   return pose_of(pose);
+}
+
+bool is_credible(const XrFovf& fov) {
+  const auto seen = [](float from, float to) {
+    const auto a = static_cast<double>(from), b = static_cast<double>(to);
+    // What is no number is not within the limit either.
+    return std::abs(a) < kRightAngle && std::abs(b) < kRightAngle && b - a >= kNarrowestView;
+  };
+  return seen(fov.angleLeft, fov.angleRight) && seen(fov.angleDown, fov.angleUp);
 }
 
 std::optional<Pose> Sighting::follow(const std::optional<Pose>& X, XrTime time) {

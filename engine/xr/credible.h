@@ -22,6 +22,12 @@ inline constexpr double kFastest = 8, kFastestTurn = 40;
 std::optional<Vec3> credible(const XrVector3f& p);
 std::optional<Pose> credible(const XrPosef& pose);
 
+// rad: no headset shows less, and what is drawn for it has to be wider than nothing.
+inline constexpr double kNarrowestView = 0.05;
+// Each angle is a number within a right angle (The OpenXR Specification 1.0, "Angles"), and left is left of
+// right as down is below up.
+bool is_credible(const XrFovf& fov);
+
 // One hand from picture to picture. Where it leaps, it is out of sight for that picture: whoever follows it
 // takes it anew.
 class Sighting {

@@ -164,7 +164,7 @@ std::optional<std::array<EyeView, 2>> Session::eyes(const Frame& frame) {
       (state.viewStateFlags & kSeen) != kSeen)
     return std::nullopt;
   const std::optional<Pose> left = credible(views[0].pose), right = credible(views[1].pose);
-  if (!left || !right) return std::nullopt;
+  if (!left || !right || !is_credible(views[0].fov) || !is_credible(views[1].fov)) return std::nullopt;
   return std::array{EyeView{*left, views[0].fov}, EyeView{*right, views[1].fov}};
 }
 

@@ -44,6 +44,17 @@ TEST(Credible, WhatIsNoPlaceIsNotTaken) {
     EXPECT_FALSE(credible(XrPosef{q, {0, 0, 0}})) << q.x << ' ' << q.w;
 }
 
+TEST(Credible, AnEyeSeesAPartOfWhatIsBeforeIt) {
+  EXPECT_TRUE(is_credible({-0.7F, 0.6F, 0.6F, -0.65F}));
+  EXPECT_TRUE(is_credible({0.1F, 0.6F, -0.1F, -0.65F})) << "all of it to one side";
+  for (const XrFovf& fov :
+       {XrFovf{0, 0, 0, 0}, XrFovf{-0.7F, 0.6F, 0.3F, 0.3F}, XrFovf{0.6F, -0.7F, 0.6F, -0.65F},
+        XrFovf{-0.7F, 0.6F, -0.6F, 0.65F}, XrFovf{-0.7F, kNaN, 0.6F, -0.65F},
+        XrFovf{-kEndless, 0.6F, 0.6F, -0.65F}, XrFovf{-0.7F, 1.6F, 0.6F, -0.65F}})
+    EXPECT_FALSE(is_credible(fov)) << fov.angleLeft << ' ' << fov.angleRight << ' ' << fov.angleUp << ' '
+                                   << fov.angleDown;
+}
+
 TEST(Credible, WhateverBitsAHandIsMadeOfItIsOutOfSightOrAHand) {
   std::mt19937 random(20261128);
   const auto any_float = [&] {
