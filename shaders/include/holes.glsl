@@ -18,9 +18,10 @@ float least_there(vec2 part) { return mix(0.5, clamp(0.5 + 255.0 * dither(gl_Fra
 // Whether a pixel with one sample is there.
 bool is_there(vec2 part) { return part.x >= least_there(part); }
 
-// The alpha for which a device covers as many of four samples as there are. Devices round as they like, lavapipe up, others to
-// the nearest: a little less than whole samples is the same to both.
+// The alpha for which a device covers as many of four samples as there are: all of them for 1, as all devices do. Else they
+// round as they like, lavapipe up, others to the nearest: a little less than whole samples is the same to both, and those that
+// round by the place of a pixel come near it.
 float alpha_of_samples(vec2 part) {
   float samples = floor(4.0 * part.x + 1.0 - least_there(part));
-  return max(samples - 0.25, 0.0) / 4.0;
+  return samples >= 4.0 ? 1.0 : max(samples - 0.25, 0.0) / 4.0;
 }
