@@ -15,8 +15,8 @@ namespace fulcrum {
 class FolderLock {
 public:
   FolderLock() = default;  // of no folder
-  // Errors: another program, or this one, holds that folder's. A file system that knows no locks has none to
-  // hold, and nobody is kept from it.
+  // Errors: another program, or this one, holds that folder's. Where a folder cannot be locked, as on
+  // NFS or where it may not be listed, there is none to hold, and nobody is kept from it.
   static Result<FolderLock> take(const std::filesystem::path& folder);
 
 private:

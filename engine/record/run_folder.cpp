@@ -121,6 +121,8 @@ Result<RunFolder> prepare_run_folder(const fs::path& folder, bool force,
   if (!taken) return taken.error();
   Result<FolderLock> lock = FolderLock::take(folder);
   if (!lock) return lock.error();
+  // None were there; those that another run has left since stay, and are told of where this one's are made.
+  if (!force) return RunFolder{std::move(*taken), std::move(*lock)};
   const Result<std::size_t> removed = remove_results(folder, files);
   if (!removed) return removed.error();
   return RunFolder{std::move(*taken), std::move(*lock)};

@@ -20,6 +20,8 @@ expect 2 "\`fulcrum run\` has no option '--hedless'; did you mean '--headless'" 
 expect 2 "has no option '--qq'; \`fulcrum check --help\` lists them" "$FULCRUM" check piping --qq=3
 expect 2 '.' "$FULCRUM" run
 expect 2 'no size' "$FULCRUM" run piping --size big
+expect 2 "'0' has to be above 0" "$FULCRUM" run piping --headless --seconds 0
+expect 2 'Could not convert: --seconds = abc' "$FULCRUM" run piping --headless --seconds abc
 expect 2 '\-\-xr-space is where a headset shows the scene: add --xr' "$FULCRUM" run piping --headless --xr-space stage
 expect 2 '\-\-xr-scale is how large' "$FULCRUM" run piping --headless --xr-scale 3
 expect 2 '\-\-xr-space is where' "$FULCRUM" explain piping --xr-space stage

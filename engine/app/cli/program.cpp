@@ -64,9 +64,12 @@ std::string refuse_no_number(const std::string& given) {
   return std::isfinite(std::strtod(given.c_str(), nullptr)) ? "" : "'" + given + "' is no finite number";
 }
 
-// CLI11's own names the largest number there is.
+// CLI11's own names the largest number there is. What is no number it refuses itself.
 std::string refuse_no_positive(const std::string& given) {
-  return std::strtod(given.c_str(), nullptr) > 0 ? "" : "'" + given + "' has to be above 0";
+  char* end = nullptr;
+  const double number = std::strtod(given.c_str(), &end);
+  const bool is_number = end != given.c_str() && *end == '\0';
+  return number > 0 || !is_number ? "" : "'" + given + "' has to be above 0";
 }
 
 std::string refuse_no_count(const std::string& given) {
@@ -128,7 +131,7 @@ void Arguments::positive(const Argument& argument, std::optional<double>& value)
       ->check(CLI::Validator(refuse_no_positive, "ABOVE 0"));
 }
 
-void Arguments::integer(const Argument& argument, const std::function<void(std::int64_t)>& take) {
+void Arguments::count(const Argument& argument, const std::function<void(std::int64_t)>& take) {
   command_.add_option_function<std::int64_t>(argument.name, take, argument.help)
       ->type_name(argument.type)
       ->check(refuse_no_count);

@@ -38,7 +38,7 @@ public:
   void number(const Argument& argument, double& value, double least, double most);
   void number(const Argument& argument, std::optional<double>& value, double least, double most);
   void positive(const Argument& argument, std::optional<double>& value);
-  void integer(const Argument& argument, const std::function<void(std::int64_t)>& take);
+  void count(const Argument& argument, const std::function<void(std::int64_t)>& take);
   // read: what is wrong with the text, as a sentence; empty: nothing.
   void text(const Argument& argument, const std::function<std::string(const std::string&)>& read);
   // The same for an option that may be given again.

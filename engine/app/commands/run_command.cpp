@@ -242,8 +242,8 @@ void add_run_command(Program& program, RunInHeadset in_headset) {
         arguments.flag("--wav", "With --headless: what would be heard, as sound.wav", options->wav);
         arguments.flag("--realtime", "Headless, but by the clock, in the haptic thread", options->realtime);
         arguments.positive({"--seconds", "S", "End after this much simulated time"}, options->seconds);
-        arguments.integer({"--seed", "N", "Seed of what is random, such as the hand's tremor"},
-                          [seed](std::int64_t given) { *seed = given; });
+        arguments.count({"--seed", "N", "Seed of what is random, such as the hand's tremor"},
+                        [seed](std::int64_t given) { *seed = given; });
         arguments.overrides(options->overrides);
         arguments.size(options->size);
         arguments.text(
