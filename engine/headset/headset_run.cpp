@@ -78,8 +78,7 @@ void HeadsetRun::run(std::function<void()> ended) {
   if (stage_.window() != nullptr && stage_.window()->lost())
     app::complain(
         "the mirror's window is gone, for its X server ended or another program closed it: the run ends "
-        "here, "
-        "and what it recorded is kept.");
+        "here, and what it recorded is kept.");
   else if (!error_.empty())
     app::complain(error_);
   app::report_grant(loop_);

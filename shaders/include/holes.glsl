@@ -11,8 +11,8 @@ vec2 part_there(sampler2D picture, vec2 at, float alpha, float cut_off) {
   return vec2(mix(edge, alpha, smaller), smaller);
 }
 
-// How much of the whole is needed here for one of so many samples more: half of one at an edge; of what is seen from afar as
-// many pixels need little as need much, so that of many as many samples are there as there is of the surface.
+// The part of a sample above which that sample counts as there. At an edge it is half of one. Of what is seen from afar it
+// differs from pixel to pixel, evenly between 0 and 1: over many pixels, as many samples are there as there is of the surface.
 float least_there(vec2 part) { return mix(0.5, clamp(0.5 + 255.0 * dither(gl_FragCoord.xy), 0.01, 0.99), part.y); }
 
 // Whether a pixel with one sample is there.

@@ -51,7 +51,7 @@ vec4 neighbours(vec3 n, vec3 d, float roughness) {
   vec4 colour = vec4(0.0);  // a: what those before it weigh together, as in `place`
   vec2 place = vec2(0.0);   // how far away that is and at which level
   vec4 before = vec4(0.0);
-  float before_way = -1.0;
+  float before_way = -1.0;  // where the last step was; none further on: the ray has reached its last place
   for (int i = 0; i < kMostSteps && way > before_way && way < end && hidden < 0.98; ++i) {
     // No wider than it is high above the surface, or it met that.
     float widest = (kOff * voxel + climb * way) / 1.5;
