@@ -20,7 +20,7 @@ void SettingsPanel::follow(SettingsMenu::Wish wish) {
 
 ui::SettingsPage SettingsPanel::page() const {
   ui::SettingsPage page = menu_->page();
-  if (!not_kept_.empty()) page.note = "Until Fulcrum ends. " + not_kept_;
+  if (!not_kept_.empty()) page.note = "This holds until Fulcrum ends. " + not_kept_;
   return page;
 }
 
